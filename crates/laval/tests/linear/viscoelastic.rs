@@ -629,7 +629,7 @@ fn transients_grow_as_the_modes_say_and_keep_their_account() {
         let balance = motion.findings.iter().find(|f| f.id == "energy_balance").unwrap_or_else(|| panic!("{:?}", motion.findings));
         assert!(balance.value.unwrap() < 1e-6, "{balance:?}");
         let fit = motion.findings.iter().find(|f| f.id == "time_form").unwrap_or_else(|| panic!("{:?}", motion.findings));
-        assert!(fit.text.contains("\"shaft\"") && fit.value.is_some_and(|e| e > 0.0 && e < 1e-5), "{fit:?}");
+        assert!(fit.sentence().contains("\"shaft\"") && fit.value.is_some_and(|e| e > 0.0 && e < 1e-5), "{fit:?}");
         let (t, x, y) = (column(motion, "motion", "t"), column(motion, "motion", "disc.x"), column(motion, "motion", "disc.y"));
         let radius = |from: f64, to: f64| {
             let inside = t.iter().zip(x.iter().zip(y)).filter(|(t, _)| **t >= from && **t <= to);

@@ -49,15 +49,16 @@ fn growth_through_an_unstable_range_is_no_resonance() {
     };
     let stable = run(&machine(0.9, "duration = 20\n"));
     let peaks: Vec<_> = stable.findings.iter().filter(|f| f.id == "peak").collect();
-    assert!(peaks.iter().all(|f| f.text.contains("passes a resonance")) && peaks.len() == 1, "{:?}", stable.findings);
+    assert!(peaks.iter().all(|f| f.message.key == "run-up-resonance") && peaks.len() == 1, "{:?}", stable.findings);
+    assert!(peaks[0].sentence().contains("passing a resonance"), "{}", peaks[0].sentence());
     assert!((peaks[0].value.unwrap() - own).abs() < 0.1 * own);
     assert!(find(&stable, "unstable_range").is_none(), "{:?}", stable.findings);
     // above that resonance, from a small start
     let o = run(&machine(3.0, "from = 410\nduration = 2.4375\ninitial = { \"d.x\" = 1e-4 }\n"));
     let grown = find(&o, "unstable_range").unwrap_or_else(|| panic!("{:?}", o.findings));
     // nor is what the start leaves behind, far from any natural frequency
-    assert!(o.findings.iter().all(|f| !f.text.contains("resonance")), "{:?}", o.findings);
-    assert_eq!(grown.level, Level::Warning);
+    assert!(o.findings.iter().all(|f| !f.sentence().contains("resonance")), "{:?}", o.findings);
+    assert!(grown.level == Level::Warning && grown.sentence().contains("unstable"), "{}", grown.sentence());
     // s = (-c + sqrt(c^2 - 4 m (k - i q)))/2m: it grows most at 450 rad/s
     let rate = grown.evidence.iter().find(|e| e.what == "largest growth rate there").unwrap().value;
     let q = 3.0 * c * own;
@@ -74,7 +75,7 @@ fn an_energy_balance_closes_to_rounding() {
                 mass = 1.0\neccentricity = 1e-05\ndiametral_inertia = 0.1\npolar_inertia = 0.1\n";
     let o = run(text);
     let f = find(&o, "energy_balance").unwrap();
-    assert!(f.level == Level::Info && f.text.contains("rounding") && f.value.unwrap() <= 500.0 * 1e-13, "{f:?}");
+    assert!(f.level == Level::Info && f.message.key == "history-energy-closes-to-rounding" && f.value.unwrap() <= 500.0 * 1e-13, "{f:?}");
     let spring = format!("{text}[[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nkxx = 1e5\nkyy = 1e5\n");
     let rough = spring.replace("speed =", "relative_tolerance = 1e-2, absolute_tolerance = 1e-2, initial = { \"d.x\" = 1e-3 }, speed =");
     assert_eq!(find(&run(&rough), "energy_balance").unwrap().level, Level::Warning);
@@ -111,30 +112,57 @@ fn a_duration_too_long_for_its_envelope_is_named() {
     let context = laval::study::Context { work_limit: 2000, ..laval::study::Context::quiet("t") };
     let o = loaded.studies[0].study.run(&loaded.system, &context).unwrap();
     let f = find(&o, "no_growth_rate").unwrap();
-    assert!(f.text.contains("shorter duration") && !f.text.contains("too short"), "{f:?}");
+    assert!(f.message.key == "transient-windows-too-long" && f.sentence().contains("shorter duration"), "{f:?}");
 }
 
-/// A layer of liquid is not held on its wall at standstill: that is said as the time until which, not as a ratio without bound.
+const WALL: &str = "wall acceleration over centrifugal acceleration of the layer";
+
+/// A layer of liquid is not held on its wall at standstill: it is valid above a speed, which is no warning.
 #[test]
-fn a_liquid_is_valid_from_a_time_on() {
+fn a_liquid_is_valid_above_a_speed() {
     let machine = |from: f64| {
         format!(
             "[machine]\n[[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 18\npolar_inertia = 0.2\neccentricity = \"40 um\"\n\
              [[part]]\nkind = \"bearing_linear\"\nbetween = [\"wheel\", \"ground\"]\nkxx = 9e6\nkyy = 9e6\ncxx = 900\ncyy = 900\n\
              [[part]]\nkind = \"liquid\"\nname = \"liquid\"\nin = \"wheel\"\ncavity_radius = 0.15\ncavity_height = 0.08\ndensity = 1000\n\
              fill = {{ volume_fraction = 0.1 }}\nwave_damping = 4\n\
-             [[study]]\nkind = \"run_up\"\nfrom = {from}\nto = 200\nduration = 1\npoints = 200\n"
+             [[study]]\nkind = \"run_up\"\nfrom = {from}\nto = {}\nduration = 1\npoints = 200\n",
+            if from == 200.0 { 0.0 } else { 200.0 }
         )
     };
-    let o = run(&machine(0.0));
-    let reported: Vec<_> = o.findings.iter().filter(|f| f.id == "validity").collect();
-    assert!(reported.iter().all(|f| f.level != Level::Invalid && !f.text.contains("without bound")), "{reported:?}");
-    let wall = reported.iter().find(|f| f.text.contains("wall acceleration")).unwrap();
-    let standstill = wall.text.contains("at standstill");
-    assert!(standstill || wall.text.contains("not valid before"), "{wall:?}");
-    if !standstill {
-        assert!(wall.value.unwrap() < 0.05, "{wall:?}");
+    // from standstill, back to it, and through it
+    for from in [0.0, 200.0, -200.0] {
+        let o = run(&machine(from));
+        let reported: Vec<_> = o.findings.iter().filter(|f| f.id == "validity").collect();
+        assert!(reported.iter().all(|f| f.level == Level::Info && !f.sentence().contains("unbounded")), "{from}: {reported:?}");
+        let wall = reported.iter().find(|f| f.sentence().contains(WALL)).unwrap();
+        if wall.message.key != "history-valid" {
+            assert!(wall.number("speed").unwrap() < 10.0, "{from}: {wall:?}");
+        }
     }
     let moving = run(&machine(50.0));
-    assert!(moving.findings.iter().filter(|f| f.id == "validity").all(|f| f.level == Level::Info && f.text.contains("stays inside")));
+    assert!(moving.findings.iter().filter(|f| f.id == "validity").all(|f| f.level == Level::Info && f.message.key == "history-valid"));
+}
+
+/// A balanced rotor does not vibrate: its layer of liquid is outside its validity at standstill alone. That is a warning only where the rotor never turns.
+#[test]
+fn validity_at_standstill_is_no_warning() {
+    let machine = "[machine]\n[[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 18\npolar_inertia = 0.2\n\
+                   [[part]]\nkind = \"bearing_linear\"\nbetween = [\"wheel\", \"ground\"]\nkxx = 9e6\nkyy = 9e6\ncxx = 900\ncyy = 900\n\
+                   [[part]]\nkind = \"liquid\"\nname = \"liquid\"\nin = \"wheel\"\ncavity_radius = 0.15\ncavity_height = 0.08\ndensity = 1000\n\
+                   fill = { volume_fraction = 0.1 }\nwave_damping = 4\n[[study]]\npoints = 200\n";
+    for (study, keys) in [
+        ("kind = \"run_up\"\nfrom = 0\nto = 200\nduration = 0.2", vec!["history-valid", "history-valid-after-start"]),
+        ("kind = \"run_up\"\nfrom = 200\nto = 0\nduration = 0.2", vec!["history-valid-while-turning"]),
+        ("kind = \"run_up\"\nfrom = 200\nto = 0\nduration = 0.2\nhold = 0.1", vec!["history-valid-while-turning"]),
+        ("kind = \"transient\"\nspeed = 200\nduration = 0.1", vec!["history-valid"]),
+        ("kind = \"transient\"\nspeed = 0\nduration = 0.1", vec!["history-not-valid-unbounded"]),
+    ] {
+        let o = run(&format!("{machine}{study}\n"));
+        let wall =
+            o.findings.iter().find(|f| f.id == "validity" && f.sentence().contains(WALL)).unwrap_or_else(|| panic!("{:?}", o.findings));
+        assert!(keys.contains(&wall.message.key.as_str()), "{study}: {}", wall.sentence());
+        assert_eq!(wall.level == Level::Invalid, keys == ["history-not-valid-unbounded"], "{study}: {}", wall.sentence());
+        assert!(wall.level != Level::Warning, "{study}: {}", wall.sentence());
+    }
 }

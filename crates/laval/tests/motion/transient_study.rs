@@ -457,7 +457,8 @@ fn limits_and_cancellation_leave_partial_results() {
     // what was stopped has no end
     let reported: Vec<String> = o.findings.iter().map(|f| f.sentence()).collect();
     assert!(
-        reported.iter().any(|s| s.contains("where it was stopped")) && !reported.iter().any(|s| s.to_lowercase().contains("the end")),
+        reported.iter().any(|s| s.contains("where the integration stopped"))
+            && !reported.iter().any(|s| s.to_lowercase().contains("the end")),
         "{reported:?}"
     );
     let _ = Silent;

@@ -203,11 +203,12 @@ fn studies_of_motion() {
     let head = model(FILE, "spatial");
     let head = head.split("[[study]]").next().unwrap();
     let up = run(&format!("{head}[[study]]\nkind = \"run_up\"\nfrom = \"390 rad/s\"\nto = \"400 rad/s\"\nduration = \"0.3 s\"\n"));
-    let find = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| (f.text.clone(), f.value));
-    let (text, error) = find(&up, "time_form").unwrap();
-    assert!(text.starts_with("\"water\" is integrated by a rational form of") && error.unwrap() <= 1e-4, "{text}");
-    assert!(find(&up, "time_form_roots").unwrap().1.is_some_and(|moved| moved < 1e-4 * 400.0));
-    let change = up.findings.iter().any(|f| f.id == "validity" && f.text.contains("change of the speed within a turn"));
+    let find = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).cloned();
+    let form = find(&up, "time_form").unwrap();
+    assert!(form.message.key == "history-time-form" && form.sentence().contains("\"water\""), "{}", form.sentence());
+    assert!(form.number("states") > Some(0.0) && form.value.unwrap() <= 1e-4, "{form:?}");
+    assert!(find(&up, "time_form_roots").unwrap().value.is_some_and(|moved| moved < 1e-4 * 400.0));
+    let change = up.findings.iter().any(|f| f.id == "validity" && f.sentence().contains("change of the speed within a turn"));
     assert!(change, "{:?}", up.findings);
     let sweep = run(&format!(
         "{head}[[study]]\nkind = \"sweep\"\nspeed = {{ from = \"60 rad/s\", to = \"70 rad/s\", points = 2 }}\nstart = \"rest\"\nmost_periods = 20\n"

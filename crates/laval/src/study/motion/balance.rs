@@ -1,12 +1,12 @@
-//! What studies of motions say of parts that balance by themselves: the unbalance that remains and its grade, whether their masses suffice, when they are there.
+//! Findings, a table and figures of parts that balance by themselves: the unbalance that remains and its grade, whether their masses suffice, when it settles.
 
 use super::animation;
-use super::history::{Columns, end_in_words, sound};
+use super::history::{Columns, last_moment, sound};
 use super::record::MotionRecord;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, quantity, significant};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use crate::solve::pencil::modes_about;
@@ -67,10 +67,11 @@ pub(in crate::study) fn balancing(motion: &mut Motion, trajectory: &Trajectory) 
 pub(in crate::study) fn report(system: &System, record: &MotionRecord, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     for (slot, text) in system.warnings() {
         let name = &system.slots()[slot].name;
-        outcome = outcome.finding(Finding::warning("purpose", format!("\"{name}\": {text}.")).of(name));
+        let finding = Finding::warning("purpose", "balance-purpose").arg("part", Arg::name(name)).arg("why", Arg::term(text));
+        outcome = outcome.finding(finding.of(name));
     }
     let Some(balancing) = &record.balancing else { return Ok(outcome) };
-    for finding in findings(balancing, record).into_iter().chain(balancing.caught.as_ref().map(in_words)) {
+    for finding in findings(balancing, record).into_iter().chain(balancing.caught.as_ref().map(masses_caught)) {
         outcome = outcome.finding(finding);
     }
     let at = &balancing.unbalance;
@@ -135,18 +136,14 @@ fn caught(motion: &Motion, trajectory: &Trajectory) -> Option<Caught> {
     Some(Caught { count: slips.len(), slip: most, speed, span, near })
 }
 
-fn in_words(caught: &Caught) -> Finding {
-    let held = caught.near.map_or(String::new(), |f| format!(", near the natural frequency of {}", quantity(f, "rad/s")));
-    let text = format!(
-        "Of the masses {} did not follow the rotor: in the end going round at {{}} on average, the rotor at {}{held}.",
-        caught.count,
-        quantity(caught.speed, "rad/s")
-    );
-    Finding::warning("masses_caught", text).value(caught.speed + caught.slip, "rad/s").evidence("mean slip", caught.slip, "rad/s").evidence(
-        "averaged over",
-        caught.span,
-        "s",
-    )
+fn masses_caught(caught: &Caught) -> Finding {
+    let finding = match caught.near {
+        Some(f) => Finding::warning("masses_caught", "balance-masses-caught").arg("near", Arg::frequency(f)),
+        None => Finding::warning("masses_caught", "balance-masses-slip"),
+    };
+    let finding = finding.value(caught.speed + caught.slip, "rad/s").arg("speed", Arg::speed(caught.speed));
+    let finding = finding.arg("count", Arg::count(caught.count)).evidence("mean slip", caught.slip, "rad/s");
+    finding.evidence("averaged over", caught.span, "s")
 }
 
 /// Turns of the rotor on either side of a time over which masses are watched, and turns in it that they make meanwhile when they go round.
@@ -175,44 +172,40 @@ fn angles(system: &System) -> Option<Figure> {
     (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", text).x(Axis::new("time", "s")).panel(panel))
 }
 
-/// What is said of the unbalance.
+/// Findings of the unbalance.
 fn findings(balancing: &Balancing, record: &MotionRecord) -> Vec<Finding> {
     let (at, slips) = (&balancing.unbalance, balancing.caught.is_some());
     let (Some(last), Some(speed)) = (at.last(), record.spin.last().map(|s| s.speed)) else { return Vec::new() };
     let (left, without) = (last.moment.abs(), last.without());
     let mut out = Vec::new();
     let harm = left > (1.0 + NOTHING) * without;
-    let [_, when] = end_in_words(record);
-    let text = if harm {
-        format!("{when} the balls make the unbalance larger: it is {{}}.")
+    let finding = if harm {
+        Finding::warning("residual_unbalance", "balance-increased")
     } else {
-        format!("{when} the balls leave an unbalance of {{}}.")
+        Finding::info("residual_unbalance", "balance-residual")
     };
-    let make = if harm { Finding::warning } else { Finding::info };
     out.push(
-        make("residual_unbalance", text)
+        finding
             .value(left, "kg m")
+            .arg("without", Arg::quantity(without, "kg m"))
+            .arg("when", last_moment(record))
             .evidence("without the balls", without, "kg m")
             .evidence("grade number (ISO 21940-11)", last.grade(left, speed), "m/s")
             .evidence("grade number without the balls", last.grade(without, speed), "m/s"),
     );
     if !(last.capacity >= (1.0 - NOTHING) * without) {
-        let text = format!("The balls can cancel {{}} at most, less than the unbalance of {}.", quantity(without, "kg m"));
-        out.push(Finding::warning("insufficient_capacity", text).value(last.capacity, "kg m").evidence("needed", without, "kg m"));
+        let finding = Finding::warning("insufficient_capacity", "balance-insufficient-capacity").value(last.capacity, "kg m");
+        out.push(finding.arg("without", Arg::quantity(without, "kg m")).evidence("needed", without, "kg m"));
     }
     let away = |u: &Unbalance| !((u.moment.abs() - left).abs() <= SETTLED * without);
     let (count, since) = (at.len(), at.iter().rposition(away));
     // for a fifth of the time at least
     let lasting = since.is_none_or(|i| i + count / LATE < count);
     if slips || !lasting || !(remaining(at) <= SETTLED * without) {
-        out.push(Finding::info("balance_unsettled", format!("{when} the balls are still moving: the unbalance has not settled.")));
+        out.push(Finding::info("balance_unsettled", "balance-unsettled").arg("when", last_moment(record)));
     } else if let (Some(i), false) = (since, harm) {
-        let share = significant(100.0 * SETTLED, 2);
-        let text = format!(
-            "The balls reduce the unbalance. After {{}} it has its last value, to within {share} % of the unbalance without the balls."
-        );
-        let finding = Finding::info("time_to_balance", text).value(record.times[i + 1], "s");
-        out.push(finding.evidence("within this share of the unbalance without balls", SETTLED, ""));
+        let finding = Finding::info("time_to_balance", "balance-settling-time").value(record.times[i + 1], "s");
+        out.push(finding.arg("share", Arg::percent(SETTLED)).evidence("within this share of the unbalance without balls", SETTLED, ""));
     }
     out
 }

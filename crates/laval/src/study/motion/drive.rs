@@ -4,7 +4,7 @@
 
 use crate::model::part::{At, Rows};
 use crate::model::system::{System, Workspace};
-use crate::outcome::{Finding, SpecialPoint, Status, quantity};
+use crate::outcome::{Arg, Finding, SpecialPoint, Status};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use laval_num::univariate::root;
@@ -106,15 +106,13 @@ pub(in crate::study) fn capture(motion: &Motion, trajectory: &Trajectory) -> Opt
 }
 
 impl Capture {
-    /// In a sentence, and where it was.
+    /// The capture, and where it was.
     pub(in crate::study) fn report(&self) -> (Finding, SpecialPoint) {
-        let instead = match self.without {
-            Some(w) => format!("without vibration it would run at {}", quantity(w, "rad/s")),
-            None => "without vibration it would rise on and on".into(),
+        let finding = match self.without {
+            Some(w) => Finding::warning("capture", "drive-captured").arg("reachable", Arg::speed(w)),
+            None => Finding::warning("capture", "drive-captured-unlimited"),
         };
-        let text =
-            format!("The drive is caught at {{}}: the vibration takes its torque, and the speed hardly changes any more; {instead}.");
-        let mut finding = Finding::warning("capture", text)
+        let mut finding = finding
             .value(self.speed, "rad/s")
             .evidence("torque the vibration takes", self.torque, "N m")
             .evidence("power the vibration takes", self.torque * self.speed, "W")
@@ -146,20 +144,15 @@ pub(in crate::study) fn short(system: &System, speeds: &[f64], torque: &[f64], a
     let lacks: Vec<f64> = (0..count).map(mean).collect();
     let (at, most) = lacks.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
     if most <= 0.0 {
-        let text = "The motor can follow this programme: at least {} is left to spare.";
-        return Some(Finding::info("drive_suffices", text).value(-most, "N m"));
+        return Some(Finding::info("drive_suffices", "drive-suffices").value(-most, "N m"));
     }
     let first = lacks.iter().position(|x| *x > 0.0).unwrap_or(at);
-    let text =
-        format!("The motor cannot follow this programme: from {} on torque is missing, up to {{}}.", quantity(speeds[first], "rad/s"));
-    let finding = Finding::warning("drive_short", text).value(most, "N m").evidence("first at speed", speeds[first], "rad/s");
-    Some(finding.evidence("most at speed", speeds[at], "rad/s"))
+    let finding = Finding::warning("drive_short", "drive-short").value(most, "N m").arg("at", Arg::speed(speeds[at]));
+    Some(finding.evidence("first at speed", speeds[first], "rad/s").evidence("most at speed", speeds[at], "rad/s"))
 }
 
-/// That changes of the speed leave out parts whose inertia about the axis is 0.
-pub(in crate::study) fn without_inertia(system: &System, what: &str) -> Option<Finding> {
+/// That spin acceleration and drive torque leave out parts whose inertia about the axis is 0.
+pub(in crate::study) fn spin_inertia(system: &System) -> Option<Finding> {
     let missing = system.without_spin_inertia();
-    let list = missing.iter().map(|path| format!("\"{path}\"")).collect::<Vec<_>>().join(", ");
-    let text = format!("{what} without the inertia about the axis of what has none in the file: give {list}.");
-    (!missing.is_empty()).then(|| Finding::warning("spin_inertia", text))
+    (!missing.is_empty()).then(|| Finding::warning("spin_inertia", "drive-spin-inertia").arg("parameters", Arg::names(missing)))
 }

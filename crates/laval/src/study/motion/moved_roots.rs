@@ -2,7 +2,7 @@
 
 use crate::model::system::System;
 use crate::model::timed::Timed;
-use crate::outcome::{Finding, significant};
+use crate::outcome::{Arg, Finding, Message};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::pencil::Linearised;
 use crate::solve::rest::rest;
@@ -65,17 +65,23 @@ pub(in crate::study) fn moved_roots(exact: &System, timed: &Timed, speed: f64, c
 impl MovedRoots {
     pub(in crate::study) fn finding(&self) -> Finding {
         let MovedRoots { margin, compared, lost, growing, .. } = *self;
-        let which = if margin > 0.0 { format!("that grow or decay beyond {} 1/s", significant(margin, 3)) } else { "that grow".into() };
+        let which = match margin > 0.0 {
+            true => Message::new("moved-roots-beyond").arg("margin", Arg::quantity(margin, "1/s")),
+            false => Message::new("moved-roots-growing"),
+        };
         if compared == 0 && lost == 0 {
-            let text = format!(
-                "With its rational time forms the machine has no roots {which}, so that none was compared with the exact machine's."
-            );
-            return Finding::info("time_form_roots", text);
+            return Finding::info("time_form_roots", "moved-roots-none").arg("roots", which);
         }
-        let make = if lost == 0 { Finding::info } else { Finding::warning };
-        let more = if lost > 0 { format!("; beside {lost} of them the exact machine has no root") } else { String::new() };
-        let text = format!("Rational time forms move the roots {which} by at most {{}}{more}.");
-        let finding = make("time_form_roots", text).value(self.moved, "1/s").evidence("at frequency", self.frequency, "rad/s");
+        let finding = match (compared, lost) {
+            (_, 0) => Finding::info("time_form_roots", "moved-roots"),
+            (0, _) => Finding::warning("time_form_roots", "moved-roots-all-lost"),
+            _ => Finding::warning("time_form_roots", "moved-roots-lost"),
+        };
+        let finding = finding.arg("lost", Arg::count(lost)).arg("roots", which).value(self.moved, "1/s").evidence(
+            "at frequency",
+            self.frequency,
+            "rad/s",
+        );
         finding.evidence("roots compared", compared as f64, "").evidence("of the form, growing", growing as f64, "")
     }
 }

@@ -89,7 +89,9 @@ impl MotionState {
 pub struct ValidityUse {
     /// How far it is used.
     pub of: Use,
-    /// Spin speed when it was seen above 1 for the last time, rad/s; of a free spin at the output before.
+    /// Spin speed when it was seen above 1 for the first time, rad/s; of a free spin at the output before.
+    pub speed_first: Option<f64>,
+    /// The same for the last time.
     pub speed_then: Option<f64>,
 }
 
@@ -259,7 +261,7 @@ fn used(motion: &Motion, trajectory: &Trajectory, u: &Use) -> ValidityUse {
         let state = trajectory.states.chunks_exact(trajectory.state.len().max(1)).nth(last).unwrap_or(&trajectory.state);
         motion.spin(t, state).speed
     };
-    ValidityUse { of: u.clone(), speed_then: u.until.map(speed) }
+    ValidityUse { of: u.clone(), speed_first: u.exceeded.map(speed), speed_then: u.until.map(speed) }
 }
 
 /// What the parts show at the outputs.

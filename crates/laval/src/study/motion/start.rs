@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, Values};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Axis, System, Workspace};
-use crate::outcome::Finding;
+use crate::outcome::{Arg, Finding};
 use crate::solve::rest::{hanging, rest};
 use crate::units::check_dimension;
 use laval_num::dense::{Lu, Mat};
@@ -62,7 +62,7 @@ impl Start {
 /// That a motion starts undeflected, and why.
 pub(in crate::study) fn undeflected(why: &Option<String>) -> Option<Finding> {
     let why = why.as_ref()?;
-    Some(Finding::warning("start", format!("The motion starts undeflected and is measured from there: {why}.")))
+    Some(Finding::warning("start", "start-undeflected").arg("why", Arg::term(why)))
 }
 
 /// Internal states of linear parts solve `z' = 0`, which is affine in them; where nothing drives them they stay.

@@ -22,7 +22,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Drive, System};
 use crate::model::timed::Speeds;
-use crate::outcome::{End, Finding, Outcome, quantity};
+use crate::outcome::{Arg, End, Finding, Outcome};
 use crate::solve::motion::envelope::{Course, Growth, Window, growth};
 use crate::solve::motion::trajectory::{Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
@@ -322,12 +322,12 @@ impl Transient {
         let fastest = last_state.spin.speed.abs().max(self.speed.abs());
         let turn = std::f64::consts::TAU / fastest;
         if let Some(left) = record.left {
-            return vec![history::unbounded(system, left, &record.windows[left.body], turn)];
+            return vec![history::unbounded(system, left, &record.windows[left.body], turn, last_state.spin.speed)];
         }
         let still = history::negligible(&self.settings, &record.rest);
-        let [by, at] = history::end_in_words(record);
+        let when = history::last_moment(record);
         let mut out = Vec::new();
-        // the body that moves most at the end speaks for the machine
+        // the body that moves most at the end stands for the machine
         let last = |w: &[Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
         let motions = history::probe_motions(system, record, still);
         let of = |tilt: bool| motions.iter().filter(move |s| s.tilt == tilt && last(s.windows) > s.still);
@@ -339,9 +339,8 @@ impl Transient {
         let grows = rate.as_ref().is_some_and(|g| clear(g) && g.rate > 0.0);
         for s in &motions {
             let finding = if grows && s.moves() && s.peak.t >= 0.9 * record.run.t {
-                let (id, what) = if s.tilt { ("largest_tilt", "tilt") } else { ("largest_displacement", "displacement") };
-                let text = format!("The {what} of \"{}\" from rest reaches {{}} {by}, while the motion still grows.", s.body);
-                Some(Finding::info(id, text).of(&s.body).value(s.peak.amplitude, s.unit))
+                let finding = Finding::info(s.id(), "transient-still-growing").of(&s.body).value(s.peak.amplitude, s.unit);
+                Some(finding.arg("quality", s.quality()).arg("body", Arg::name(&s.body)).arg("when", when.clone()))
             } else {
                 s.largest()
             };
@@ -353,54 +352,50 @@ impl Transient {
             if away <= still {
                 continue;
             }
-            let text = format!("{at} \"{}\" is {{}} from its place of rest.", b.name);
-            let finding = Finding::info("end_state", text).of(&b.name).value(away, "m").evidence("x", x, "m").evidence("y", y, "m");
+            let finding = Finding::info("end_state", "transient-end-state").of(&b.name).value(away, "m");
+            let finding = finding.arg("body", Arg::name(&b.name)).arg("when", when.clone()).evidence("x", x, "m").evidence("y", y, "m");
             out.push(finding.evidence("t", record.run.t, "s"));
         }
         if system.machine.drive == Drive::Free {
-            out.extend(drive::without_inertia(system, "The spin speed changes"));
+            out.extend(drive::spin_inertia(system));
             let speed = last_state.spin.speed;
-            let text = format!("{at} the spin speed is {{}}.");
-            out.push(Finding::info("end_speed", text).value(speed, "rad/s").evidence("change", speed - self.speed, "rad/s"));
+            let finding = Finding::info("end_speed", "transient-end-speed").value(speed, "rad/s").arg("when", when);
+            out.push(finding.evidence("change", speed - self.speed, "rad/s"));
         }
         let Some(loudest) = loudest else { return out };
         let Some(g) = rate else {
             let window = self.duration / WINDOWS as f64;
             let finding = if record.run.t > SEVERAL * turn && window > 0.5 * turn && record.run.t < SEVERAL * window {
                 // the integration ended early in the duration: its envelope has hardly a value
-                let text = "Whether the motion grows is not assessed: the largest displacements are kept per {} of the duration, several turns in one. Give a shorter duration.";
-                Finding::info("no_growth_rate", text).value(window, "s")
+                Finding::info("no_growth_rate", "transient-windows-too-long").value(window, "s")
             } else {
-                let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
-                Finding::info("no_growth_rate", text)
+                Finding::info("no_growth_rate", "transient-too-short")
             };
             out.push(finding);
             return out;
         };
-        let how = match (clear(&g), g.rate > 0.0) {
-            (true, true) => "grows at",
-            (true, false) => "decays at",
-            _ => "neither grows nor decays clearly; the slope of its logarithm is",
-        };
-        let what = if loudest.tilt { "the tilt of " } else { "" };
-        let envelope = format!("In the second half the envelope of {what}\"{}\"", loudest.body);
         let make = if grows { Finding::warning } else { Finding::info };
         let finding = match g.course {
             Course::Straight { slope, uncertainty } if clear(&g) => {
-                let does = if slope > 0.0 { "grows" } else { "decreases" };
                 let unit = history::per_second(loudest.unit);
-                let text = format!("{envelope} {does} linearly in time, at {{}}.");
-                make("no_growth_rate", text).value(slope, &unit).evidence("uncertainty", uncertainty, &unit)
+                let key = if slope > 0.0 { "transient-grows-linearly" } else { "transient-decreases-linearly" };
+                make("no_growth_rate", key).value(slope, &unit).evidence("uncertainty", uncertainty, &unit)
             }
             Course::Falling { first, second } if clear(&g) => {
-                let text = format!(
-                    "{envelope} grows more slowly than exponentially: its relative rate falls from {} to {{}}.",
-                    quantity(first, "1/s")
-                );
-                make("no_growth_rate", text).value(second, "1/s").evidence("relative rate before", first, "1/s")
+                let finding = make("no_growth_rate", "transient-grows-ever-more-slowly").value(second, "1/s");
+                finding.arg("first", Arg::quantity(first, "1/s")).evidence("relative rate before", first, "1/s")
             }
-            _ => make("growth_rate", format!("{envelope} {how} {{}}.")).value(g.rate, "1/s").evidence("uncertainty", g.uncertainty, "1/s"),
+            _ => {
+                let key = match (clear(&g), g.rate > 0.0) {
+                    (true, true) => "transient-grows",
+                    (true, false) => "transient-decays",
+                    _ => "transient-steady",
+                };
+                let finding = make("growth_rate", key).value(g.rate, "1/s").arg("uncertainty", Arg::quantity(g.uncertainty, "1/s"));
+                finding.evidence("uncertainty", g.uncertainty, "1/s")
+            }
         };
+        let finding = finding.arg("body", loudest.arg());
         out.push(finding.evidence("mean turning rate of the displacement", g.frequency, "rad/s").evidence("record starts at", g.from, "s"));
         out
     }

@@ -12,7 +12,9 @@ pub(in crate::study) struct Rates {
     at: Vec<Rate>,
 }
 
-struct Rate {
+/// Growth at one time.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::study) struct Rate {
     /// Time, s.
     t: f64,
     /// Speed, rad/s.
@@ -37,6 +39,10 @@ pub struct Range {
     pub rate: f64,
 }
 
+/// Change of the speed over it, from one time to the next, that resolves an unstable range beside a natural frequency; most times added for that.
+const FINE: f64 = 2e-3;
+const MOST_ADDED: usize = 64;
+
 /// Most times at which the growth rate is taken, the fewest that resolve a range, and the work it may take: times by the cube of the number of states.
 const MOST: usize = 400;
 const FEWEST: usize = 40;
@@ -52,26 +58,44 @@ impl Rates {
         }
         let at = |k: usize| {
             let t = t_end * (k as f64 + 0.5) / count as f64;
-            let w = speed(t);
-            if stop() {
-                return None;
-            }
-            let spectrum = modes_about(system, &rest(system, w).ok()?, false).ok()?;
-            let near = spectrum.modes.iter().any(|m| m.frequency() > 0.0 && (m.frequency() - w.abs()).abs() <= NEAR * w.abs());
-            Some(Rate { t, speed: w, growth: spectrum.least_stable()?.growth(), near })
+            if stop() { None } else { Rate::at(system, t, speed(t)) }
         };
         Some(Rates { at: (0..count).map(at).collect::<Option<_>>()? })
     }
 
+    /// Adds times between these two near natural frequencies, where an unstable range may be narrower than the steps of the speed.
+    pub fn resolve(&mut self, from: f64, to: f64, rate: &dyn Fn(f64) -> Option<Rate>) {
+        for _ in 0..MOST_ADDED {
+            let step = |k: &usize| (self.at[*k].speed - self.at[k - 1].speed).abs();
+            let coarse = |k: &usize| {
+                let (a, b) = (&self.at[k - 1], &self.at[*k]);
+                (a.near || b.near) && b.t >= from && a.t <= to && step(k) > FINE * a.speed.abs().max(b.speed.abs())
+            };
+            let Some(k) = (1..self.at.len()).filter(coarse).max_by(|a, b| step(a).total_cmp(&step(b))) else { return };
+            let Some(between) = rate(0.5 * (self.at[k - 1].t + self.at[k].t)) else { return };
+            self.at.insert(k, between);
+        }
+    }
+
+    /// Time that one of them stands for: to the middles between it and its neighbours.
+    fn width(&self, k: usize) -> f64 {
+        let step = |k: usize| self.at[k].t - self.at[k - 1].t;
+        match (k, k + 1 < self.at.len()) {
+            (0, false) => 0.0,
+            (0, true) => step(1),
+            (_, false) => step(k),
+            _ => 0.5 * (step(k) + step(k + 1)),
+        }
+    }
+
     /// The range between two times through which a motion grows most.
     pub fn most(&self, from: f64, to: f64) -> Option<Range> {
-        let inside: Vec<_> = self.at.iter().filter(|x| x.t >= from && x.t <= to).collect();
-        let width = self.at.get(1).zip(self.at.first()).map_or(0.0, |(b, a)| b.t - a.t);
-        let ranges = inside.chunk_by(|a, b| (a.growth > 0.0) == (b.growth > 0.0)).filter(|c| c[0].growth > 0.0);
-        let range = |c: &[&Rate]| Range {
-            speeds: [c[0].speed, c[c.len() - 1].speed],
-            factor: (c.iter().map(|x| x.growth).sum::<f64>() * width).exp(),
-            rate: c.iter().map(|x| x.growth).fold(0.0, f64::max),
+        let inside: Vec<_> = self.at.iter().enumerate().filter(|(_, x)| x.t >= from && x.t <= to).collect();
+        let ranges = inside.chunk_by(|a, b| (a.1.growth > 0.0) == (b.1.growth > 0.0)).filter(|c| c[0].1.growth > 0.0);
+        let range = |c: &[(usize, &Rate)]| Range {
+            speeds: [c[0].1.speed, c[c.len() - 1].1.speed],
+            factor: c.iter().map(|(k, x)| x.growth * self.width(*k)).sum::<f64>().exp(),
+            rate: c.iter().map(|(_, x)| x.growth).fold(0.0, f64::max),
         };
         ranges.map(range).max_by(|a, b| a.factor.total_cmp(&b.factor))
     }
@@ -79,6 +103,15 @@ impl Rates {
     /// Between two times the spin speed meets a natural frequency.
     pub fn meets(&self, from: f64, to: f64) -> bool {
         self.at.iter().any(|x| x.near && x.t >= from && x.t <= to)
+    }
+}
+
+impl Rate {
+    /// At one speed; `None` where the machine has no rest to be linearised at.
+    pub fn at(system: &System, t: f64, speed: f64) -> Option<Rate> {
+        let spectrum = modes_about(system, &rest(system, speed).ok()?, false).ok()?;
+        let near = spectrum.modes.iter().any(|m| m.frequency() > 0.0 && (m.frequency() - speed.abs()).abs() <= NEAR * speed.abs());
+        Some(Rate { t, speed, growth: spectrum.least_stable()?.growth(), near })
     }
 }
 
@@ -110,5 +143,25 @@ mod tests {
         assert!((seen.speeds[0] - 2.0).abs() < 0.011 && (seen.speeds[1] - 4.0).abs() < 0.011, "{seen:?}");
         assert!((rates.most(5.0, 10.0).unwrap().factor.ln() - 1.0).abs() < 1e-9);
         assert_eq!(rates.most(8.0, 10.0), None);
+    }
+
+    /// g = 20 1/s from 100.1 rad/s to 100.3 rad/s, beside a natural frequency of 100 rad/s; the speed is the time.
+    #[test]
+    fn a_narrow_range_beside_a_natural_frequency_is_found() {
+        let rate = |t: f64| {
+            let growth = if (100.1..100.3).contains(&t) { 20.0 } else { -1.0 };
+            Some(Rate { t, speed: t, growth, near: (t - 100.0).abs() <= NEAR * t })
+        };
+        let mut rates = Rates { at: (0..40).filter_map(|k| rate(5.0 * (f64::from(k) + 0.5))).collect() };
+        assert!(rates.meets(90.0, 110.0) && rates.most(90.0, 110.0).is_none());
+        rates.resolve(90.0, 110.0, &rate);
+        assert!(rates.at.windows(2).all(|w| w[0].t < w[1].t));
+        // the steps are a fifth of a rad/s at most
+        let seen = rates.most(90.0, 110.0).unwrap();
+        assert!(seen.rate == 20.0 && (1.0..6.5).contains(&seen.factor.ln()), "{seen:?}");
+        // nothing is added far from natural frequencies
+        let count = rates.at.len();
+        rates.resolve(120.0, 180.0, &rate);
+        assert_eq!(rates.at.len(), count);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::tables::Columns;
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Table};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, Table};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use crate::study::motion::record::MotionRecord;
@@ -96,22 +96,25 @@ impl EnergyAccount {
         c.table("energy", "Energy balance against time")
     }
 
-    /// The balance in a sentence.
+    /// Whether the balance closes.
     fn finding(&self) -> Finding {
         if !(self.largest_missing.is_finite() && self.exchanged.is_finite()) {
-            let text = "The energy balance could not be formed: energies leave the range of numbers.";
-            return Finding::warning("no_energy_balance", text);
+            return Finding::warning("no_energy_balance", "history-energy-out-of-range");
         }
         // differences of stored energies hold no more digits than these
         let whole = self.largest_stored + self.exchanged;
         if self.largest_missing <= ROUNDING * whole {
             let share = if whole > 0.0 { self.largest_missing / whole } else { 0.0 };
-            let finding = Finding::info("energy_balance", "The energy balance closes to rounding: {} of the energy stored or exchanged.");
-            return finding.value(share, "").evidence("largest missing energy", self.largest_missing, "J").evidence("energy", whole, "J");
+            let finding = Finding::info("energy_balance", "history-energy-closes-to-rounding").value(share, "");
+            return finding.evidence("largest missing energy", self.largest_missing, "J").evidence("energy", whole, "J");
         }
         let ratio = if self.exchanged > 0.0 { self.largest_missing / self.exchanged } else { self.largest_missing };
-        let make = if ratio < 1e-4 { Finding::info } else { Finding::warning };
-        let finding = make("energy_balance", "The energy balance closes to {} of the energy exchanged.").value(ratio, "");
+        let finding = if ratio < 1e-4 {
+            Finding::info("energy_balance", "history-energy-closes")
+        } else {
+            Finding::warning("energy_balance", "history-energy-missing")
+        };
+        let finding = finding.value(ratio, "");
         finding.evidence("largest missing energy", self.largest_missing, "J").evidence("energy exchanged", self.exchanged, "J")
     }
 }
@@ -122,10 +125,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Whether the energy balance closes, or why there is none; of a motion that goes beyond all bounds it says nothing.
 pub(in crate::study) fn findings(record: &MotionRecord) -> Vec<Finding> {
     let closes = record.energy.as_ref().filter(|_| record.left.is_none()).map(EnergyAccount::finding);
-    let none = record.no_account.as_ref().map(|part| {
-        let text = format!("The energy balance was not checked: \"{part}\" keeps no account of its energy.");
-        Finding::info("no_energy_account", text)
-    });
+    let missing = |part: &String| Finding::info("no_energy_account", "history-energy-unknown").arg("part", Arg::name(part));
+    let none = record.no_account.as_ref().map(missing);
     closes.into_iter().chain(none).collect()
 }
 

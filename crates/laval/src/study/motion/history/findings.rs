@@ -1,32 +1,31 @@
-//! What is said of a motion: how it ended, how far it went, where it leaves the models of parts.
+//! Findings of a motion: how it ended, how far it went, where it leaves the models of parts.
 
 use super::energy;
 use crate::model::system::System;
-use crate::outcome::{End, Finding, Outcome, quantity};
+use crate::outcome::{Arg, End, Finding, Message, Outcome};
 use crate::solve::motion::envelope::{Course, Growth, Peak, Window, growth_of};
 use crate::solve::motion::trajectory::Left;
 use crate::study::motion::record::{MotionRecord, UsedForm, ValidityUse};
+use crate::study::shared::support::larger;
 use laval_num::ode;
 
-/// That a motion passed its bound, from the windows of the body that did, in its [`magnified`](super::magnified) trajectory; a turn of the rotor takes `turn` (s).
-pub(in crate::study) fn unbounded(system: &System, left: Left, windows: &[Window], turn: f64) -> Finding {
+/// That a motion passed its bound, from the windows of the body that did, in its [`magnified`](super::magnified) trajectory; a turn of the rotor takes `turn` (s), and
+/// `speed` (rad/s) is that at the bound.
+pub(in crate::study) fn unbounded(system: &System, left: Left, windows: &[Window], turn: f64, speed: f64) -> Finding {
     let body = &system.bodies()[left.body].name;
-    let (at, place) = (quantity(left.t, "s"), quantity(left.displacement, "m"));
-    let where_ = format!("it was left at {at}, {place} from its place of rest");
     // many e-folds in few turns tell the rate as well as many turns
     let finding = match growth_of(windows, turn, 4) {
         Some(Growth { course: Course::Straight { slope, uncertainty }, .. }) if slope > uncertainty => {
-            let text = format!(
-                "The motion of \"{body}\" grows without bound, linearly in time at {{}} over the second half of the record; {where_}."
-            );
-            Finding::warning("unbounded", text).value(slope, "m/s").evidence("uncertainty", uncertainty, "m/s")
+            Finding::warning("unbounded", "history-unbounded-linear").value(slope, "m/s").evidence("uncertainty", uncertainty, "m/s")
         }
         Some(g) if g.course == Course::Exponential && g.rate > g.uncertainty => {
-            let text = format!("The motion of \"{body}\" grows without bound, at {{}} over the second half of the record; {where_}.");
-            Finding::warning("unbounded", text).value(g.rate, "1/s").evidence("uncertainty", g.uncertainty, "1/s")
+            let finding = Finding::warning("unbounded", "history-unbounded-exponential").value(g.rate, "1/s");
+            finding.evidence("uncertainty", g.uncertainty, "1/s")
         }
-        _ => Finding::warning("unbounded", format!("The motion of \"{body}\" goes beyond all bounds; {where_}.")),
+        _ => Finding::warning("unbounded", "history-unbounded"),
     };
+    let finding = finding.arg("body", Arg::name(body)).arg("at", Arg::quantity(left.t, "s"));
+    let finding = finding.arg("displacement", Arg::quantity(left.displacement, "m")).arg("speed", Arg::speed(speed));
     finding.of(body).evidence("left at", left.t, "s").evidence("displacement there", left.displacement, "m")
 }
 
@@ -76,28 +75,36 @@ impl ProbeMotion<'_> {
     pub fn label(&self) -> String {
         if self.tilt { format!("tilt of {}", self.body) } else { self.body.clone() }
     }
-    /// As the subject of a sentence.
-    pub fn words(&self) -> String {
-        if self.tilt { format!("The tilt of \"{}\"", self.body) } else { format!("\"{}\"", self.body) }
+    /// As an argument of a sentence.
+    pub fn arg(&self) -> Arg {
+        Message::new(if self.tilt { "tilt-of" } else { "body" }).arg("body", Arg::name(&self.body)).into()
+    }
+    /// `tilt` or `displacement`.
+    pub fn quality(&self) -> Arg {
+        Arg::word(if self.tilt { "tilt" } else { "displacement" })
     }
     /// It is more than none.
     pub fn moves(&self) -> bool {
         !(self.peak.amplitude <= self.still)
     }
-    /// The largest in a sentence; nothing of a tilt that is none.
+    /// Id of the finding that names its largest.
+    pub fn id(&self) -> &'static str {
+        if self.tilt { "largest_tilt" } else { "largest_displacement" }
+    }
+    /// The largest; nothing of a tilt that is none.
     pub fn largest(&self) -> Option<Finding> {
-        let (id, what) = if self.tilt { ("largest_tilt", "tilt") } else { ("largest_displacement", "displacement") };
-        if self.moves() {
-            let text = format!("The largest {what} of \"{}\" from rest is {{}}.", self.body);
-            return Some(Finding::info(id, text).of(&self.body).value(self.peak.amplitude, self.unit));
-        }
-        let but = if self.other { "; it tilts" } else { "" };
-        let text = format!("\"{}\" does not move from its place of rest, to the tolerance of the integration{but}.", self.body);
-        (!self.tilt).then(|| Finding::info(id, text).of(&self.body).value(0.0, "m"))
+        let finding = if self.moves() {
+            Finding::info(self.id(), "history-largest").arg("quality", self.quality()).value(self.peak.amplitude, self.unit)
+        } else if self.tilt {
+            return None;
+        } else {
+            Finding::info(self.id(), if self.other { "history-only-tilts" } else { "history-at-equilibrium" }).value(0.0, "m")
+        };
+        Some(finding.of(&self.body).arg("body", Arg::name(&self.body)))
     }
 }
 
-/// How the integration ended, in the words of an outcome.
+/// How the integration ended.
 pub(in crate::study) fn end(record: &MotionRecord) -> End {
     if let Some(left) = record.left {
         return End::Unbounded { at: left.t };
@@ -110,97 +117,95 @@ pub(in crate::study) fn end(record: &MotionRecord) -> End {
     }
 }
 
-/// What must be said of an integration that ended early.
+/// That an integration ended early.
 pub(in crate::study) fn stop(record: &MotionRecord) -> Option<Finding> {
     if record.left.is_some() {
         return None;
     }
     match &record.run.end {
         ode::End::Reached | ode::End::Event { .. } | ode::End::Cancelled { .. } => None,
-        ode::End::WorkLimit { t } => {
-            let text = "The limit on the number of steps (--work-limit) was reached at {}.";
-            Some(Finding::warning("work_limit", text).value(*t, "s"))
-        }
-        ode::End::StepTooSmall { t, .. } => {
-            let text = "The integration could not go on at {}: no step, however short, met the tolerance. The motion may run away there.";
-            Some(Finding::warning("integration_stopped", text).value(*t, "s"))
-        }
+        ode::End::WorkLimit { t } => Some(Finding::warning("work_limit", "history-work-limit").value(*t, "s")),
+        ode::End::StepTooSmall { t, .. } => Some(Finding::warning("integration_stopped", "history-step-too-small").value(*t, "s")),
         ode::End::Failed { t, what } => {
-            let text = format!("The integration could not go on at {{}}: {what}.");
-            Some(Finding::warning("integration_stopped", text).value(*t, "s"))
+            let finding = Finding::warning("integration_stopped", "history-integration-failed").value(*t, "s");
+            Some(finding.arg("why", Arg::term(what.to_string())))
         }
     }
 }
 
-/// When the record of a motion ends, as words at the end of a clause and at the beginning of a sentence.
-pub(in crate::study) fn end_in_words(record: &MotionRecord) -> [String; 2] {
+/// The last moment of a record: the end of the study, or the time at which the integration stopped.
+pub(in crate::study) fn last_moment(record: &MotionRecord) -> Message {
     match record.run.end {
-        ode::End::Reached | ode::End::Event { .. } => ["by the end".into(), "At the end".into()],
-        _ => {
-            let at = quantity(record.run.t, "s");
-            [format!("by {at}, where it was stopped"), format!("At {at}, where it was stopped,")]
-        }
+        ode::End::Reached | ode::End::Event { .. } => Message::new("history-end"),
+        _ => Message::new("history-stop").arg("at", Arg::quantity(record.run.t, "s")),
     }
 }
 
-/// What the rational forms that stood for exact parts are worth.
+/// Errors of the rational forms that stand for exact parts.
 pub(in crate::study) fn time_forms(forms: &[UsedForm], mut outcome: Outcome) -> Outcome {
     for form in forms {
-        let part = &form.part;
-        let text = match form.states {
+        let finding = match form.states {
             Some(f) => {
-                format!(
-                    "\"{part}\" is integrated by a rational form of {} states, with a relative error of at most {{}} {}.",
-                    f.count, f.scope
-                )
+                let finding = Finding::info("time_form", "history-time-form").arg("states", Arg::count(f.count));
+                finding.arg("scope", Arg::term(f.scope))
             }
-            None => format!("\"{part}\" is integrated by a rational fit of its frequency form with relative error {{}}."),
+            None => Finding::info("time_form", "history-time-fit"),
         };
-        outcome = outcome.finding(Finding::info("time_form", text).of(part).value(form.error, ""));
+        outcome = outcome.finding(finding.of(&form.part).arg("part", Arg::name(&form.part)).value(form.error, ""));
     }
     outcome
 }
 
-/// What a motion uses of the validity of a part. One that starts outside, as the layer of a liquid that is not yet held on its wall, and is inside from some time on is
-/// recognised by that time.
-fn validity(system: &System, t_end: f64, used: &ValidityUse) -> Finding {
+/// What a motion uses of the validity of a part. One that is outside only while the rotor starts or stops, as the layer of a liquid that is not held on its wall then, is
+/// valid above a speed; one that starts outside and is inside from some time on is valid later.
+fn validity(system: &System, record: &MotionRecord, used: &ValidityUse) -> Finding {
     let u = &used.of;
     let part = &system.slots()[u.slot].name;
+    let of = |finding: Finding| finding.arg("part", Arg::name(part)).arg("what", Arg::term(u.what));
     let (Some(first), Some(until)) = (u.exceeded, u.until) else {
-        let text = format!("\"{part}\" stays inside its model: {} is at most {{}}.", u.what);
-        return Finding::info("validity", text).value(u.ratio, "").evidence("reached at", u.t, "s");
+        return of(Finding::info("validity", "history-valid")).value(u.ratio, "").evidence("reached at", u.t, "s");
     };
-    if first == u.begin && until < t_end {
+    let (starts, ends) = (first == u.begin, until >= record.run.t);
+    if !(starts && ends)
+        && let Some(speed) = slow(record, used, (first, until))
+    {
+        let key = if starts { "history-valid-after-start" } else { "history-valid-while-turning" };
+        let finding = of(Finding::info("validity", key)).arg("speed", Arg::speed(speed));
+        let finding = finding.arg("above", Arg::word(if speed == 0.0 { "standstill" } else { "speed" }));
+        return if starts { finding.value(u.after, "") } else { finding };
+    }
+    if starts && !ends {
         let speed = used.speed_then.unwrap_or(f64::NAN);
-        let after = crate::outcome::significant(u.after, 3);
-        if until == 0.0 && speed == 0.0 {
-            let text = format!(
-                "\"{part}\" has no validity at standstill, where the motion starts. From the first step on {} is at most {{}}.",
-                u.what
-            );
-            return Finding::info("validity", text).value(u.after, "");
-        }
-        let text = format!("\"{part}\" is not valid before {{}}: there {} exceeds 1. From then on it is at most {after}.", u.what);
-        let finding = Finding::warning("validity", text).value(until, "s").evidence("speed then", speed, "rad/s");
-        return finding.evidence("largest value from then on", u.after, "");
+        let finding = of(Finding::warning("validity", "history-valid-later")).value(until, "s").arg("speed", Arg::speed(speed));
+        return finding.evidence("speed then", speed, "rad/s").evidence("largest value from then on", u.after, "");
     }
-    if u.ratio.is_infinite() {
-        let text = format!("\"{part}\" leaves its model: {} grows without bound.", u.what);
-        return Finding::invalid("validity", text).evidence("first exceeded at", first, "s");
-    }
-    let finding = Finding::invalid("validity", format!("\"{part}\" leaves its model: {} reaches {{}}, above 1.", u.what));
-    finding.evidence("first exceeded at", first, "s").value(u.ratio, "").evidence("reached at", u.t, "s")
+    let unbounded = !u.ratio.is_finite();
+    let key = if unbounded { "history-not-valid-unbounded" } else { "history-not-valid" };
+    let finding = of(Finding::invalid("validity", key)).arg("first", Arg::quantity(first, "s"));
+    let finding = finding.evidence("first exceeded at", first, "s");
+    if unbounded { finding } else { finding.value(u.ratio, "").evidence("reached at", u.t, "s") }
+}
+
+/// Speed over the largest of a motion below which the rotor counts as starting or stopping.
+const SLOW: f64 = 0.05;
+
+/// The largest speed at which a validity is exceeded, where that is only while the rotor starts, stops or stands still.
+fn slow(record: &MotionRecord, used: &ValidityUse, (first, until): (f64, f64)) -> Option<f64> {
+    let fastest = record.spin.iter().map(|s| s.speed.abs()).fold(0.0, f64::max);
+    let meanwhile = record.times.iter().zip(&record.spin).filter(|(t, _)| (first..=until).contains(*t)).map(|(_, s)| s.speed);
+    let speeds = [used.speed_first, used.speed_then].into_iter().flatten().chain(meanwhile);
+    let largest = speeds.map(f64::abs).fold(0.0, larger);
+    (largest <= SLOW * fastest).then_some(largest)
 }
 
 /// Appends whether the energy balance closes, findings on validity, time forms and contacts, and the work.
 pub(in crate::study) fn common_findings(system: &System, record: &MotionRecord, outcome: Outcome) -> Outcome {
     let balance = energy::findings(record);
-    let validity = record.validity.iter().map(|u| validity(system, record.run.t, u));
+    let validity = record.validity.iter().map(|u| validity(system, record, u));
     let mut outcome = time_forms(&record.forms, balance.into_iter().chain(validity).fold(outcome, Outcome::finding));
     if !record.contacts.is_empty() {
-        let count = record.contacts.len() as f64;
-        let finding =
-            Finding::info("contacts", "Laws with a switch changed side {} times; the integration restarted at each.").value(count, "");
+        let count = record.contacts.len();
+        let finding = Finding::info("contacts", "history-contacts").value(count as f64, "").arg("count", Arg::count(count));
         outcome = outcome.finding(finding.evidence("first at", record.contacts[0].2, "s"));
     }
     let w = &record.run.work;

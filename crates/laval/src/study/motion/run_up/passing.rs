@@ -8,7 +8,7 @@ use crate::study::motion::balance;
 use crate::study::motion::history;
 use crate::study::motion::passages::{PROMINENT, envelope, passages};
 use crate::study::motion::record::MotionRecord;
-use crate::study::motion::unstable::{Range, Rates};
+use crate::study::motion::unstable::{Range, Rate, Rates};
 use serde::{Deserialize, Serialize};
 
 /// Peaks of the envelope of a body or of its tilt.
@@ -99,7 +99,8 @@ impl RunUp {
                     continue;
                 }
                 let since = lowest_before(&seen, &passed, i);
-                let nature = nature(rates.as_ref().and_then(Option::as_ref), [since, p.t]);
+                let rate = |t: f64| if stop() { None } else { Rate::at(system, t, spin(t).speed) };
+                let nature = nature(rates.as_mut().and_then(Option::as_mut), [since, p.t], &rate);
                 found.passages.push(Passage { speed: at, beside: (before, after), t: p.t, amplitude: p.amplitude, nature });
             }
             let most = round.iter().max_by(|a, b| a.0.total_cmp(&b.0));
@@ -112,12 +113,18 @@ impl RunUp {
 
 /// What a peak of the envelope is, from the time since which it rises: a resonance where the machine is stable and the spin speed meets a natural frequency on the way,
 /// growth through a range in which it is not stable, else no more than a peak.
-fn nature(rates: Option<&Rates>, [since, until]: [f64; 2]) -> Nature {
-    match rates.and_then(|r| r.most(since, until)).filter(|range| range.factor > 1.0 / PROMINENT) {
-        Some(range) => Nature::Unstable(range),
-        None if rates.is_some_and(|r| r.meets(since, until)) => Nature::Resonance,
-        None => Nature::Peak,
+fn nature(rates: Option<&mut Rates>, [since, until]: [f64; 2], rate: &dyn Fn(f64) -> Option<Rate>) -> Nature {
+    let Some(rates) = rates else { return Nature::Peak };
+    let grows = |rates: &Rates| rates.most(since, until).filter(|range| range.factor > 1.0 / PROMINENT).map(Nature::Unstable);
+    if let Some(unstable) = grows(rates) {
+        return unstable;
     }
+    if !rates.meets(since, until) {
+        return Nature::Peak;
+    }
+    // an unstable range beside the natural frequency may be narrower than the steps so far
+    rates.resolve(since, until, rate);
+    grows(rates).unwrap_or(Nature::Resonance)
 }
 
 /// The time of the lowest place of an envelope between a passage and the one before it.

@@ -1,14 +1,15 @@
-//! What is said and shown of a run-up.
+//! Findings, tables and figures of a run-up.
 
 use super::{BodyPassages, Nature, Passage, RunUp, RunUpResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status, quantity, significant};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status};
 use crate::study::Study;
 use crate::study::motion::history::{self, Columns, ProbeMotion};
 use crate::study::motion::passages::envelope;
 use crate::study::motion::unstable::Range;
 use crate::study::motion::{balance, drive, start};
+use crate::study::shared::support::place;
 
 pub(super) fn report(study: &RunUp, system: &System, result: &RunUpResult, name: &str) -> Result<Outcome, Diagnostic> {
     let record = &result.motion;
@@ -19,7 +20,7 @@ pub(super) fn report(study: &RunUp, system: &System, result: &RunUpResult, name:
     match record.left {
         Some(left) => {
             let speed = study.programme.at(left.t).speed;
-            let f = history::unbounded(system, left, &result.unbounded, std::f64::consts::TAU / speed.abs());
+            let f = history::unbounded(system, left, &result.unbounded, std::f64::consts::TAU / speed.abs(), speed);
             outcome = outcome.finding(f.evidence("speed there", speed, "rad/s"));
         }
         None => outcome = peaks(study, system, result, outcome),
@@ -51,37 +52,30 @@ fn peaks(study: &RunUp, system: &System, result: &RunUpResult, mut outcome: Outc
 }
 
 fn passed(seen: &ProbeMotion, own: &BodyPassages, mut outcome: Outcome) -> Outcome {
-    let (name, b, unit) = (seen.words(), seen.label(), seen.unit);
+    let (b, unit) = (seen.label(), seen.unit);
     for p in &own.passages {
         let (before, after) = p.beside;
-        let finding = passage((&name, &b), p).value(p.speed, "rad/s").evidence("amplitude", p.amplitude, unit);
+        let finding = passage(p).of(&b).value(p.speed, "rad/s").arg("body", seen.arg()).evidence("amplitude", p.amplitude, unit);
         let point = SpecialPoint::new("peak", p.speed, (before.min(after), before.max(after))).status(Status::Bracketed);
         outcome = outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, unit));
     }
     if let Some(swings) = &own.swings {
-        let text =
-            format!("{name} swings while masses go round in the rotor, which is no resonance of its own: its envelope peaks most at {{}}.");
-        let finding = Finding::info("swings", text).of(&b).value(swings.speed, "rad/s").evidence("amplitude", swings.amplitude, unit);
-        outcome = outcome.finding(finding.evidence("peaks", swings.peaks as f64, ""));
+        let finding = Finding::info("swings", "run-up-swings").of(&b).value(swings.speed, "rad/s").arg("body", seen.arg());
+        outcome = outcome.finding(finding.evidence("amplitude", swings.amplitude, unit).evidence("peaks", swings.peaks as f64, ""));
     }
     outcome
 }
 
-/// What a peak of the envelope is, in a sentence.
-fn passage((name, subject): (&str, &str), p: &Passage) -> Finding {
+/// What a peak of the envelope is.
+fn passage(p: &Passage) -> Finding {
     match p.nature {
-        Nature::Resonance => Finding::info("peak", format!("{name} passes a resonance: its envelope peaks at {{}}.")),
-        Nature::Peak => Finding::info("peak", format!("The envelope of {} peaks at {{}}.", name.replacen("The ", "the ", 1))),
+        Nature::Resonance => Finding::info("peak", "run-up-resonance"),
+        Nature::Peak => Finding::info("peak", "run-up-peak"),
         Nature::Unstable(Range { speeds: [a, b], factor, rate }) => {
-            let (a, b, times) = (quantity(a, "rad/s"), quantity(b, "rad/s"), significant(factor, 2));
-            let text = format!(
-                "{name} grows by itself between {a} and {b}, where the machine is unstable, by a factor of up to {times}: its envelope peaks at {{}}. Pass this range \
-                 quickly, or add damping."
-            );
-            Finding::warning("unstable_range", text).evidence("largest growth rate there", rate, "1/s")
+            let finding = Finding::warning("unstable_range", "run-up-unstable-range").arg("range", place(a, b));
+            finding.arg("factor", Arg::number(factor).digits(2)).evidence("largest growth rate there", rate, "1/s")
         }
     }
-    .of(subject)
 }
 
 /// Torque and power of the drive at the outputs.
@@ -92,9 +86,8 @@ fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Resul
     let accelerates = spins.iter().any(|s| s.accel != 0.0);
     let speeds: Vec<f64> = spins.iter().map(|s| s.speed).collect();
     let driven = speeds.first().is_some_and(|&w| system.drive_torque(w).is_some());
-    let beyond = if driven { "Beyond its motors the drive" } else { "The drive" };
     let short = drive::short(system, &speeds, torque, accelerates);
-    let lacking = if accelerates { drive::without_inertia(system, "Torque and power of the drive are") } else { None };
+    let lacking = if accelerates { drive::spin_inertia(system) } else { None };
     let largest =
         |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
     let ((most, at), (strongest, when)) = (largest(torque), largest(&power));
@@ -116,17 +109,10 @@ fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Resul
         return Ok(outcome);
     }
     let outcome = short.into_iter().chain(lacking).fold(outcome, Outcome::finding);
-    Ok(outcome
-        .finding(Finding::info("largest_torque", format!("{beyond} must bring a torque of up to {{}}.")).value(most, "N m").evidence(
-            "at speed",
-            speed(at),
-            "rad/s",
-        ))
-        .finding(Finding::info("largest_power", format!("{beyond} must bring a power of up to {{}}.")).value(strongest, "W").evidence(
-            "at speed",
-            speed(when),
-            "rad/s",
-        )))
+    let torque = Finding::info("largest_torque", if driven { "run-up-torque-beyond-motors" } else { "run-up-torque" });
+    let power = Finding::info("largest_power", if driven { "run-up-power-beyond-motors" } else { "run-up-power" });
+    let at_speed = |f: Finding, w: f64| f.arg("speed", Arg::speed(w)).evidence("at speed", w, "rad/s");
+    Ok(outcome.finding(at_speed(torque.value(most, "N m"), speed(at))).finding(at_speed(power.value(strongest, "W"), speed(when))))
 }
 
 /// Envelope against speed, beside the linear response.

@@ -1,9 +1,9 @@
-//! Spectra in tables, figures and words.
+//! Tables, figures and findings of spectra.
 
 use super::Spectra;
 use super::analyse::{Part, Window};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity, significant};
+use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Message, Outcome, Panel, Table};
 use crate::study::shared::support::inconsistent;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -40,7 +40,8 @@ fn class(p: Part, turns: f64) -> Class {
     }
 }
 
-fn words(class: Class) -> String {
+/// Name of a class in the subjects of findings.
+fn label(class: Class) -> String {
     let way = |forward| if forward { "forward" } else { "backward" };
     match class {
         Class::Fraction(p, 1) if p.abs() > 1 => format!("superharmonic of order {}, {}", p.abs(), way(p > 0)),
@@ -51,6 +52,20 @@ fn words(class: Class) -> String {
             format!("part whose frequency is no fraction of the spin frequency with a denominator up to {DENOMINATORS}, {}", way(forward))
         }
     }
+}
+
+/// A part of the motion of a body, as an argument of a sentence.
+fn component(class: Class, part: Part, body: &str) -> Message {
+    let message = match class {
+        Class::Fraction(p, 1) if p.abs() > 1 => Message::new("spectra-superharmonic").arg("order", Arg::count(p.unsigned_abs() as usize)),
+        Class::Fraction(_, 1) => Message::new("spectra-spin-frequency"),
+        Class::Fraction(p, q) => {
+            let message = Message::new(if p.abs() == 1 { "spectra-subharmonic" } else { "spectra-fraction" });
+            message.arg("p", Arg::count(p.unsigned_abs() as usize)).arg("q", Arg::count(q.unsigned_abs() as usize))
+        }
+        Class::Free(_) => Message::new("spectra-asynchronous").arg("order", Arg::number(part.order.abs())),
+    };
+    message.arg("whirl", Arg::word(if part.order > 0.0 { "forward" } else { "backward" })).arg("body", Arg::name(body))
 }
 
 /// Windows in which parts of one class exceed the threshold.
@@ -65,8 +80,7 @@ struct Seen {
 
 pub(super) fn report(spectra: &Spectra, windows: &[Window], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     if windows.is_empty() {
-        let text = "The motion ended before the first window of the waterfall: there are no spectra.";
-        return Ok(outcome.finding(Finding::info("no_spectra", text)));
+        return Ok(outcome.finding(Finding::info("no_spectra", "spectra-none")));
     }
     for f in findings(spectra, windows) {
         outcome = outcome.finding(f);
@@ -126,13 +140,12 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
     let name = &spectra.body.name;
     let assessed: Vec<usize> = (0..windows.len()).filter(|&k| !windows[k].orders.is_empty()).collect();
     if assessed.is_empty() {
-        let text = "The windows of the waterfall hold fewer than four turns of the rotor: there are no orders. Request fewer spectra.";
-        return vec![Finding::info("no_orders", text)];
+        return vec![Finding::info("no_orders", "spectra-no-orders")];
     }
     let top = assessed.iter().flat_map(|&k| &windows[k].orders).map(|l| l.1).fold(0.0, f64::max);
     let threshold = spectra.threshold.unwrap_or(SHARE * top);
     if !(top > 0.0) {
-        return vec![Finding::info("no_components", format!("\"{name}\" does not move: its spectra are zero.")).of(name)];
+        return vec![Finding::info("no_components", "spectra-no-motion").of(name).arg("body", Arg::name(name))];
     }
     let mut classes: BTreeMap<Class, Seen> = BTreeMap::new();
     for &k in &assessed {
@@ -154,21 +167,18 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         }
         !fleeting
     });
-    let limit = quantity(threshold, "m");
+    let limit = Arg::quantity(threshold, "m");
     let fleeting = once.map(|o| {
-        let text = format!(
-            "\"{name}\" has parts above {limit} in single windows only, as of a free vibration that dies out: up to {{}} at {} rad/s ({}).",
-            significant(windows[o.at].speed, 5),
-            quantity(windows[o.at].t, "s")
-        );
-        Finding::info("fleeting_components", text).of(name).value(o.largest.amplitude, "m").evidence("order", o.largest.order, "")
+        let at = &windows[o.at];
+        let finding = Finding::info("fleeting_components", "spectra-fleeting").of(name).value(o.largest.amplitude, "m");
+        let finding = finding.arg("body", Arg::name(name)).arg("limit", limit.clone()).arg("speed", Arg::speed(at.speed));
+        finding.evidence("order", o.largest.order, "").evidence("at speed", at.speed, "rad/s").evidence("at time", at.t, "s")
     });
     if classes.is_empty() {
-        let short = windows.len() - assessed.len();
-        let except = if short > 0 { format!(", {short} windows of fewer than four turns left out") } else { String::new() };
-        let text = format!("Beside its synchronous part no part of the motion of \"{name}\" exceeds {limit}{except}.");
-        let none = Finding::info("no_components", if fleeting.is_some() { text.replace("no part", "no lasting part") } else { text });
-        return std::iter::once(none.of(name).evidence("highest line", top, "m")).chain(fleeting).collect();
+        let key = if fleeting.is_some() { "spectra-no-lasting-components" } else { "spectra-no-components" };
+        let none = Finding::info("no_components", key).of(name).arg("body", Arg::name(name)).arg("limit", limit);
+        let none = none.arg("short", Arg::count(windows.len() - assessed.len())).evidence("highest line", top, "m");
+        return std::iter::once(none).chain(fleeting).collect();
     }
     let mut sorted: Vec<(Class, Seen)> = classes.into_iter().collect();
     sorted.sort_by(|a, b| b.1.largest.amplitude.total_cmp(&a.1.largest.amplitude));
@@ -177,41 +187,39 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         let at = &windows[seen.at];
         // the part exceeds the threshold somewhere between the window before and this one
         let before = seen.first.checked_sub(1).map_or(f64::NAN, |k| (speed(seen.first) - speed(k)).abs());
-        let what = words(*class);
         let between = assessed.iter().filter(|k| (seen.first..=seen.last).contains(k)).count();
-        // not throughout: a part that comes and goes
-        let share = if seen.count < between { format!("in {} of {between} windows ", seen.count) } else { String::new() };
-        let times = format!("{} to {}", quantity(windows[seen.first].t, "s"), quantity(windows[seen.last].t, "s"));
-        let (largest, order) = (quantity(seen.largest.amplitude, "m"), significant(seen.largest.order, 4));
-        let text = if speed(seen.first) == speed(seen.last) {
-            format!("\"{name}\" has a {what}: above {limit} {share}at {{}} (from {times}), up to {largest}, where its order is {order}.")
-        } else {
-            format!(
-                "\"{name}\" has a {what}: above {limit} {share}from {{}} to {} rad/s ({times}), up to {largest} at {} rad/s, where its order is {order}.",
-                significant(speed(seen.last), 5),
-                significant(at.speed, 5),
-            )
-        };
+        let one_speed = speed(seen.first) == speed(seen.last);
         let id = match class {
             Class::Fraction(p, 1) if p.abs() > 1 => "superharmonic",
             Class::Fraction(1 | -1, q) if *q > 1 => "subharmonic",
             Class::Fraction(..) => "component",
             Class::Free(_) => "asynchronous",
         };
-        Finding::info(id, text)
-            .of(format!("{name} {what}"))
+        Finding::info(id, if one_speed { "spectra-component-at-speed" } else { "spectra-component" })
+            .of(format!("{name} {}", label(*class)))
             .value(speed(seen.first), "rad/s")
+            .arg("component", component(*class, seen.largest, name))
+            .arg("limit", limit.clone())
+            .arg("to", Arg::speed(speed(seen.last)))
+            .arg("largest", Arg::quantity(seen.largest.amplitude, "m"))
+            .arg("at", Arg::speed(at.speed))
+            // not throughout: a part that comes and goes
+            .arg("course", Arg::word(if seen.count < between { "intermittent" } else { "throughout" }))
+            .arg("count", Arg::count(seen.count))
+            .arg("between", Arg::count(between))
             .evidence("difference of speed to the window before", before, "rad/s")
             .evidence("largest amplitude", seen.largest.amplitude, "m")
             .evidence("order there", seen.largest.order, "")
             .evidence("orders distinguished there", 4.0 / at.turns, "")
             .evidence("frequency there", seen.largest.order.abs() * at.speed.abs(), "rad/s")
             .evidence("speed there", at.speed, "rad/s")
+            .evidence("first seen at", windows[seen.first].t, "s")
+            .evidence("last seen at", windows[seen.last].t, "s")
     };
     let mut out: Vec<Finding> = sorted.iter().take(MOST).map(one).collect();
     if sorted.len() > MOST {
-        let text = format!("{} more parts of \"{name}\" exceed {limit}.", sorted.len() - MOST);
-        out.push(Finding::info("more_components", text));
+        let finding = Finding::info("more_components", "spectra-more-components").arg("count", Arg::count(sorted.len() - MOST));
+        out.push(finding.arg("body", Arg::name(name)).arg("limit", limit));
     }
     out.extend(fleeting);
     out
@@ -230,7 +238,7 @@ mod tests {
         assert_eq!(of(1.5), Class::Fraction(3, 2));
         assert_eq!((of(0.46), of(-0.88)), (Class::Free(true), Class::Free(false)));
         assert!(
-            words(of(-3.0)).contains("superharmonic of order 3, backward") && words(of(0.5)).contains("subharmonic of order 1/2, forward")
+            label(of(-3.0)).contains("superharmonic of order 3, backward") && label(of(0.5)).contains("subharmonic of order 1/2, forward")
         );
     }
 }

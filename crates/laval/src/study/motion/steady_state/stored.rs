@@ -1,7 +1,7 @@
 //! Read from the stored rows of steady-state studies: the motions, and parts outside their validity.
 
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Finding, Outcome};
+use crate::outcome::{Arg, Finding, Outcome};
 use crate::store::Collected;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -65,7 +65,7 @@ pub fn check(results: &Collected, mut columns: impl Iterator<Item = String>) -> 
     missing.map_or(Ok(()), |name| Err(Diagnostic::error("store.columns", format!("there is no column \"{name}\""))))
 }
 
-/// Parts that leave their model, with the worst use. `at` says where a row lies.
+/// Parts outside their validity, with the worst use. `at` says where a row lies.
 pub fn limits(results: &Collected, at: impl Fn(usize, Finding) -> Finding, mut outcome: Outcome) -> Outcome {
     let uses = results.numbers("validity");
     let mut worst: BTreeMap<String, (f64, usize, usize)> = BTreeMap::new();
@@ -78,13 +78,13 @@ pub fn limits(results: &Collected, at: impl Fn(usize, Finding) -> Finding, mut o
     }
     for (what, (ratio, row, count)) in worst {
         let (part, statement) = what.split_once(": ").unwrap_or((&what, ""));
-        let text = format!("\"{part}\" leaves its model in {count} motions: {statement} reaches");
         let finding = if ratio.is_finite() {
-            Finding::invalid("validity", text + " {}, above 1.").value(ratio, "")
+            Finding::invalid("validity", "steady-state-not-valid").value(ratio, "")
         } else {
-            Finding::invalid("validity", text + " no finite value.")
+            Finding::invalid("validity", "steady-state-not-valid-unbounded")
         };
-        outcome = outcome.finding(at(row, finding.of(part)));
+        let finding = finding.of(part).arg("part", Arg::name(part)).arg("what", Arg::term(statement)).arg("count", Arg::count(count));
+        outcome = outcome.finding(at(row, finding));
     }
     outcome
 }
