@@ -45,9 +45,9 @@ basins-unbounded = In { $count } of { $cells } cells the motion grows without bo
 basins-failed-motions = In { $count } of { $cells } cells the motion { $reason }. These cells belong to no attractor.
 basins-not-settled = In { $count } of { $cells } cells the motion did not settle within most_periods. These cells belong to no attractor; raise most_periods.
 basins-settling-bounded = In { $count } of { $cells } cells most_periods ended the settling before the slowest mode had decayed. These cells are classified by their last revolutions.
-basins-growing = A mode about equilibrium is unstable, growth rate { $growth }, so that the settling time is unknown. Motions that do not repeat are followed for { $turns } revolutions (most_periods). Add damping, or confirm the map with a larger most_periods.
-basins-neutral = A mode about equilibrium neither decays nor grows, so that the settling time is unknown. Motions that do not repeat within { $turns } revolutions (most_periods) count as not settled. Add damping to that mode.
-basins-modes-unknown = The modes about equilibrium are unknown, and so is the settling time. Motions that do not repeat are followed for { $turns } revolutions (most_periods). Confirm the map with a larger most_periods.
+basins-growing = A mode about equilibrium is unstable, growth rate { $growth }, so that the settling time is unknown. Motions that do not repeat are followed for most_periods, { $turns } revolutions. Add damping, or confirm the map with a larger most_periods.
+basins-neutral = A mode about equilibrium neither decays nor grows, so that the settling time is unknown. Motions that do not repeat within most_periods, { $turns } revolutions, count as not settled. Add damping to that mode.
+basins-modes-unknown = The modes about equilibrium are unknown, and so is the settling time. Motions that do not repeat are followed for most_periods, { $turns } revolutions. Confirm the map with a larger most_periods.
 
 # Machines with balls.
 basins-no-cell = No cell of the grid was computed: the study was stopped during the preliminary integrations.

@@ -17,8 +17,8 @@ optimum-recommended = { $search ->
         [stopped] Best before the study stopped
        *[complete] Recommended
     }: { $parameter } = { $value }. The present machine has { $now }.{ $bound ->
-        [lower] {" "}This is the lower bound: a lower bound further down may give a better machine.
-        [upper] {" "}This is the upper bound: an upper bound further up may give a better machine.
+        [lower] {" "}This is the lower bound; a lower one may give a better machine.
+        [upper] {" "}This is the upper bound; a higher one may give a better machine.
        *[none] {""}
     }{ $slope ->
         [rises] {" "}Towards the bound "{ $aim }" rises by { $rate } per { $step }.

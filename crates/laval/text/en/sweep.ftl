@@ -32,17 +32,17 @@ sweep-hysteresis-at = Hysteresis at { $speed }, at one computed speed only: the 
 
 # Responses that repeat after several revolutions, do not repeat, or have not settled.
 sweep-longer-period = Subharmonic response of order 1/{ $turns } { $place } { $start }: it repeats after { $turns } revolutions.
-sweep-not-periodic = The response does not repeat within { $turns } revolutions { $place } { $start }, at { $count ->
-        [one] one speed
-       *[other] { $count } speeds
+sweep-not-periodic = The response does not repeat within { $turns } revolutions { $place } { $start }{ $count ->
+        [one] {""}
+       *[other] , at { $count } speeds
     }. It is quasi-periodic, chaotic or of a longer period, and amplitudes are the largest recorded. Set lyapunov = true to distinguish chaos.
-sweep-not-settled = The response does not repeat within the tolerance { $place } { $start }, at { $count ->
-        [one] one speed
-       *[other] { $count } speeds
+sweep-not-settled = The response does not repeat within the tolerance { $place } { $start }{ $count ->
+        [one] {""}
+       *[other] , at { $count } speeds
     }, although several decay times of the slowest mode have passed. It changes slowly beside a fold, or the integration error is too large. Reduce relative_tolerance.
-sweep-not-settled-bounded = The response still changes { $place } { $start }, at { $count ->
-        [one] one speed
-       *[other] { $count } speeds
+sweep-not-settled-bounded = The response still changes { $place } { $start }{ $count ->
+        [one] {""}
+       *[other] , at { $count } speeds
     }: most_periods ended its settling. Amplitudes there may contain transients; raise most_periods.
 sweep-settling-bounded = At { $count } of { $speeds } speeds { $start }, most_periods ended the settling before the slowest mode had decayed. The response repeats there within the tolerance.
 sweep-no-decay = At { $count } of { $speeds } speeds a mode about equilibrium does not decay. Transients may remain in the results there, jumps and hysteresis included. Add damping, or confirm them with a larger most_periods.

@@ -34,4 +34,4 @@ uncertainty-failed-samples = No result in { $count } of { $samples } samples{ $c
         [1] {""}
        *[other] , for instance sample { $first }
     }: { $reason }. The statistics omit these samples.
-uncertainty-outside-validity = In { $count } of { $samples } samples a result is outside the validity of a model.
+uncertainty-outside-validity = In { $count } of { $samples } samples a result is outside the validity of a model; the statistics include it.
