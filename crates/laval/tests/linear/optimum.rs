@@ -189,7 +189,8 @@ fn bounds_and_limits_bind() {
     let test = said(&o, "optimality", "");
     assert!(test.value.unwrap() > 0.0 && test.message.key == "optimum-neighbours-worse", "{test:?}");
     // of the number over the present one, per whole range of the logarithm
-    let reported = evidence(said(&o, "optimum", "largest_displacement"), "least slope in any direction tested, relative number per whole range");
+    let reported =
+        evidence(said(&o, "optimum", "largest_displacement"), "least slope in any direction tested, relative number per whole range");
     assert_eq!(test.value, Some(reported));
     near(reported, slope * 500.0 * 25f64.ln() / peak(100.0), 2e-3);
     // the largest force of the damper grows with it at the top of the range; where it is 120 N

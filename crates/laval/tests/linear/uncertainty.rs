@@ -171,7 +171,9 @@ fn indices_of_a_product_of_powers() {
 #[test]
 fn a_first_order_index_above_the_total_one_is_not_resolved() {
     for (seed, above) in [(1, true), (4, false)] {
-        let o = run(&format!("study = \"critical_speeds\"\nsamples = 64\nindices = \"sobol\"\nmethod = \"monte_carlo\"\nseed = {seed}\n{UNIFORM}"));
+        let o = run(&format!(
+            "study = \"critical_speeds\"\nsamples = 64\nindices = \"sobol\"\nmethod = \"monte_carlo\"\nseed = {seed}\n{UNIFORM}"
+        ));
         let t = o.find_table("indices").unwrap();
         let r = rows(&o, "indices", &[("quantity", NAME)])[0];
         let excess = number(t, "first", r) - number(t, "total", r);

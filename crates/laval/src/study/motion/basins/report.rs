@@ -91,7 +91,10 @@ impl<'a> Map<'a> {
     fn at(&self, place: [f64; 2]) -> Arg {
         let one = |k: usize| {
             let axis = &self.study.axes[k];
-            Message::new("basins-initial-value").arg("state", Arg::name(&axis.name)).arg("value", Arg::quantity(place[k], &axis.unit)).into()
+            Message::new("basins-initial-value")
+                .arg("state", Arg::name(&axis.name))
+                .arg("value", Arg::quantity(place[k], &axis.unit))
+                .into()
         };
         Arg::List((0..2).filter(|&k| place[k].is_finite()).map(one).collect())
     }
@@ -187,8 +190,8 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
     }
     if own.len() > MOST_REPORTED {
         let more = own.len() - MOST_REPORTED;
-        outcome =
-            outcome.finding(Finding::info("more_attractors", "basins-more-attractors").value(more as f64, "").arg("count", Arg::count(more)));
+        outcome = outcome
+            .finding(Finding::info("more_attractors", "basins-more-attractors").value(more as f64, "").arg("count", Arg::count(more)));
     }
     outcome
 }

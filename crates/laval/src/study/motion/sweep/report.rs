@@ -342,8 +342,7 @@ fn motions(paths: &[Path], mut outcome: Outcome) -> Outcome {
         let cut = (0..n).filter(|&i| p.bounded[i] && p.motion[i] == "periodic").count();
         if cut > 0 {
             let finding = Finding::info("settling_bounded", "sweep-settling-bounded").value(cut as f64, "");
-            outcome =
-                outcome.finding(finding.arg("count", Arg::count(cut)).arg("speeds", Arg::count(n)).arg("start", begun(p.way)));
+            outcome = outcome.finding(finding.arg("count", Arg::count(cut)).arg("speeds", Arg::count(n)).arg("start", begun(p.way)));
         }
     }
     outcome

@@ -245,9 +245,11 @@ fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
                 .evidence("base points used", *used as f64, "")
                 .evidence("half width of its 95 % interval", 0.5 * (i.total.high - i.total.low), "");
             if resolved(i) {
-                finding = finding
-                    .evidence("first-order index", i.first.value, "")
-                    .evidence("half width of the 95 % interval of the first-order index", 0.5 * (i.first.high - i.first.low), "");
+                finding = finding.evidence("first-order index", i.first.value, "").evidence(
+                    "half width of the 95 % interval of the first-order index",
+                    0.5 * (i.first.high - i.first.low),
+                    "",
+                );
             }
             findings.push(finding);
         }
