@@ -170,7 +170,6 @@ fn campbell() -> Outcome {
         .finding(
             Finding::info("first_critical_speed", "The first forward critical speed is {}.")
                 .value(153.0, "rad/s")
-                .shown_as(153.0 * RPM, "rpm")
                 .evidence("difference from 8 more elements", 2.1e-6, "rad/s"),
         )
         .table(table)
@@ -294,9 +293,9 @@ fn report() -> Report {
             seed: Some(1),
             ..Provenance::default()
         },
-        studies: Vec::new(),
         input: Some(format!("[machine]\nname = '{NAME}'\nspeed = \"3000 rpm\"\n")),
         outcomes: vec![response(), campbell(), stability_map(), history()],
+        ..Report::default()
     }
 }
 

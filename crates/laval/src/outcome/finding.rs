@@ -130,15 +130,6 @@ impl Finding {
         self
     }
 
-    /// Percent or rpm in place of the SI unit, in sentences that are not in the catalogues.
-    pub fn shown_as(mut self, _: f64, unit: impl Into<String>) -> Self {
-        if let (Some(value), "%") = (self.value, unit.into().as_str()) {
-            self.message.args.retain(|a| a.0 != "value");
-            self.message = self.message.arg("value", Arg::percent(value));
-        }
-        self
-    }
-
     /// Adds an argument of the sentence.
     pub fn arg(mut self, name: &'static str, value: impl Into<Arg>) -> Self {
         self.message = self.message.arg(name, value);

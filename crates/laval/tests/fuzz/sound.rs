@@ -28,8 +28,8 @@ pub fn check(o: &Outcome) -> Result<(), String> {
     }
     words(&o.end_in_words())?;
     for f in &o.findings {
-        for x in f.value.iter().chain(f.shown.iter().map(|s| &s.0)) {
-            finite(|| format!("finding {}: {:?}", f.id, f.text), *x)?;
+        for x in f.value.iter() {
+            finite(|| format!("finding {}: {:?}", f.id, f.sentence()), *x)?;
         }
         words(&f.sentence())?;
         for e in &f.evidence {
