@@ -102,7 +102,7 @@ fn fixed(v: f64, decimals: usize) -> String {
 }
 
 fn log(lo: f64, hi: f64, most: usize) -> Ticks {
-    let plain = lo >= 0.9e-3 && hi <= 1.2e4;
+    let plain = lo >= 0.9e-3 && hi <= 1.2e5;
     let label = |m: i32, d: i32| {
         let v = m as f64 * 10f64.powi(d);
         if plain { fixed(v, (-d).max(0) as usize) } else { significant_power(m, d) }

@@ -48,7 +48,7 @@ function ticks(ax, lo, hi, most) {
     let inside = all.filter(t => t[2] >= lo && t[2] <= hi);
     if (inside.length > most + 1) inside = inside.filter(t => t[0] === 1);
     const stride = Math.ceil(inside.length / most);
-    const plain = lo >= 0.9e-3 && hi <= 1.2e4;
+    const plain = lo >= 0.9e-3 && hi <= 1.2e5;
     return inside.filter((t, i) => i % stride === 0).map(([m, d, v]) =>
       [v, plain ? v.toFixed(Math.max(0, -d)) : d > 1 || d < 0 ? (m > 1 ? m + "·" : "") + power(d) : String(v)]);
   }

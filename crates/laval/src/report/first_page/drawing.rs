@@ -32,7 +32,7 @@ pub(super) fn drawing(page: &Overview, style: &Style) -> String {
     let mut s = String::new();
     let (mut y, mut placed) = (18.0, Vec::new());
     for b in &bodies {
-        let Block::Body { name, rotor, labels, cavity } = b else { continue };
+        let Block::Body { name, rotor, labels, cavity, .. } = b else { continue };
         let (half, height) = cavity.map_or((HALF, BODY), |(r, _, h)| shape(r, h));
         body(&mut s, (y, half, height), *rotor, *cavity);
         let text = words(style, labels);
@@ -42,6 +42,13 @@ pub(super) fn drawing(page: &Overview, style: &Style) -> String {
     }
     let ground = y;
     links(&mut s, page, style, &placed, ground);
+    for (b, p) in bodies.iter().zip(&placed) {
+        if matches!(b, Block::Body { grounded: true, .. }) {
+            for x in [MIDDLE - p.half + 12.0, MIDDLE + p.half - 12.0] {
+                let _ = write!(s, "<path class=\"spr\" d=\"{}\"/>", spring(x, p.top + p.height, ground));
+            }
+        }
+    }
     let _ = write!(s, "<path class=\"gnd\" d=\"M{} {ground}H{}\"/>", px(MIDDLE - 90.0), px(MIDDLE + 90.0));
     for k in 0..15 {
         let x = MIDDLE - 88.0 + 12.5 * f64::from(k);
@@ -96,7 +103,9 @@ fn words(style: &Style, labels: &[Arg]) -> String {
 }
 
 fn label(s: &mut String, x: f64, y: f64, name: &str, values: &str) {
-    let cut = |text: &str, most: usize| if text.chars().count() > most { text.chars().take(most - 1).chain(['…']).collect() } else { text.to_string() };
+    let cut = |text: &str, most: usize| {
+        if text.chars().count() > most { text.chars().take(most - 1).chain(['…']).collect() } else { text.to_string() }
+    };
     let room = ((WIDTH - x) / 6.6).max(6.0) as usize;
     let _ = write!(s, "<text class=\"dl b\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y), escape(&cut(name, room)));
     let _ = write!(s, "<text class=\"dl\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y + 13.0), escape(&cut(values, room)));
