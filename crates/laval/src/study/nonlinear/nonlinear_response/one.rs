@@ -6,7 +6,7 @@ use super::shown::{holder, quality};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, End, Finding, Message, Outcome, Table, quantity};
+use crate::outcome::{Arg, End, Finding, Message, Outcome, Table};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Request, Response};
