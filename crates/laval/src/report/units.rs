@@ -58,12 +58,12 @@ const LARGEST: f64 = 1e5;
 const SMALLEST: f64 = 1e-2;
 
 impl Units {
-    /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first. Multiples of SI units by
-    /// powers of ten are chosen by size.
+    /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first. SI units with prefixes are
+    /// chosen by size.
     pub fn new(written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
         let mut out = Units { preferred: Vec::new(), everyday: true };
         for (name, size, si) in written {
-            let multiple = prefixes(&si).into_iter().chain(everyday(&si)).any(|r| (r.size / size - 1.0).abs() < 1e-12);
+            let multiple = prefixes(&si).into_iter().chain(everyday(&si)).any(|r| r.name == name || r.name == name.replacen('u', "µ", 1));
             if (si == "rad/s" || !multiple) && out.of(&si).is_none() {
                 let name = if name == "deg" { "°".into() } else { name };
                 out.preferred.push((si, Rung { name, size }));
