@@ -11,7 +11,8 @@ use super::text::escape;
 use super::words::Style;
 use super::write::Names;
 use crate::outcome::{
-    Column, Data, Evidence, Figure, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant, unit_text,
+    Arg, Column, Data, Evidence, Figure, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant,
+    unit_text,
 };
 use std::fmt::Write;
 
@@ -78,11 +79,13 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         Some(page) => {
             first_page::head(&mut s, page, style);
             if let Some((figure, scene)) = &over {
-                drawn(&mut s, figure, scene, "over", column);
-                s.push_str(HINT);
+                drawn(&mut s, figure, scene, "over", column, style);
+                hint(&mut s, style);
             }
             first_page::tail(&mut s, page, style);
-            s.push_str("<details class=\"all\"><summary>All findings</summary>\n");
+            s.push_str("<details class=\"all\"><summary>");
+            s.push_str(&say(style, "page-findings"));
+            s.push_str("</summary>\n");
             summary(&mut s, report);
             s.push_str("</details>\n");
         }
@@ -92,14 +95,16 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         study(&mut s, report, scenes, i, column, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
     }
     if let Some(input) = &report.input {
-        let name = if p.input_name.is_empty() { "Input file".into() } else { format!("Input file {}", escape(&p.input_name)) };
+        let name = style.message(&Message::new("page-input-file").arg("file", Arg::name(&p.input_name)));
         let _ = writeln!(
             s,
-            "<section class=\"study\" id=\"input\">\n<h2>Input</h2>\n<details><summary>{name}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n</section>",
+            "<section class=\"study\" id=\"input\">\n<h2>{}</h2>\n<details><summary>{}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n</section>",
+            say(style, "page-input"),
+            escape(name.trim()),
             escape(input)
         );
     }
-    s.push_str("</main>\n<footer>\n<details><summary>How this was computed</summary><dl>");
+    let _ = write!(s, "</main>\n<footer>\n<details><summary>{}</summary><dl>", say(style, "page-provenance"));
     let mut row = |k: &str, v: &str| {
         let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(k), escape(v));
     };
@@ -127,8 +132,13 @@ fn summary(s: &mut String, report: &Report) {
     let mut sorted: Vec<_> = all().filter(|f| f.2.level > Level::Info).collect();
     sorted.sort_by_key(|f| std::cmp::Reverse(f.2.level));
     for (i, o) in report.outcomes.iter().enumerate().filter(|(_, o)| !o.end.is_complete()) {
-        let _ =
-            writeln!(s, "<li class=\"warning\"><span class=\"tag\">! Stopped early</span>{}{}</li>", escape(&o.end_in_words()), link(i, o));
+        let _ = writeln!(
+            s,
+            "<li class=\"warning\"><span class=\"tag\">! {}</span>{}{}</li>",
+            say(&report.style, "page-stopped"),
+            escape(&o.end_in_words()),
+            link(i, o)
+        );
     }
     sorted.extend(all().filter(|f| f.2.level == Level::Info));
     // what several studies say in the same words stands once, with all their names
@@ -152,10 +162,10 @@ fn summary(s: &mut String, report: &Report) {
     }
     s.push_str("</ul>\n");
     if more > 0 {
-        let _ = writeln!(s, "<p class=\"more\">and {more} more with the studies below</p>");
+        let _ = writeln!(s, "<p class=\"more\">{}</p>", counted(&report.style, "page-more-studies", more));
     }
     if all().next().is_none() {
-        s.push_str("<p class=\"more\">The studies report nothing in words; see their figures and tables.</p>\n");
+        let _ = writeln!(s, "<p class=\"more\">{}</p>", say(&report.style, "page-nothing"));
     }
     if many {
         s.push_str("<nav aria-label=\"Studies\"><ul>");
@@ -187,18 +197,18 @@ fn fair(studies: impl Iterator<Item = usize>) -> Vec<bool> {
 /// Start of a list item; the caller closes it.
 fn sentence(f: &Finding, style: &Style) -> String {
     let tag = match f.level {
-        Level::Info => "",
-        Level::Warning => "<span class=\"tag\">! Warning</span>",
-        Level::Invalid => "<span class=\"tag\">!! Outside validity</span>",
+        Level::Info => String::new(),
+        Level::Warning => format!("<span class=\"tag\">! {}</span>", say(style, "page-warning")),
+        Level::Invalid => format!("<span class=\"tag\">!! {}</span>", say(style, "page-outside")),
     };
     format!("<li class=\"{}\">{tag}{}", f.level.word(), escape(&style.sentence(f)))
 }
 
-fn evidence(s: &mut String, style: &Style, label: &str, list: &[Evidence]) {
+fn evidence(s: &mut String, style: &Style, list: &[Evidence]) {
     if list.is_empty() {
         return;
     }
-    let _ = write!(s, "<details><summary>{label}</summary><dl>");
+    let _ = write!(s, "<details><summary>{}</summary><dl>", say(style, "page-evidence"));
     for e in list {
         let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&e.what), escape(&style.number(e.value, &e.unit)));
     }
@@ -224,18 +234,18 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
             }
             shown += 1;
             s.push_str(&sentence(f, &report.style));
-            evidence(s, &report.style, "Evidence", &f.evidence);
+            evidence(s, &report.style, &f.evidence);
             s.push_str("</li>\n");
         }
         s.push_str("</ul>\n");
         if left > 0 {
-            let _ = writeln!(s, "<p class=\"more\">and {left} more in results.json</p>");
+            let _ = writeln!(s, "<p class=\"more\">{}</p>", counted(&report.style, "page-more", left));
         }
     }
     for (k, (f, scene)) in o.figures.iter().zip(scenes).enumerate() {
-        drawn(s, f, scene, &format!("f{i}-{k}"), column);
+        drawn(s, f, scene, &format!("f{i}-{k}"), column, &report.style);
         if i == 0 && k == 0 && overview.is_none() {
-            s.push_str(HINT);
+            hint(s, &report.style);
         }
     }
     for (k, a) in o.animations.iter().enumerate() {
@@ -245,13 +255,13 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
         special(s, o, &report.style);
     }
     if !o.tables.is_empty() {
-        s.push_str("<h3>Tables</h3>\n");
+        let _ = writeln!(s, "<h3>{}</h3>", say(&report.style, "page-tables"));
     }
     for (k, t) in o.tables.iter().enumerate() {
         table(s, t, &report.style, (o.tables.len() == 1 || t.is_leading()) && t.rows() <= MOST_ROWS, names.map(|n| n.table(i, k)));
     }
     if !o.work.is_empty() {
-        s.push_str("<details><summary>Work done</summary><dl>");
+        let _ = write!(s, "<details><summary>{}</summary><dl>", say(&report.style, "page-work"));
         for (name, count) in &o.work {
             let _ = write!(s, "<dt>{}</dt><dd>{count}</dd>", escape(&name.replace('_', " ")));
         }
@@ -261,11 +271,23 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
     Ok(())
 }
 
+/// A sentence of the catalogues, escaped.
+fn say(style: &Style, key: &str) -> String {
+    escape(&style.message(&Message::new(key)))
+}
+
+/// The same with a count.
+fn counted(style: &Style, key: &str, count: usize) -> String {
+    escape(&style.message(&Message::new(key).arg("count", Arg::count(count))))
+}
+
 /// How to read a figure with the mouse and the keyboard.
-const HINT: &str = "<p class=\"hint\">Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.</p>\n";
+fn hint(s: &mut String, style: &Style) {
+    let _ = writeln!(s, "<p class=\"hint\">{}</p>", say(style, "page-hint"));
+}
 
 /// A figure that the script of the page makes live.
-fn drawn(s: &mut String, f: &Figure, scene: &Scene, id: &str, column: f64) {
+fn drawn(s: &mut String, f: &Figure, scene: &Scene, id: &str, column: f64, style: &Style) {
     let _ = writeln!(
         s,
         "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b></figcaption>\n<div class=\"plot\">",
@@ -275,7 +297,8 @@ fn drawn(s: &mut String, f: &Figure, scene: &Scene, id: &str, column: f64) {
     s.push_str(&render(scene, f, NARROW, column.max(1.0), Some(&format!("{id}n"))));
     let _ = writeln!(
         s,
-        "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>Reset zoom</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
+        "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>{}</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
+        say(style, "page-reset"),
         payload(scene, column)
     );
 }
@@ -295,7 +318,8 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit)) };
     // many would push the figures of the next study out of sight
     let folded = o.special_points.len() > FEW_POINTS;
-    s.push_str("<h3>Special points</h3>\n");
+    let heading = say(style, "page-points");
+    let _ = writeln!(s, "<h3>{heading}</h3>");
     if folded {
         let _ = writeln!(
             s,
@@ -305,7 +329,7 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     }
     let _ = write!(
         s,
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Special points\"><table><thead><tr><th class=\"w\">kind</th>\
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{heading}\"><table><thead><tr><th class=\"w\">kind</th>\
          <th>{}{unit}</th><th>bracket width{unit}</th><th class=\"w\">status</th><th class=\"w\">evidence</th></tr></thead><tbody>",
         escape(name)
     );
@@ -339,7 +363,7 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
 fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str>) {
     let rows = t.rows();
     let many = t.columns().len() > MANY_COLUMNS;
-    let count = if rows == 1 { "1 row".into() } else { format!("{rows} rows") };
+    let count = counted(style, "page-rows", rows);
     let title = if t.doc().is_empty() { escape(t.name()) } else { escape(t.doc()) };
     let _ = write!(
         s,
@@ -366,7 +390,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
                 Data::Float(v) => style.language.number(&significant(v[r] / size, digits)),
                 Data::Int(v) => v[r].to_string(),
                 Data::Text(v) => escape(&v[r]),
-                Data::Flag(v) => if v[r] { "yes" } else { "no" }.into(),
+                Data::Flag(v) => say(style, if v[r] { "page-yes" } else { "page-no" }),
             };
             let _ = write!(s, "<td{}>{cell}</td>", words(c));
         }

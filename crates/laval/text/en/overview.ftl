@@ -144,7 +144,7 @@ page-over-speed = Behaviour over the speed
 page-modes = Modes at { $speed }
 page-machine = Machine
 page-next = What to do next
-page-findings = Findings
+page-findings = All findings
 page-mode = Mode { $number }
 page-whirl = { $whirl ->
         [forward] forward
@@ -154,10 +154,8 @@ page-whirl = { $whirl ->
     }
 page-decrement = decrement { $decrement }
 page-grows = grows
-axis-speed = speed ({ $unit })
 axis-amplitude = amplitude
 axis-growth = growth rate
-strip-stable = stable
 strip-unstable = unstable
 axis-speed-plain = speed
 axis-operating = operating speed
@@ -166,3 +164,27 @@ caption-both = Amplitude of the linear unbalance response, and growth rate of th
 caption-amplitude = Amplitude of the linear unbalance response.
 caption-growth = Growth rate of the least stable mode.
 strip-resonance = resonance
+
+# The rest of the report.
+page-evidence = Evidence
+page-warning = Warning
+page-outside = Outside validity
+page-stopped = Stopped early
+page-tables = Tables
+page-points = Special points
+page-work = Work done
+page-input = Input
+page-input-file = Input file { $file }
+page-provenance = How this was computed
+page-more = and { $count } more in results.json
+page-more-studies = and { $count } more with the studies below
+page-rows = { $count ->
+        [one] 1 row
+       *[other] { $count } rows
+    }
+page-nothing = The studies have no findings; see their figures and tables.
+page-hint = Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.
+page-reset = Reset zoom
+page-yes = yes
+page-no = no
+vibration-unstable = no steady vibration: the machine is unstable

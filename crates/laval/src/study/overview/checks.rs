@@ -22,10 +22,16 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
         return out;
     }
     let mut out = vec![stability(facts)];
+    let unstable = out[0].verdict == Verdict::Failed;
     out.extend(instability(facts, over, speed));
     out.extend(resonance(facts, over, speed));
-    out.extend(vibration(facts));
-    out.extend(forces(facts));
+    if unstable {
+        // the response exists, and no machine stays on it
+        out.push(Check::new("check-vibration", Message::new("vibration-unstable"), Verdict::NotComputed));
+    } else {
+        out.extend(vibration(facts));
+        out.extend(forces(facts));
+    }
     out.push(validity(facts));
     out.extend(run_up(facts, over, speed));
     out
@@ -123,6 +129,7 @@ fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Ch
     let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, MARGIN, over.range);
     if nearest.margin(speed) == Some(0.0) {
         check.verdict = Verdict::Failed;
+        check.margin = None;
         check.result = Message::new("distance-inside-unstable");
     }
     Some(check)
