@@ -4,7 +4,7 @@ use super::Report;
 use super::first_page::{required, sentence, verdict};
 use super::terminal::Terminal;
 use super::words::Style;
-use crate::outcome::{Check, Level, Message, OverSpeed, Overview, Verdict};
+use crate::outcome::{Check, End, Level, Message, OverSpeed, Overview, Verdict};
 use crate::plain;
 
 /// Remarks below the strip.
@@ -165,6 +165,8 @@ fn strip(out: &mut String, page: &Overview, over: &OverSpeed, style: &Style, wid
 fn remarks(page: &Overview, report: &Report) -> Vec<String> {
     let style = &report.style;
     let mut out: Vec<String> = Vec::new();
+    let stopped = report.outcomes.iter().filter(|o| !matches!(o.end, End::Reached | End::Refused));
+    out.extend(stopped.map(|o| format!("{}: {}", o.name, o.end_in_words())));
     let texts = page.remarks.iter().flat_map(|r| &r.1).filter(|m| m.key == "remark-unstable" || m.key == "remark-jump");
     out.extend(texts.map(|m| sentence(style, m)));
     // what the page says already

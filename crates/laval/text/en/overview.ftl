@@ -120,6 +120,7 @@ run-up-both = crosses { $count ->
     } and the unstable range { $ranges }
 speed-span = { $from } – { $to }
 why-refused = not available for this machine: { $reason }
+why-same = not available for the same reason
 why-too-long = takes longer than a second; add the study to the file
 why-no-speed = no operating speed is set
 

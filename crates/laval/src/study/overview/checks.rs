@@ -34,6 +34,15 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     }
     out.push(validity(facts));
     out.extend(run_up(facts, over, speed));
+    // a reason that holds for several stands once
+    let mut reasons: Vec<Message> = Vec::new();
+    for c in out.iter_mut().filter(|c| c.result.key == "why-refused") {
+        if reasons.contains(&c.result) {
+            c.result = Message::new("why-same");
+        } else {
+            reasons.push(c.result.clone());
+        }
+    }
     out
 }
 
