@@ -230,7 +230,7 @@ fn only_some_studies() {
 fn the_summary_fits_a_terminal() {
     let dir = Dir::new("summary");
     for template in ["rigid-rotor", "oil-separator", "viscoelastic-shaft"] {
-        dir.laval(["new", template, "m.toml"]).done();
+        dir.laval(["new", template, "--out", "m.toml"]).done();
         let said = dir.laval(["run", "m.toml", "--only", "modes"]);
         let out = said.done();
         let lines: Vec<&str> = out.lines().collect();
