@@ -354,7 +354,7 @@ fn ctrl_c_keeps_what_was_done() {
     let dir = Dir::new("stop");
     let long = "[[study]]\nkind = \"transient\"\nname = \"long\"\nduration = \"1e7 s\"\n[[study]]\nkind = \"modes\"\nname = \"after\"\n";
     dir.file("pump.toml", format!("{SMALL}{long}"));
-    let mut child = dir.command(["run", "pump.toml"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = dir.command(["run", "pump.toml", "--all"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut out = BufReader::new(child.stdout.take().unwrap());
     let mut line = String::new();
     // the first study is printed when it is done: the long one follows
