@@ -83,6 +83,8 @@ impl Check {
 pub struct OverSpeed {
     /// Range computed, rad/s.
     pub range: (f64, f64),
+    /// Range shown: without the lowest speeds where nothing happens.
+    pub shown: (f64, f64),
     /// Ranges in which the machine is unstable.
     pub unstable: Vec<Unstable>,
     /// Resonances of the unbalance response, or lightly damped critical speeds where nothing forces the machine, rad/s.

@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::write::Names;
-use crate::outcome::{Arg, End, Evidence, Finding, Message, Outcome, SpecialPoint, Status};
+use crate::outcome::{Arg, Check, End, Evidence, Finding, Message, Outcome, Overview, SpecialPoint, Status};
 use crate::plain;
 use serde_json::{Map, Value, json};
 
@@ -11,7 +11,7 @@ pub const SCHEMA: u32 = 2;
 
 /// The text of `results.json`. Keys stand in a fixed order; numbers that are not finite are `null`.
 ///
-/// Top level: `schema`, `machine`, `provenance { program, version, build, processor, input, input_hash, seed, settings }`, `studies`. Each study:
+/// Top level: `schema`, `machine`, `provenance { program, version, build, processor, input, input_hash, seed, settings }`, `overview { operating_speed, verdict, headline, checks }`, `studies`. Each study:
 /// `kind`, `name`, `end { kind, at, residual, text }`, `parameter`, `findings [{ id, level, subject, message, args, notes, value, unit, evidence }]`,
 /// `special_points`, `tables [{ name, doc, file, rows, columns }]` (`file` without its extension), `figures`, `work`.
 pub fn json(report: &Report) -> String {
@@ -32,10 +32,31 @@ pub fn json(report: &Report) -> String {
             "seed": p.seed,
             "settings": settings,
         },
+        "overview": report.overview.as_ref().map(overview),
         "studies": studies,
     });
     // inside strings these escapes are JSON too, and outside of them there are no such characters
     plain::lines(&format!("{all:#}\n")).into_owned()
+}
+
+/// The first page: verdict and checks.
+fn overview(page: &Overview) -> Value {
+    let message = |m: &Message| json!({ "message": m.key, "args": args(m) });
+    let check = |c: &Check| {
+        json!({
+            "check": c.what.key,
+            "verdict": c.verdict.word(),
+            "result": message(&c.result),
+            "required": c.required.as_ref().map(arg),
+            "margin": c.margin.map(number),
+        })
+    };
+    json!({
+        "operating_speed": page.operating.map(number),
+        "verdict": page.verdict.word(),
+        "headline": page.headline.iter().map(message).collect::<Vec<_>>(),
+        "checks": page.checks.iter().map(check).collect::<Vec<_>>(),
+    })
 }
 
 /// A number, or null when it is not finite.

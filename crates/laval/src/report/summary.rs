@@ -122,7 +122,7 @@ fn check(out: &mut String, c: &Check, style: &Style, width: usize, paint: &dyn F
 fn strip(out: &mut String, page: &Overview, over: &OverSpeed, style: &Style, width: usize) {
     let unit = style.units.speed();
     let cells = width - 12;
-    let (from, to) = over.range;
+    let (from, to) = over.shown;
     let place = |w: f64| ((w / from).ln() / (to / from).ln() * cells as f64).floor().clamp(0.0, cells as f64 - 1.0) as usize;
     let mut line = vec!['─'; cells];
     for w in over.resonances.iter().map(|r| r.speed) {

@@ -282,6 +282,8 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
                 _ => "",
             };
             let hex = if on_heat && series.colour == Colour::Slot(0) { "#000000" } else { &hex };
+            // grey cannot be seen on the low end of a ramp, and a class would set the colour of the page
+            let (hex, class) = if on_heat && series.reference { ("#ffffff", "") } else { (hex, class.as_str()) };
             let _ = write!(
                 s,
                 r#"<path class="s {class}" data-s="{index}"{key} stroke="{hex}" stroke-width="{stroke}" stroke-linejoin="round"{dash} d="{}"/>"#,

@@ -112,7 +112,8 @@ fn linear(lo: f64, hi: f64, most: usize, exponent: i32) -> Ticks {
 /// Angles: multiples of parts of a turn.
 fn degrees(lo: f64, hi: f64, most: usize) -> Ticks {
     let fits = |s: &f64| (hi - lo) / s <= most.max(2) as f64;
-    let step = [15.0, 30.0, 45.0, 90.0, 180.0].into_iter().find(fits).unwrap_or_else(|| 360.0 * ((hi - lo) / 360.0 / most.max(2) as f64).ceil());
+    let step =
+        [15.0, 30.0, 45.0, 90.0, 180.0].into_iter().find(fits).unwrap_or_else(|| 360.0 * ((hi - lo) / 360.0 / most.max(2) as f64).ceil());
     let (first, last) = ((lo / step - 1e-6).ceil() as i64, (hi / step + 1e-6).floor() as i64);
     Ticks { major: (first..=last.min(first + 100)).map(|k| (k as f64 * step, fixed(k as f64 * step, 0))).collect(), minor: Vec::new() }
 }

@@ -94,10 +94,16 @@ fn limits_are_kept_or_broken() {
     }
     // decay is c/2m = 0.5 1/s
     assert_eq!(check(&of("growth_margin = 0.49"), "check-stability").verdict, Verdict::Passed);
-    assert_eq!(check(&of("growth_margin = 0.51"), "check-stability").verdict, Verdict::Failed);
+    let slow = of("growth_margin = 0.51");
+    assert_eq!((check(&slow, "check-stability").verdict, slow.headline[0].key.as_str()), (Verdict::Failed, "headline-stable"));
+    assert_eq!((of("speed = 150.0").verdict, of("speed = 250.0").verdict), (Verdict::Failed, Verdict::Passed));
+    // what is not assessed is named
+    assert_eq!(check(&of("self_centring = 0.5"), "check-others").verdict, Verdict::NotComputed);
     // the resonance is 50 % away
     assert_eq!(check(&of("clearance = 0.49"), "check-resonance").verdict, Verdict::Passed);
-    assert_eq!(check(&of("clearance = 0.51"), "check-resonance").verdict, Verdict::Attention);
+    assert_eq!(check(&of("clearance = 0.51"), "check-resonance").verdict, Verdict::Failed);
+    // at twice the speed the order 2 meets the mode where the speed is half the frequency
+    assert!(check(&of("clearance = 0.1\norders = [1, 4]"), "check-resonance").margin.unwrap() < 0.51);
     // force of the spring and damper: |k + i c w| times the amplitude, 1.07 N
     assert_eq!(check(&of("force = 1.06"), "check-forces").verdict, Verdict::Failed);
     assert_eq!(check(&of("force = 1.08"), "check-forces").verdict, Verdict::Passed);
@@ -132,6 +138,66 @@ fn the_limit_of_rotating_damping_is_crossed_below_the_operating_speed() {
 fn without_an_operating_speed_nothing_is_assessed() {
     let p = page(&jeffcott("", 4.0, ""));
     assert_eq!((p.verdict, p.checks.len(), p.headline[0].key.as_str()), (Verdict::NotComputed, 0, "headline-no-speed"));
+}
+
+/// The way up begins at rest: a critical speed far below the operating speed is crossed.
+#[test]
+fn nothing_below_the_operating_speed_is_overlooked() {
+    let p = page(&jeffcott("speed = 4000.0", 4.0, "[[study]]\nkind = \"modes\"\n"));
+    let run = check(&p, "check-run-up");
+    assert_eq!((run.verdict, run.result.key.as_str()), (Verdict::NotComputed, "run-up-resonances"), "{run:?}");
+    assert!((number(&run.result, "resonances") - 100.0).abs() < 0.1);
+}
+
+/// Only a run-up that passes what lies on the way and reaches the operating speed answers the check.
+#[test]
+fn a_run_up_counts_that_reaches_the_operating_speed() {
+    let of = |from: f64, to: f64| {
+        let study = format!("[[study]]\nkind = \"run_up\"\nfrom = {from:?}\nto = {to:?}\nduration = 4.0\n");
+        page(&jeffcott("speed = 200.0", 40.0, &format!("[limits]\npassage_displacement = 1e-3\n{study}")))
+    };
+    assert_eq!(check(&of(0.0, 200.0), "check-run-up").verdict, Verdict::Passed);
+    assert_eq!(check(&of(0.0, 50.0), "check-run-up").verdict, Verdict::NotComputed);
+    assert_eq!(check(&of(150.0, 200.0), "check-run-up").verdict, Verdict::NotComputed);
+}
+
+/// A bearing that hardens: between the folds two responses are stable, and the larger one counts.
+#[test]
+fn between_the_folds_the_larger_response_counts() {
+    let text = |speed: f64| {
+        format!(
+            "[machine]\nname = \"rotor\"\nspeed = {speed:?}\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 4\neccentricity = 2e-5\n\
+             [[part]]\nkind = \"bearing_cubic\"\nname = \"spring\"\nbetween = [\"disc\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = 4e4\ncubic_stiffness = 4e10\n\
+             [[part]]\nkind = \"damper\"\nbetween = [\"disc\", \"ground\"]\ndamping = 4\n[limits]\nforce = {{ spring = 1e6 }}\n\
+             [[study]]\nkind = \"nonlinear_response\"\nspeed = {{ from = 40.0, to = 300.0 }}\n"
+        )
+    };
+    let p = page(&text(150.0));
+    assert_eq!((check(&p, "check-stability").result.key.as_str(), p.verdict), ("stability-several", Verdict::Attention), "{:?}", p.checks);
+    // w^2 m (A + e) = (k + k3 A^2) A on the branch that runs into the fold
+    let (m, k, k3, e, w) = (4.0, 4e4, 4e10, 2e-5, 150.0f64);
+    let a = number(&check(&p, "check-vibration").result, "sizes");
+    let balance = |a: f64| (k + k3 * a * a - m * w * w) * a - m * e * w * w;
+    assert!(a > 1e-3 && balance(a * 0.98) < 0.0 && balance(a * 1.02) > 0.0, "{a}");
+    assert!((number(&check(&p, "check-forces").result, "sizes") / ((k + k3 * a * a) * a) - 1.0).abs() < 0.05);
+    // without the study the force of the bearing is not known, and its limit not kept
+    let linear = page(text(60.0).split("[[study]]").next().unwrap());
+    assert_eq!(check(&linear, "check-forces").verdict, Verdict::Attention);
+}
+
+/// Coefficients beyond a table that refuses them answer nothing.
+#[test]
+fn beyond_a_table_nothing_is_stable() {
+    let text = |speed: f64| {
+        format!(
+            "[machine]\nname = \"rotor\"\nspeed = {speed:?}\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 4\neccentricity = 2e-5\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"seal\"\nbetween = [\"disc\", \"ground\"]\n\
+             table = {{ speed = [10, 150], kxx = [4e4, 4e4], kyy = [4e4, 4e4], cxx = [4, 4], cyy = [4, 4] }}\n"
+        )
+    };
+    let p = page(&text(200.0));
+    assert!(p.checks.iter().all(|c| c.verdict != Verdict::Passed), "{:?}", p.checks);
+    assert_eq!(check(&page(&text(140.0)), "check-stability").verdict, Verdict::Passed);
 }
 
 /// The summary has the units of the file, and no sentence lacks an argument.

@@ -20,7 +20,8 @@ headline-unstable = Unstable at { $speed }. Do not run the machine at this speed
 headline-not-proven = Stability at { $speed } is not proven.
 headline-unknown = Stability at { $speed } was not computed.
 headline-no-speed = No operating speed is set.
-headline-limit = Requirement not met: { $check }.
+headline-limit = Not met: { $checks }.
+headline-several = Which of several steady responses occurs depends on the run-up.
 headline-resonance = The nearest resonance, { $resonance }, is only { $margin } away.
 headline-near-instability = The nearest instability is only { $margin } away.
 headline-crosses = { $count ->
@@ -62,6 +63,9 @@ check-forces = Forces
 check-validity = Validity
 check-balls = Unbalance with balls
 check-run-up = Run-up
+check-window = Operating window
+check-speed = Highest speed
+check-others = Other limits
 
 required-decay = { $margin ->
         [none] decaying
@@ -82,17 +86,23 @@ stability-balanced = the balanced state is stable from { $from } to { $to }
 stability-state = a state that does not balance is stable from { $from } to { $to }
 stability-no-state = no stable synchronous state at this speed
 stability-needs-stationary = balls move in the rotor: needs a study "stationary"
+stability-no-steady = no steady response is stable at this speed (nonlinear response)
+stability-several = { $count } stable steady responses at this speed (nonlinear response)
+stability-outside-study = the study "stationary" does not cover this speed
 stability-mode = at { $frequency }, logarithmic decrement { $decrement }
 stability-no-mode = the machine has no mode
 distance-both = { $below } below, { $above } above
 distance-below = { $below } below, none above up to { $to }
-distance-above = none below from { $from }, { $above } above
-distance-stable-throughout = stable from { $from } to { $to }
+distance-above = none below, { $above } above
+distance-stable-throughout = none found from { $from } to { $to }
 distance-inside-unstable = the operating speed is in an unstable range
-distance-no-resonance = none from { $from } to { $to }
+distance-no-resonance = none found from { $from } to { $to }
 item = { $name } { $value }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak } peak velocity
+vibration-nonlinear = largest stable response of the nonlinear machine
+vibration-contact = linear; { $parts } would touch, and the amplitude is not valid
+forces-without = without nonlinear parts: { $parts }
 vibration-unbounded = undamped resonance at this speed
 forces-sizes = { $sizes }
 validity-none = no part states a limit
@@ -104,10 +114,15 @@ validity-studies = { $count ->
         [one] one finding is outside the validity of its model
        *[other] { $count } findings are outside the validity of their model
     }
+window-none = no speed keeps all requirements
+window-ranges = { $ranges }
+speed-is = { $speed }
+limits-left-out = not assessed on this page: { $names }
 balls-no-study = needs a study "stationary" or "transient"
 balls-left = { $left } left of { $without }
 run-up-computed = largest displacement { $value } ("{ $body }")
 run-up-unknown = what lies below { $speed } is not known
+run-up-diverges = the motion diverges
 run-up-free = crosses no resonance and no unstable range
 run-up-resonances = { $count ->
         [one] crosses the resonance at { $resonances }

@@ -22,7 +22,7 @@ pub(in super::super) fn tables(over: &OverSpeed) -> Vec<Table> {
 pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed, style: &Style) -> Figure {
     let say = |key: &str| style.message(&Message::new(key));
     let speed = style.units.speed();
-    let (from, to) = over.range;
+    let (from, to) = over.shown;
     // ratios of speeds are what margins speak of
     let wide = to > 20.0 * from;
     let label = style.message(&Message::new("axis-speed-plain"));

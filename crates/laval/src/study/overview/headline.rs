@@ -1,5 +1,6 @@
 //! The answer in one sentence, three remarks, and what to do next.
 
+use super::checks;
 use super::margins;
 use super::{Facts, MARGIN};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Unstable, Verdict};
@@ -18,20 +19,33 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
     let check = |name: &str| page.checks.iter().find(|c| c.what.key == name);
     let over = page.over_speed.as_ref();
     let crossed: Vec<&Unstable> = over.iter().flat_map(|o| &o.unstable).filter(|u| u.to < speed).collect();
-    let stability = check("check-stability").map_or(Verdict::NotComputed, |c| c.verdict);
-    let failed = page.checks.iter().find(|c| c.verdict == Verdict::Failed && c.what.key != "check-stability");
+    let unstable = check("check-stability").is_some_and(checks::grows);
+    let stability = match check("check-stability").map_or(Verdict::NotComputed, |c| c.verdict) {
+        Verdict::Failed if !unstable => Verdict::Passed,
+        v => v,
+    };
+    let failed: Vec<Arg> =
+        page.checks.iter().filter(|c| c.verdict == Verdict::Failed && !checks::grows(c)).map(|c| c.what.clone().into()).collect();
     let near = |name: &str| check(name).filter(|c| c.verdict == Verdict::Attention).and_then(|c| c.margin);
     let (mut verdict, mut headline) = match stability {
         Verdict::Failed => (Verdict::Failed, vec![at("headline-unstable")]),
         Verdict::Passed => (Verdict::Passed, vec![at("headline-stable")]),
+        Verdict::Attention if check("check-stability").is_some_and(|c| c.result.key == "stability-several") => {
+            (Verdict::Attention, vec![at("headline-stable")])
+        }
         Verdict::Attention => (Verdict::Attention, vec![at("headline-not-proven")]),
         _ => (Verdict::NotComputed, vec![at("headline-unknown")]),
     };
     if stability != Verdict::Failed {
-        let more = if let Some(c) = failed {
+        let several = check("check-stability").is_some_and(|c| c.result.key == "stability-several");
+        // the nearer of two troubles
+        let closer = near("check-instability").is_none_or(|m| near("check-resonance").is_some_and(|r| r <= m));
+        let more = if !failed.is_empty() {
             verdict = Verdict::Failed;
-            Some(Message::new("headline-limit").arg("check", c.what.clone()))
-        } else if let (Some(m), Some(o)) = (near("check-resonance"), over) {
+            Some(Message::new("headline-limit").arg("checks", Arg::List(failed)))
+        } else if several {
+            Some(Message::new("headline-several"))
+        } else if let (Some(m), Some(o), true) = (near("check-resonance"), over, closer) {
             verdict = verdict.max(Verdict::Attention);
             let n = margins::resonance(o, speed);
             let place = [n.below, n.above].into_iter().flatten().min_by(|a, b| (a - speed).abs().total_cmp(&(b - speed).abs()));
@@ -121,7 +135,7 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: f64) -
     let verdict = |name: &str| checks.iter().find(|c| c.what.key == name).map(|c| c.verdict);
     let runs = |kind: &str| facts.outcomes.iter().any(|o| o.kind == kind);
     let nonlinear = facts.system.slots().iter().any(|s| !s.is_linear());
-    if verdict("check-stability") == Some(Verdict::Failed) {
+    if checks.iter().any(|c| c.what.key == "check-stability" && checks::grows(c)) {
         out.push(Message::new(if runs("stability_map") { "next-unstable" } else { "next-stability-map" }));
     }
     if verdict("check-resonance") == Some(Verdict::Attention) {
@@ -137,7 +151,7 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: f64) -
     if nonlinear && !runs("nonlinear_response") && verdict("check-balls").is_none() {
         out.push(Message::new("next-nonlinear"));
     }
-    if checks.iter().any(|c| c.verdict == Verdict::NoLimit) {
+    if checks.iter().any(|c| c.verdict == Verdict::NoLimit && (c.what.key == "check-vibration" || c.what.key == "check-forces")) {
         out.push(Message::new("next-limits"));
     }
     out

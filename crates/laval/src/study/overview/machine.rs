@@ -37,7 +37,8 @@ fn labels(system: &System, slot: &Slot) -> Vec<Arg> {
         let (declared, x) = (&system.param_slots()[i], system.params()[i]);
         let name = declared.name.strip_prefix(&slot.name).map_or("", |n| n.trim_start_matches('.'));
         let name = name.split('.').next().unwrap_or_default();
-        if x != 0.0 && x.is_finite() && !seen.contains(&name) && out.len() < MOST_LABELS {
+        // a value that the file need not give tells nothing
+        if Some(x) != declared.default && x != 0.0 && x.is_finite() && !seen.contains(&name) && out.len() < MOST_LABELS {
             seen.push(name);
             out.push(Arg::quantity(x, declared.unit));
         }

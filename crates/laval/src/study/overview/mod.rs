@@ -9,12 +9,15 @@ mod checks;
 mod headline;
 mod machine;
 mod margins;
+mod nonlinear;
 mod over_speed;
 mod shapes;
 
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
+use crate::model::part::Domain;
 use crate::model::system::System;
+use crate::solve::roots::LEAST;
 use crate::outcome::{Message, Outcome, Overview};
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
@@ -22,7 +25,7 @@ use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult
 use crate::study::linear::modes::{Modes, ModesResult};
 use crate::study::linear::stability_map::{StabilityMap, StabilityMapResult};
 use crate::study::shared::limits::{self, Limits};
-use crate::study::shared::speed_range::SpinSpeeds;
+use crate::study::shared::speed_range::{self, SpinSpeeds};
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
 use laval_num::work::watched;
@@ -31,8 +34,8 @@ use laval_num::work::watched;
 const SECOND: u64 = 1_000_000_000;
 /// Speeds of the range at which growth and response are computed.
 const POINTS: usize = 120;
-/// The lowest speed shown, over the operating speed.
-const SLOW: f64 = 0.05;
+/// The lowest speed computed, over the highest.
+const SLOWEST: f64 = 1e-3;
 /// Distance from resonances and instability, over the operating speed, where `[limits]` gives none.
 pub(super) const MARGIN: f64 = 0.15;
 
@@ -65,6 +68,8 @@ impl<R> Known<R> {
 
 fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::Result> {
     let run = || {
+        // coefficients beyond a table that refuses them are not known
+        speed_range::known(study, system)?;
         study.admit(system)?;
         study.compute(system, context)
     };
@@ -91,6 +96,10 @@ pub(super) struct Facts<'a> {
     /// Direction of the rotation, 1 or -1.
     sign: f64,
     stability: Known<StabilityMapResult>,
+    /// Growth from which on a mode counts as unstable over the range, 1/s.
+    threshold: f64,
+    /// Steady responses of the nonlinear machine at the operating speed.
+    steady: Option<nonlinear::Steady>,
     criticals: Known<CriticalSpeedsResult>,
     /// Where critical speeds are not known: the response over the range.
     forced: Option<ForcedResponseResult>,
@@ -123,7 +132,11 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         frequency: None,
     };
     let stability = within(&map, system, context);
-    let criticals = within(&CriticalSpeeds { speed, orders: vec![1.0], margin: MARGIN }, system, context);
+    let limits = limits::of(system);
+    let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
+    // slower waves of a liquid that nothing inside it damps are not told from rounding
+    let fastest = range.1;
+    let threshold = if system.domains(fastest).iter().any(Domain::undamped) { LEAST * fastest } else { 0.0 };
     let forced = match criticals {
         Known::Yes(_) => None,
         _ => match within(&ForcedResponse { speed: wide }, system, context) {
@@ -132,8 +145,23 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         },
     };
     let balls = system.slots().iter().any(|s| s.part.movable_masses().is_some());
-    let facts =
-        Facts { system, operating, limits: limits::of(system), outcomes, modes, response, range, sign, stability, criticals, forced, balls };
+    let mut facts = Facts {
+        system,
+        operating,
+        limits,
+        outcomes,
+        modes,
+        response,
+        range,
+        sign,
+        stability,
+        threshold,
+        steady: None,
+        criticals,
+        forced,
+        balls,
+    };
+    facts.steady = operating.and_then(|w| nonlinear::steady(&facts, w.abs()));
     let mut out = Overview {
         operating: operating.map(f64::abs),
         over_speed: over_speed::over_speed(&facts),
@@ -158,7 +186,9 @@ fn range(operating: Option<f64>, sign: f64, speeds: &[SpinSpeeds]) -> (f64, f64)
     if !(from.is_finite() && to > 0.0) {
         (from, to) = (10.0, 1000.0);
     }
-    // at standstill nothing turns, and far below the operating speed there is little to see
-    let least = operating.map_or(1e-3 * to, |w| SLOW * w.abs());
-    (from.max(least), to)
+    // a run-up begins at rest; at standstill itself nothing turns
+    if operating.is_some() {
+        from = 0.0;
+    }
+    (from.max(SLOWEST * to), to)
 }

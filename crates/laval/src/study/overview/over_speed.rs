@@ -3,11 +3,14 @@
 use super::Facts;
 use crate::outcome::{OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
+use crate::solve::pencil::Whirl;
 use crate::solve::stability::Row;
 use crate::study::linear::campbell::damping;
 
 /// A critical speed with more damping than this does not show as a resonance.
 const LIGHT: f64 = 0.1;
+/// The lowest speed shown, over the lowest event.
+const SHOWN: f64 = 0.25;
 /// Peaks smaller than this share of the largest are not resonances of the page.
 const SMALL: f64 = 0.02;
 
@@ -34,10 +37,17 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
                     .get()
                     .into_iter()
                     .flat_map(|found| &found.crossings)
-                    .filter(|c| c.located() && damping(c).abs() < LIGHT);
+                    .filter(|c| {
+                    // unbalance does not excite what whirls against the spin
+                    c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward
+                });
                 out.resonances = light.map(|c: &Critical| Resonance { speed: facts.sign * c.speed, amplitude: None }).collect();
             }
         }
+        // what excites at other multiples of the speed meets the modes elsewhere
+        let other = facts.criticals.get().into_iter().flat_map(|found| &found.crossings);
+        let other = other.filter(|c| c.order != 1.0 && c.located() && damping(c).abs() < LIGHT);
+        out.resonances.extend(other.map(|c| Resonance { speed: facts.sign * c.speed, amplitude: None }));
         out.resonances.sort_by(|a, b| a.speed.total_cmp(&b.speed));
     }
     if facts.sign < 0.0 {
@@ -46,8 +56,17 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         out.response_speed.reverse();
         out.amplitudes.iter_mut().for_each(|a| a.1.reverse());
     }
+    out.shown = shown(facts, &out);
     let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty());
     known.then_some(out)
+}
+
+/// From well below the lowest event or the operating speed on.
+fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
+    let events = over.unstable.iter().map(|u| u.from).chain(over.resonances.iter().map(|r| r.speed)).chain(over.jumps.iter().copied());
+    let lowest = events.chain(facts.operating.map(f64::abs)).fold(f64::INFINITY, f64::min);
+    let from = if lowest.is_finite() { SHOWN * lowest } else { 0.0 };
+    (from.max(over.range.0), over.range.1)
 }
 
 /// Maxima of the response, one for all bodies that peak together.
@@ -82,8 +101,25 @@ fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
         let open = (low <= facts.range.0, high >= facts.range.1 && !row.stopped);
         Some(Unstable { from: low, to: high, open, growth: worst.re, frequency: worst.im.abs() })
     };
-    let mut out: Vec<Unstable> = row.unstable_ranges(0.0).into_iter().filter_map(one).collect();
+    let mut out: Vec<Unstable> = ranges(row, facts.threshold).into_iter().filter_map(one).collect();
     out.sort_by(|a, b| a.from.total_cmp(&b.from));
+    out
+}
+
+/// Ranges between located edges, and those of samples that lie outside of them: counted spectra have samples alone.
+fn ranges(row: &Row, threshold: f64) -> Vec<(f64, f64)> {
+    let mut out = row.unstable_ranges(threshold);
+    let mut run: Option<(f64, f64)> = None;
+    for s in &row.samples {
+        let located = out.iter().any(|r| (r.0..=r.1).contains(&s.speed));
+        if row.unstable(s, threshold) && !located {
+            run = Some(run.map_or((s.speed, s.speed), |r| (r.0, s.speed)));
+        } else {
+            out.extend(run.take());
+        }
+    }
+    out.extend(run);
+    out.sort_by(|a, b| a.0.total_cmp(&b.0));
     out
 }
 
