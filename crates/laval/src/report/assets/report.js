@@ -97,7 +97,7 @@ const f1 = v => String(Math.round(v * 10) / 10);
 // Path data in pixels; points in one pixel column become first, lowest, highest, last.
 function linePath(xs, ys, X, Y, x0, x1) {
   let d = "", pen = "M", n = xs.length;
-  const put = i => { d += pen + f1(X(xs[i])) + " " + f1(Math.max(-2e4, Math.min(2e4, Y(ys[i])))); pen = "L"; };
+  const put = i => { if (!isFinite(X(xs[i])) || !isFinite(Y(ys[i]))) { pen = "M"; return; } d += pen + f1(X(xs[i])) + " " + f1(Math.max(-2e4, Math.min(2e4, Y(ys[i])))); pen = "L"; };
   for (let i = 0; i < n;) {
     const x = X(xs[i]), y = Y(ys[i]);
     if (!(isFinite(x) && isFinite(y))) { pen = "M"; i++; continue; }

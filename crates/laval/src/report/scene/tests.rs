@@ -69,3 +69,59 @@ fn words_keep_their_colours() {
     let tones: Vec<Colour> = found.iter().zip(&seen).skip(6).filter(|f| *f.1).map(|f| f.0.1).collect();
     assert!(tones.len() == 5 && tones.windows(2).all(|w| w[0] != w[1]), "{tones:?}");
 }
+
+/// A phase that falls through a resonance goes on; one that jumps by half a turn stays near the lag of a resonance.
+#[test]
+fn angles_go_on_without_jumps() {
+    let mut v = vec![-10.0, -90.0, -170.0, 110.0, f64::NAN, 20.0, 10.0];
+    let rows: Vec<usize> = (0..v.len()).collect();
+    unwrap(&mut v, &rows, 360.0);
+    assert_eq!([v[3], v[5], v[6]], [-250.0, -340.0, -350.0]);
+    let mut v = vec![0.0, 180.0, 0.0, -180.0];
+    unwrap(&mut v, &[0, 1, 2, 3], 360.0);
+    assert_eq!(v, [0.0, -180.0, 0.0, -180.0]);
+}
+
+#[test]
+fn names_stand_at_the_places_of_an_axis() {
+    let names = vec![(1.0, "a <b>".to_string()), (2.0, "c".to_string()), (9.0, "outside".to_string())];
+    let s = scene(Axis::new("y", "").range(0.4, 2.6).names(names), vec![1.0, 2.0]);
+    assert_eq!(s.panels[0].y.ticks(5).major, [(1.0, "a <b>".to_string()), (2.0, "c".to_string())]);
+}
+
+/// A reserve of 0.9 beside a growth of 200 has its own part of the axis, and of its ticks.
+#[test]
+fn a_knee_shows_what_is_small() {
+    let y = scene(Axis::new("y", "").knee(0.1), vec![-0.9, 2.7, 200.0]).panels.remove(0).y;
+    assert!(y.place(0.0) - y.place(-0.9) > 0.2, "{}", y.place(0.0) - y.place(-0.9));
+    assert!(y.place(y.lo).abs() < 1e-12 && (y.place(y.hi) - 1.0).abs() < 1e-12 && y.lo > -2.0);
+    let ticks: Vec<f64> = y.ticks(6).major.iter().map(|t| t.0).collect();
+    assert!(ticks.contains(&0.0) && ticks.contains(&100.0) && ticks.iter().any(|t| *t < 0.0), "{ticks:?}");
+    assert!(ticks.windows(2).all(|w| y.place(w[1]) - y.place(w[0]) > 0.08), "{ticks:?}");
+}
+
+#[test]
+fn labels_of_rules_have_the_unit_of_the_axis() {
+    let t = Table::new("t", "").float("x", "", "", vec![0.0, 1.0]).float("y", "", "", vec![0.0, 1.0]).build().unwrap();
+    let panel = Panel::new(Axis::new("y", "")).mark(Line::new("t", "x", "y")).mark(Rule::x(0.25, "unstable").between(0.25, 0.5));
+    let f = Figure::new("f", "", "").x(Axis::new("x", "").factor(100.0)).panel(panel);
+    assert_eq!(Scene::new(&f, &[t]).unwrap().panels[0].rules[0].label, "unstable 25 to 50");
+}
+
+/// What is forbidden is hatched, and not told from what is allowed by its colour alone.
+#[test]
+fn forbidden_cells_are_hatched() {
+    let t = Table::new("t", "")
+        .float("x", "", "", vec![0.0, 1.0, 0.0, 1.0])
+        .float("y", "", "", vec![0.0, 0.0, 1.0, 1.0])
+        .float("v", "", "", vec![-1.0, 1.0, -1.0, f64::NAN])
+        .build()
+        .unwrap();
+    let heat = Heat::new("t", "x", "y", "v", Axis::new("", "")).allowed();
+    let f = Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(Axis::new("y", "")).mark(heat));
+    let s = Scene::new(&f, std::slice::from_ref(&t)).unwrap();
+    let heat = s.panels[0].heat.as_ref().unwrap();
+    assert_eq!(heat.forbidden(&s.x, &s.panels[0].y, 100.0, 100.0).matches('M').count(), 2);
+    assert_eq!((heat.colour(0.0), heat.colour(1.0)), ("#e08a5c".into(), "#00805e".into()));
+    assert!(crate::report::draw(&f, &[t]).unwrap().contains("class=\"hatch\""));
+}

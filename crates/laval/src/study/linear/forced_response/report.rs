@@ -247,7 +247,7 @@ impl<'a> Shown<'a> {
             .float("speed", "rad/s", "spin speed", extrema.iter().map(|e| e.speed).collect())
             .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
             .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))
-            .float(
+            .float_if_any(
                 "amplification",
                 "",
                 "speed of a resonance over the width of its peak at 0.707 of its height (API 684); NaN where the response does not fall so far on both sides",

@@ -78,7 +78,7 @@ impl<'a> Shown<'a> {
             .float("frequency", "rad/s", "whirl frequency", column(MachineMode::frequency))
             .float("frequency_hz", "Hz", "whirl frequency", column(|m| hertz(m.frequency())))
             .float("damping_ratio", "", "-growth over the modulus of the eigenvalue", column(MachineMode::damping_ratio))
-            .float("log_decrement", "", "logarithmic decrement; NaN without oscillation", column(log_decrement))
+            .float_if_any("log_decrement", "", "logarithmic decrement; NaN without oscillation", column(log_decrement))
             .text(
                 "whirl",
                 "direction of whirl with respect to the spin; none without oscillation across the axis, and at standstill",

@@ -81,8 +81,8 @@ pub fn distributions(
         let alike = chosen.iter().filter(|&&j| j > i && study.show.is_empty() && proportional(&samples.values[i], &samples.values[j]));
         let same = match alike.count() {
             0 => String::new(),
-            1 => ", another number has the same shape".into(),
-            n => format!(", {n} other numbers have the same shape"),
+            1 => ", 1 number alike".into(),
+            n => format!(", {n} numbers alike"),
         };
         let alt = format!("Histogram of {name} over {n} samples, from {} to {}.", quantity(low, unit), quantity(high, unit));
         let room = 0.06 * (high - low);
