@@ -110,13 +110,13 @@ fn proportional(a: &[f64], b: &[f64]) -> bool {
     n > 2.0 && sums.0.abs() > SAME_SHAPE * (sums.1 * sums.2).sqrt() && sums.1 > 0.0 && sums.2 > 0.0
 }
 
-/// Edges and densities of a histogram: width by Freedman and Diaconis (1981), 9 to 60 bars.
+/// Edges and densities of a histogram: width by Freedman and Diaconis (1981), 5 to 60 bars.
 fn histogram(sorted: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let n = sorted.len();
     let (low, high) = (sorted[0], sorted[n - 1]);
     let quartiles = sorted[(3 * n / 4).min(n - 1)] - sorted[n / 4];
     let wanted = (high - low) / (2.0 * quartiles) * (n as f64).cbrt();
-    let bars = if wanted.is_finite() { (wanted.ceil() as usize).clamp(9, 60) } else { 9 };
+    let bars = if wanted.is_finite() { (wanted.ceil() as usize).clamp(5, 60) } else { 5 };
     let width = (high - low) / bars as f64;
     let mut count = vec![0usize; bars];
     for x in sorted {
