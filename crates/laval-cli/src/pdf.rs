@@ -22,7 +22,9 @@ pub fn print(page: &Path) -> Result<PathBuf, Diagnostic> {
     let _ = std::fs::remove_file(&pdf);
     let run = |more: &[&str]| {
         let mut command = Command::new(&browser);
-        command.args(["--headless", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--no-pdf-header-footer"]).args(more);
+        command
+            .args(["--headless", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--no-pdf-header-footer"])
+            .args(more);
         command.arg(format!("--user-data-dir={}", profile.display())).arg(format!("--print-to-pdf={}", pdf.display())).arg(&page);
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status()
     };

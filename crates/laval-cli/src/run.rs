@@ -248,7 +248,9 @@ impl<'a> Run<'a> {
         }
         let page = files.into_iter().find(|f| f.ends_with("report.html"));
         if self.args.pdf {
-            let printed = page.as_deref().map_or_else(|| Err(Diagnostic::error("pdf.page", "--pdf prints report.html, which --format leaves out")), pdf::print);
+            let printed = page
+                .as_deref()
+                .map_or_else(|| Err(Diagnostic::error("pdf.page", "--pdf prints report.html, which --format leaves out")), pdf::print);
             if let Err(d) = printed {
                 input::complain(&d);
                 self.code = self.code.max(WRONG);

@@ -424,7 +424,8 @@ impl Build<'_> {
                     }
                 }
                 Mark::Band(m) => {
-                    let same = |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == m.name).then_some(t) } else { None };
+                    let same =
+                        |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == m.name).then_some(t) } else { None };
                     let known = self.legend.iter().find_map(same);
                     let tint = m.tint.or(known).unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
                     let outlines = self.outlines(m, fx, fy);

@@ -271,7 +271,8 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
         1.0
     } else if series.colour == Colour::Muted {
         0.9
-    } else { 1.8 + NEST * series.below as f64
+    } else {
+        1.8 + NEST * series.below as f64
     };
     match series.kind {
         Kind::Solid | Kind::Dashed => {
@@ -295,7 +296,13 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
             if kept.len() > DOTS {
                 let d: String = kept.iter().map(|q| format!("M{} {}h0", px(q.0), px(q.1))).collect();
                 // dots of classes that share a place lie on each other like their markers
-                let size = if shape >= SMALL { 2.4 } else if shape >= CLASS { 5.2 - 1.4 * (shape - CLASS).min(2) as f64 } else { 2.4 };
+                let size = if shape >= SMALL {
+                    2.4
+                } else if shape >= CLASS {
+                    5.2 - 1.4 * (shape - CLASS).min(2) as f64
+                } else {
+                    2.4
+                };
                 let _ = write!(
                     s,
                     r#"<path class="s {class}" data-s="{index}"{key} stroke="{hex}" stroke-width="{size:.1}" stroke-linecap="round" d="{d}"/>"#
@@ -334,7 +341,13 @@ fn marker(shape: usize, x: f64, y: f64) -> String {
         let corner = |(a, b): (f64, f64)| format!("{} {}", p(x + a * c + b * s), p(y - a * s + b * c));
         return format!("M{}L{}L{}z", corner((7.0, 0.0)), corner((-5.0, 5.0)), corner((-5.0, -5.0)));
     }
-    let r = if shape >= SMALL { 2.4 } else if shape >= CLASS { 5.6 - (shape - CLASS) as f64 } else { 4.2 };
+    let r = if shape >= SMALL {
+        2.4
+    } else if shape >= CLASS {
+        5.6 - (shape - CLASS) as f64
+    } else {
+        4.2
+    };
     match shape % 5 {
         0 => format!("M{} {}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z", p(x - r), p(y), d = 2.0 * r),
         1 => format!("M{} {}h{d}v{d}h-{d}z", p(x - 0.88 * r), p(y - 0.88 * r), d = px(1.76 * r)),

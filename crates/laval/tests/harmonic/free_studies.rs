@@ -4,7 +4,7 @@ use crate::common;
 
 use common::planar_file::{oil, planar_file};
 use laval::file::{Form, load, render};
-use laval::outcome::{End, Outcome};
+use laval::outcome::{Data, End, Level, Outcome};
 use laval::report::draw;
 use laval::study::{Cancel, Context, Silent};
 
@@ -67,6 +67,31 @@ fn limit_cycles_tell_soft_from_hard() {
     assert!(ids(&still).contains(&"no_edge") && still.find_table("cycles").is_none());
     let grows = run(&machine("isotropic", ["42", "6.59"], &oil("65.1 mm", "0"), &speed("4000", "6000")));
     assert!(ids(&grows).contains(&"no_edge_unstable"));
+}
+
+/// The size of a whirl that a part's law does not reach is no result, and its curve is grey.
+#[test]
+fn sizes_outside_validity_are_invalid() {
+    let study = "kind = \"limit_cycles\"\nspeed = { from = \"1500 rad/s\", to = \"6000 rad/s\", points = 120 }";
+    let text = machine("isotropic", ["42", "6.59"], &oil("65.1 mm", "20"), study);
+    let law = "cubic_stiffness = \"8.7e10 N/m^3\"\n";
+    let within = |reach: &str| run(&text.replace(law, &format!("{law}valid_to = \"{reach}\"\n")));
+    let level = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.level);
+    let (wide, short) = (within("1 m"), within("1 mm"));
+    assert!(wide.findings.iter().all(|f| f.level != Level::Invalid));
+    assert_eq!((level(&wide, "largest_whirl"), level(&wide, "whirl_beside_rest")), (Some(Level::Info), Some(Level::Warning)));
+    assert_eq!((level(&short, "largest_whirl"), level(&short, "whirl_beside_rest")), (Some(Level::Invalid), Some(Level::Invalid)));
+    let of = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).unwrap().clone();
+    assert_eq!(of(&wide, "largest_whirl").value, of(&short, "largest_whirl").value);
+    assert!(of(&short, "largest_whirl").sentence().contains("Not valid"), "{}", of(&short, "largest_whirl").sentence());
+    // the flag is that of the use of validity, and the axis does not reach for what is outside
+    let t = short.find_table("cycles").unwrap();
+    let column = |name: &str| t.column(name).unwrap();
+    let Data::Flag(valid) = &column("valid").data else { panic!() };
+    assert!((0..t.rows()).all(|i| valid[i] == (column("validity").number(i).unwrap() <= 1.0)));
+    assert!(valid.contains(&true) && valid.contains(&false));
+    let svg = |o: &Outcome| draw(&o.figures[0], &o.tables).unwrap();
+    assert!(svg(&short).contains("outside validity") && !svg(&wide).contains("outside validity"));
 }
 
 #[test]

@@ -69,12 +69,6 @@ fn above_the_critical_speed_a_run_up_crosses_it() {
     assert!(run.verdict == Verdict::NotComputed && run.result.key == "run-up-resonances");
     assert!((number(&run.result, "resonances") - 100.0).abs() < 0.1);
     assert!(p.next.iter().any(|m| m.key == "next-run-up"));
-    // the direction of the rotation changes nothing
-    let back = page(&jeffcott("speed = -200.0", 4.0, ""));
-    assert_eq!(check(&back, "check-stability").verdict, Verdict::Passed);
-    let (a, b) = (number(&check(&p, "check-vibration").result, "sizes"), number(&check(&back, "check-vibration").result, "sizes"));
-    assert!((a / b - 1.0).abs() < 1e-9);
-    assert_ne!(check(&back, "check-resonance").result.key, "distance-no-resonance", "{:?}", check(&back, "check-resonance"));
 }
 
 #[test]
@@ -205,7 +199,8 @@ fn beyond_a_table_nothing_is_stable() {
 fn the_summary_is_in_the_units_of_the_file() {
     let text = jeffcott("speed = \"1910 rpm\"", 4.0, "[limits]\ndisplacement = \"1 mm\"\n");
     let units = Units::new(laval::file::written_units(&text));
-    let report = Report { machine: "rotor".into(), overview: Some(page(&text)), style: Style { units, ..Style::default() }, ..Report::default() };
+    let report =
+        Report { machine: "rotor".into(), overview: Some(page(&text)), style: Style { units, ..Style::default() }, ..Report::default() };
     let out = summary(&report, Terminal::default());
     assert!(out.contains("1910 rpm") && out.contains("955") && !out.contains("rad/s") && !out.contains("{$"), "{out}");
     assert!(out.lines().all(|l| l.chars().count() <= 80), "{out}");

@@ -60,6 +60,33 @@ fn the_frequency_of_the_strongest_mode_has_gaps_where_the_mode_changes() {
 }
 
 #[test]
+fn invalid_parts_are_grey_and_off_the_axis_angles_wrap_and_paths_are_smooth_with_start_and_direction() {
+    let rows = 48;
+    let turn = |i: usize| i as f64 / rows as f64 * std::f64::consts::TAU;
+    let t = Table::new("t", "")
+        .float("x", "", "", (0..rows).map(|i| i as f64).collect())
+        .float("y", "m", "", (0..rows).map(|i| if i < 10 { 1.0 } else { 1000.0 }).collect())
+        .flag("valid", "", (0..rows).map(|i| i < 10).collect())
+        .float("angle", "rad", "", (0..rows).map(|i| 3.0 * turn(i)).collect())
+        .float("cos", "m", "", (0..rows).map(|i| turn(i).cos()).collect())
+        .float("sin", "m", "", (0..rows).map(|i| turn(i).sin()).collect())
+        .build()
+        .unwrap();
+    let drawn =
+        |y: Axis, line: Line| draw(&Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(y).mark(line)), &[t.clone()]).unwrap();
+    let svg = drawn(Axis::new("y", "N"), Line::new("t", "x", "y").valid_where("valid"));
+    assert!(svg.contains("outside validity") && !svg.contains(">1000<") && paths(&svg, "cm").len() == 2, "{svg}");
+    let degrees = Axis::new("angle", "deg").factor(180.0 / std::f64::consts::PI);
+    let svg = drawn(degrees, Line::new("t", "x", "angle").wrapped());
+    // three turns are cut three times, and no stroke crosses the panel
+    assert_eq!(paths(&svg, "s")[0].matches('M').count(), 4, "{svg}");
+    let svg = drawn(Axis::new("y", ""), Line::new("t", "cos", "sin").path());
+    let all = paths(&svg, "s");
+    assert_eq!(all.len(), 3, "the curve, its start, its direction");
+    assert!(all[0].matches('L').count() > 3 * (rows - 1), "{}", all[0]);
+}
+
+#[test]
 fn curves_that_coincide_are_both_seen() {
     let t = Table::new("t", "").float("x", "", "", vec![0.0, 1.0, 0.0, 1.0]).float("y", "", "", vec![0.0, 1.0, 0.0, 1.0]).text(
         "way",

@@ -35,7 +35,8 @@ fn every_case_has_the_verdict_it_states() {
     assert_eq!(files.iter().map(|f| f.0.as_str()).collect::<HashSet<_>>().len(), files.len());
     for (name, content) in &files[1..] {
         assert!(files[0].1.contains(&format!("href=\"{name}\"")), "{name} is not in the index");
-        assert!(content.contains("<svg"), "{name} has no figure");
+        // a few modes or critical speeds stand in a table alone
+        assert!(content.contains("<svg") || content.contains("<table"), "{name} shows nothing");
     }
     let known: HashSet<&str> = files.iter().map(|f| f.0.as_str()).collect();
     for (name, content) in &files {

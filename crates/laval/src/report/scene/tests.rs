@@ -108,7 +108,7 @@ fn labels_of_rules_have_the_unit_of_the_axis() {
     assert_eq!(Scene::new(&f, &[t]).unwrap().panels[0].rules[0].label, "unstable 25 to 50");
 }
 
-/// What is forbidden is hatched, and not told from what is allowed by its colour alone.
+/// What is forbidden is hatched, and does not differ from what is allowed by its colour alone.
 #[test]
 fn forbidden_cells_are_hatched() {
     let t = Table::new("t", "")

@@ -12,13 +12,13 @@
 
 use super::approximation::{self, Approximation};
 use super::modes::{THRESHOLD, WHIRLS};
+use super::operating::operating;
 use super::whirl;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
-use super::operating::operating;
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
@@ -308,9 +308,8 @@ impl<'a> Shown<'a> {
     /// Its frequency is a fixed multiple of the speed: a wave of a liquid that turns with the rotor, which hardly moves the machine.
     fn wave(&self, k: usize) -> bool {
         let points = self.result.branches[k].points.iter().filter(|p| p.0 != 0.0);
-        let range = |f: &dyn Fn(&(f64, MachineMode)) -> f64| {
-            points.clone().map(f).fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)))
-        };
+        let range =
+            |f: &dyn Fn(&(f64, MachineMode)) -> f64| points.clone().map(f).fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
         let (ratios, speeds) = (range(&|p| p.1.frequency() / p.0.abs()), range(&|p| p.0.abs()));
         transcendental(self.system) && speeds.1 > SPREAD * speeds.0 && ratios.1 - ratios.0 < FOLLOWS * ratios.1
     }
@@ -432,7 +431,8 @@ impl<'a> Shown<'a> {
         frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
         let growth = Panel::new(Axis::new("growth rate", "1/s"));
         let growth = operating.iter().fold(growth, |p, o| p.mark(o.margin()).mark(o.rule()));
-        let growth = growth.mark(line("growth")).mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));
+        let growth =
+            growth.mark(line("growth")).mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));
         let alt = format!(
             "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.{}",
             branches.len(),

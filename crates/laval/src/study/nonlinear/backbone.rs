@@ -11,8 +11,8 @@
 //! Sources: `docs/theory/free-motions.md#backbone-curves`; R. M. Rosenberg, Adv. Appl. Mech. 9 (1966) 155; M. Krack, Comput. Struct. 154 (2015) 59.
 
 use super::free_motion::{
-    FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,
-    VALID, trust_columns, unfinished,
+    FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, VALID, body_columns, constant_speed, end, in_order, invalid, read,
+    short, trust_columns, unfinished, valid,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -348,8 +348,14 @@ impl Shown<'_> {
     }
 
     fn figure(&self) -> Figure {
-        let most = self.found.amplitudes.1;
-        let mut panel = Panel::new(Axis::new("amplitude of the deflection", "m").metres(most))
+        // what is outside the validity of a part is grey, and the axes show little of it
+        let motions = || self.found.families.iter().flat_map(|f| &f.motions).zip(self.measured.iter().flatten());
+        let inside: Vec<_> = motions().filter(|m| valid(self.system, m.1)).map(|m| m.0).collect();
+        let cut = !inside.is_empty() && inside.len() < motions().count();
+        let most = if cut { BEYOND * inside.iter().map(|m| m.amplitude).fold(0.0, f64::max) } else { self.found.amplitudes.1 };
+        let axis = Axis::new("amplitude of the deflection", "m").metres(most);
+        let top = most * axis.factor;
+        let mut panel = Panel::new(if cut { axis.range(0.0, top) } else { axis })
             .mark(Line::new("backbone", "frequency", "amplitude").group("begins").valid_where(VALID));
         let w = self.request.speed;
         let shown = self.found.families.iter().flat_map(|f| &f.motions).map(|m| m.frequency);
@@ -370,6 +376,13 @@ impl Shown<'_> {
             quantity(w, "rad/s"),
             self.found.families.len()
         );
-        Figure::new("backbone", "Free whirls", alt).x(Axis::new("whirl frequency", "rad/s")).panel(panel)
+        let x = Axis::new("whirl frequency", "rad/s");
+        let (from, to) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), m| (l.min(m.frequency), h.max(m.frequency)));
+        let margin = 0.1 * (to - from);
+        let x = if cut { x.range(from - margin, to + margin) } else { x };
+        Figure::new("backbone", "Free whirls", alt).x(x).panel(panel)
     }
 }
+
+/// How far beyond the largest valid amplitude the axis goes.
+const BEYOND: f64 = 1.5;

@@ -20,7 +20,7 @@ use crate::model::field::{Field, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{
-    self, Arg, Axis, Band, Figure, Finding, Line, Message, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table,
+    self, Arg, Axis, Band, Figure, Finding, Line, Message, Outcome, OutcomeError, Panel, Rule, Scale, SpecialPoint, Status, Table,
 };
 use crate::solve::harmonic::free::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
 use crate::solve::harmonic::stability::floquet::Exponents;
@@ -127,6 +127,9 @@ fn word(o: &Onset) -> &'static str {
         () => "soft",
     }
 }
+
+/// How far beyond the largest valid size the axis goes.
+const BEYOND: f64 = 1.5;
 
 /// What the size of a whirl is.
 #[derive(Clone, Copy, PartialEq)]
@@ -286,9 +289,10 @@ impl Shown<'_> {
                     continue;
                 }
                 let kind = self.kind();
-                let (m, largest) = self.measured[k][a..=b].iter().map(|m| (m, self.reach(m, kind).1)).fold((None, 0.0), |best, (m, r)| {
-                    if r > best.1 { (Some(m), r) } else { best }
-                });
+                let (m, largest) = self.measured[k][a..=b]
+                    .iter()
+                    .map(|m| (m, self.reach(m, kind).1))
+                    .fold((None, 0.0), |best, (m, r)| if r > best.1 { (Some(m), r) } else { best });
                 let finding = match m {
                     Some(m) if !valid(self.system, m) => Finding::invalid("whirl_beside_rest", "limit-cycles-bistable-invalid"),
                     _ => Finding::warning("whirl_beside_rest", "limit-cycles-bistable"),
@@ -455,7 +459,10 @@ impl Shown<'_> {
         let least = self.measured.iter().map(largest).filter(|l| *l > 0.0).fold(f64::INFINITY, f64::min);
         let (column, unit) = (kind.column(), if kind.is_tilt() { "mrad" } else { "m" });
         let axis = if most > 20.0 * least { Axis::log(column, unit) } else { Axis::new(column, unit) };
-        let mut panel = Panel::new(if kind.is_tilt() { axis.factor(1e3) } else { axis.metres(most) });
+        let axis = if kind.is_tilt() { axis.factor(1e3) } else { axis.metres(most) };
+        let cut = axis.scale == Scale::Linear && self.measured.iter().flatten().any(|m| !seen(&m));
+        let top = BEYOND * most * axis.factor;
+        let mut panel = Panel::new(if cut { axis.range(0.0, top) } else { axis });
         for (from, to) in found.rest.unstable_ranges(0.0) {
             panel = panel.mark(Band::x(from, to).name("rest unstable").strip());
         }
@@ -463,7 +470,11 @@ impl Shown<'_> {
         for o in &found.onsets {
             panel = panel.mark(Rule::x(o.edge.speed, word(o)));
         }
-        let frequency = Panel::new(Axis::new("whirl frequency", "rad/s")).mark(marked(grouped(Line::new("cycles", "speed", "frequency"))));
+        let frequencies = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.frequency);
+        let (low, high) = frequencies.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)));
+        let margin = 0.05 * (high - low);
+        let frequency = Panel::new(Axis::new("whirl frequency", "rad/s").range(low - margin, high + margin))
+            .mark(marked(grouped(Line::new("cycles", "speed", "frequency"))));
         let alt = format!(
             "Largest displacement and frequency of self-excited whirls over the spin speed, {} families from {} edges of the instability of rest.",
             found.families.len(),

@@ -2,8 +2,8 @@
 
 use super::margins::{self, Nearest};
 use super::{Facts, Known, MARGIN};
-use crate::model::probe::Probe;
 use crate::model::part::Link;
+use crate::model::probe::Probe;
 use crate::outcome::{Arg, Check, Data, End, Level, Message, Outcome, OverSpeed, Verdict};
 use crate::solve::linear_response::Response;
 use crate::study::Study;
@@ -139,7 +139,9 @@ fn stability(facts: &Facts) -> Check {
     if let (Some(s), Verdict::Passed | Verdict::Attention) = (&facts.steady, verdict) {
         match s.stable {
             Some(0) => return of(Message::new("stability-no-steady"), Verdict::Failed),
-            Some(n) if n > 1 => return Check { detail, ..of(Message::new("stability-several").arg("count", Arg::count(n)), Verdict::Attention) },
+            Some(n) if n > 1 => {
+                return Check { detail, ..of(Message::new("stability-several").arg("count", Arg::count(n)), Verdict::Attention) };
+            }
             _ => {}
         }
     }
@@ -326,7 +328,8 @@ fn forces(facts: &Facts) -> Option<Check> {
     }
     let largest = all.iter().map(|a| a.1).fold(0.0, f64::max);
     all.retain(|a| a.1 > 1e-9 * largest);
-    let nonlinear = facts.system.slots().iter().filter(|s| !s.is_linear() && s.layout.ports.iter().any(|p| matches!(p.link, Link::Between(..))));
+    let nonlinear =
+        facts.system.slots().iter().filter(|s| !s.is_linear() && s.layout.ports.iter().any(|p| matches!(p.link, Link::Between(..))));
     let missing: Vec<&str> = nonlinear.map(|s| s.name.as_str()).filter(|n| !all.iter().any(|a| a.0 == *n)).collect();
     if all.is_empty() && missing.is_empty() {
         return None;

@@ -17,8 +17,8 @@ use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::solve::roots::LEAST;
 use crate::outcome::{Message, Outcome, Overview};
+use crate::solve::roots::LEAST;
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
 use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult};
@@ -134,7 +134,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let stability = within(&map, system, context);
     let limits = limits::of(system);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
-    // slower waves of a liquid that nothing inside it damps are not told from rounding
+    // slower waves of a liquid that nothing inside it damps are within rounding
     let fastest = range.1;
     let threshold = if system.domains(fastest).iter().any(Domain::undamped) { LEAST * fastest } else { 0.0 };
     let forced = match criticals {

@@ -32,12 +32,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
                 out.resonances = peaks(facts, curve);
             }
             None => {
-                let light = facts
-                    .criticals
-                    .get()
-                    .into_iter()
-                    .flat_map(|found| &found.crossings)
-                    .filter(|c| {
+                let light = facts.criticals.get().into_iter().flat_map(|found| &found.crossings).filter(|c| {
                     // unbalance does not excite what whirls against the spin
                     c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward
                 });

@@ -1,7 +1,7 @@
 //! Figures of an operating window.
 
-use super::report::{Shown, rpm};
 use super::margins::NAMES;
+use super::report::{Shown, rpm};
 use crate::outcome::{Axis, Band, Figure, Heat, Line, Outcome, Panel, Points, Rule, Text, parameter_name, significant};
 use crate::study::shared::support::RPM;
 
@@ -36,7 +36,11 @@ impl Shown<'_> {
         }
         panel = panel.mark(Band::between("requirements", "speed", "kept low", "kept high").name("kept").bar().good());
         panel = panel.mark(Band::between("requirements", "speed", "broken low", "broken high").name("not kept").bar().bad());
-        let operating = self.system.machine.speed.filter(|w| m.points.first().zip(m.points.last()).is_some_and(|(a, b)| (a.speed..=b.speed).contains(w)));
+        let operating = self
+            .system
+            .machine
+            .speed
+            .filter(|w| m.points.first().zip(m.points.last()).is_some_and(|(a, b)| (a.speed..=b.speed).contains(w)));
         if let Some(w) = operating {
             panel = panel.mark(Rule::x(w, "operating speed"));
         }
@@ -74,15 +78,18 @@ impl Shown<'_> {
         if out.find_table("trade").is_some_and(|t| t.rows() > 0) {
             let mut panel = Panel::new(speed());
             // an area needs one low and one high speed at every time
-            let times: Vec<f64> = out.find_table("trade").and_then(|t| t.column("time")).map_or(Vec::new(), |c| {
-                (0..c.data.len()).filter_map(|i| c.number(i)).collect()
-            });
+            let times: Vec<f64> = out
+                .find_table("trade")
+                .and_then(|t| t.column("time"))
+                .map_or(Vec::new(), |c| (0..c.data.len()).filter_map(|i| c.number(i)).collect());
             panel = if times.windows(2).all(|w| w[0] < w[1]) {
                 let side = |y: &str| Line::new("trade", "time", y);
                 panel = panel.mark(Band::between("trade", "time", "low", "high").name("window").good());
                 panel.mark(side("low").name("lowest speed")).mark(side("high").name("highest speed"))
             } else {
-                panel.mark(Points::new("trade", "time", "low").name("lowest speed")).mark(Points::new("trade", "time", "high").name("highest speed"))
+                panel
+                    .mark(Points::new("trade", "time", "low").name("lowest speed"))
+                    .mark(Points::new("trade", "time", "high").name("highest speed"))
             };
             if let Some(task) = &self.task {
                 panel = panel.mark(Rule::x(task.time, format!("{at_hand} required")));
@@ -101,8 +108,7 @@ impl Shown<'_> {
             // one scale for both sides of the edge, as wide as the room inside it
             let room = map.cells.iter().map(|c| c.margin).fold(0.0, f64::max);
             let room = if room > 0.0 { room.max(LEAST_ROOM) } else { 1.0 };
-            let heat =
-                Heat::new("map", "speed", column, "margin", Axis::new("least margin", "").range(-room, room)).allowed().contour(0.0);
+            let heat = Heat::new("map", "speed", column, "margin", Axis::new("least margin", "").range(-room, room)).allowed().contour(0.0);
             let axis = Axis::new(parameter_name(&map.path), unit).factor(factor);
             let mut panel = Panel::new(axis).mark(heat);
             if let Some(best) = &m.best {

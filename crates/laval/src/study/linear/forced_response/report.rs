@@ -301,7 +301,8 @@ impl<'a> Shown<'a> {
         let mut out: Vec<(f64, String)> = Vec::new();
         for e in found {
             let factor = self.amplification(e);
-            if factor.is_finite() && factor < SHARPEST && out.len() < LABELLED && out.iter().all(|o| (o.0 / e.speed - 1.0).abs() > ONE_PEAK) {
+            if factor.is_finite() && factor < SHARPEST && out.len() < LABELLED && out.iter().all(|o| (o.0 / e.speed - 1.0).abs() > ONE_PEAK)
+            {
                 out.push((e.speed, format!("AF {}", significant(factor, 2))));
             }
         }
@@ -325,7 +326,8 @@ impl<'a> Shown<'a> {
             }
         }
         amplitude = self.peaks().into_iter().fold(amplitude, |p, (speed, label)| p.mark(Rule::x(speed, label)));
-        let extrema = |y: &str| Points::new("extrema", "speed", y).classes("kind", &["resonance", "antiresonance"]).muted(&["antiresonance"]);
+        let extrema =
+            |y: &str| Points::new("extrema", "speed", y).classes("kind", &["resonance", "antiresonance"]).muted(&["antiresonance"]);
         amplitude = amplitude.mark(extrema("amplitude"));
         tilt = tilt.mark(extrema("tilt"));
         if let Some(o) = operating(self.system, self.study.speed.from, self.study.speed.to) {

@@ -268,7 +268,8 @@ impl<'a> Shown<'a> {
         let here = operating.as_ref().map(|o| (o, self.growth_at(o.speed())));
         let mut growth = Panel::new(self.growth_axis(here.as_ref().map_or(f64::NAN, |h| h.1)));
         if let Some((o, value)) = &here {
-            let label = if value.is_finite() { format!("operating speed: {} 1/s", significant(*value, 3)) } else { "operating speed".into() };
+            let label =
+                if value.is_finite() { format!("operating speed: {} 1/s", significant(*value, 3)) } else { "operating speed".into() };
             growth = growth.mark(Rule::x(o.speed(), label));
         }
         for (from, to) in self.rows()[0].unstable_ranges(threshold) {

@@ -150,8 +150,7 @@ fn figure(energy: &EnergyAccount) -> Figure {
     let mut panel = Panel::new(Axis::new("energy", "J"));
     // the energy of the spin would dwarf all others
     panel = panel.mark(line("change").name("change of the stored energy"));
-    let flows =
-        [("dissipated", &energy.dissipated), ("supplied", &energy.supplied), ("drive", &energy.drive), ("weight", &energy.weight)];
+    let flows = [("dissipated", &energy.dissipated), ("supplied", &energy.supplied), ("drive", &energy.drive), ("weight", &energy.weight)];
     for (column, _) in flows.into_iter().filter(|f| f.1.iter().any(|e| *e != 0.0)) {
         panel = panel.mark(line(column));
     }

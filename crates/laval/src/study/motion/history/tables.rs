@@ -108,7 +108,8 @@ fn motion_figures(
         _ => ("motion", &record.coordinates),
     };
     let names = |x: usize| [&system.coordinates()[x].name, &system.coordinates()[x + 1].name];
-    let mut lateral = Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
+    let mut lateral =
+        Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
     let reach = most(bodies.iter().flat_map(|b| names(b.x)).flat_map(|name| values(shown, name)).copied());
     let mut plane = Panel::new(Axis::new("y", "m").metres(reach));
     for b in &bodies {

@@ -108,12 +108,25 @@ pub(super) fn report(spectra: &Spectra, windows: &[Window], mut outcome: Outcome
             .float("amplitude", "m", "radius of the circular part of this line", rows.iter().map(|r| r.1.1).collect())
             .build()
             .map_err(inconsistent)?;
-        outcome = outcome.table(table).figure(figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1)));
+        outcome = outcome.table(table).figure(figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1), drawn_range(&rows, y.0)));
     }
     if outcome.find_table("waterfall").is_some() {
         outcome = outcome.table(spin_orders(spectra, windows)?);
     }
     Ok(outcome)
+}
+
+/// Frequencies or orders between which lines are drawn: those that stand out, and the spin frequency, with a margin.
+fn drawn_range(rows: &[(&Window, (f64, f64))], y: &str) -> Option<(f64, f64)> {
+    let top = rows.iter().map(|r| r.1.1).fold(0.0, f64::max);
+    let wider = |r: (f64, f64), x: f64| (r.0.min(x), r.1.max(x));
+    let whole = rows.iter().map(|r| r.1.0).fold((f64::INFINITY, f64::NEG_INFINITY), wider);
+    let spin = |w: &Window| if y == "order" { 1.0 } else { w.speed };
+    let seen = rows.iter().filter(|r| r.1.1 >= DEPTH * top).map(|r| r.1.0).chain(rows.iter().map(|r| spin(r.0)));
+    let seen = seen.fold((0.0, 0.0), wider);
+    let margin = 0.1 * (seen.1 - seen.0);
+    let (lo, hi) = ((seen.0 - margin).max(whole.0), (seen.1 + margin).min(whole.1));
+    (lo < hi).then_some((lo, hi))
 }
 
 /// Orders of the spin that are drawn in a waterfall.
@@ -141,13 +154,25 @@ fn order_lines(w: &Window) -> &[(f64, f64)] {
     &w.orders
 }
 
-fn figure(spectra: &Spectra, name: &str, y: &str, along_speed: bool, amplitudes: impl Iterator<Item = f64>) -> Figure {
+fn figure(
+    spectra: &Spectra,
+    name: &str,
+    y: &str,
+    along_speed: bool,
+    amplitudes: impl Iterator<Item = f64>,
+    range: Option<(f64, f64)>,
+) -> Figure {
     let top = amplitudes.fold(0.0, f64::max);
     let (unit, factor) = if top < 1e-3 { ("µm", 1e6) } else { ("mm", 1e3) };
     let top = factor * if top > 0.0 { top } else { 1e-6 };
     let colours = Axis::log("amplitude", unit).factor(factor).range(DEPTH * top, top);
     let (x, label) = if along_speed { ("speed", Axis::new("spin speed", "rad/s")) } else { ("t", Axis::new("time", "s")) };
     let axis = if y == "order" { Axis::new("order", "") } else { Axis::new("frequency", "Hz").factor(1.0 / TAU) };
+    let axis = match (range, y) {
+        (Some((lo, hi)), "order") => axis.range(lo, hi),
+        (Some((lo, hi)), _) => axis.range(lo / TAU, hi / TAU),
+        _ => axis,
+    };
     let title = if y == "order" { "Order spectra" } else { "Waterfall" };
     let alt = format!(
         "Amplitudes of \"{}\" over {} and {y}; positive turns with the rotor, negative against it.",

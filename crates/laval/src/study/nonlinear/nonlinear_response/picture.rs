@@ -9,8 +9,10 @@ use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Response, Traced};
 use crate::study::shared::probes;
 
-/// Panels of the figure of forces at most.
-const MOST_PANELS: usize = 4;
+/// Parts in the figure of forces at most.
+const MOST_FORCES: usize = 4;
+/// Share of the speeds that the jumps fill up to which they are enlarged.
+const NARROW: f64 = 0.2;
 
 impl Shown<'_> {
     /// Largest displacement and growth rate over the speed; with `all` families of states, every body in a panel of its own.
@@ -95,35 +97,47 @@ impl Shown<'_> {
         figure
     }
 
-    /// Forces of bearings and to the ground over the speed, a panel each, with what they tend to.
+    /// The displacement beside the jumps, where they fill little of the range of speeds; `None` where they do not.
+    pub(super) fn jump_figure(&self, response: &Response, figure: &Figure, speeds: (f64, f64)) -> Option<Figure> {
+        let folds = response.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed);
+        let (lo, hi) = folds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)));
+        let (from, to) = (speeds.0.min(speeds.1), speeds.0.max(speeds.1));
+        let margin = (hi - lo).max(1e-3 * (to - from));
+        if !(hi > lo && hi - lo < NARROW * (to - from)) {
+            return None;
+        }
+        let mut panel = figure.panels.first()?.clone();
+        panel.y.range = None;
+        let x = Axis::new("speed", "rad/s").range((lo - margin).max(from), (hi + margin).min(to));
+        Some(Figure::new("jumps", "Steady response at the jumps", "The largest displacement near the folds, enlarged.").x(x).panel(panel))
+    }
+
+    /// Forces of bearings and to the ground over the speed, with what they tend to.
     pub(super) fn force_figure(&self, response: &Response, all: bool) -> Option<Figure> {
-        let mut figure = Figure::new(
-            "forces",
-            "Forces of the steady response",
-            format!("Largest force over a period of {} parts against speed.", self.measured.forces.len()),
-        )
-        .x(Axis::new("speed", "rad/s"));
         let limits = self.force_limits();
-        for e in self.measured.forces.iter().take(MOST_PANELS) {
+        let mut panel = Panel::new(Axis::log("largest force", "N"));
+        let mut count = 0;
+        for e in self.measured.forces.iter().take(MOST_FORCES) {
             let name = &self.system.slots()[e.slot].name;
             let column = self
                 .measured
                 .observed
                 .iter()
                 .find(|(n, unit)| unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
-            let line = Line::new("response", "speed", &column.0).name("largest over a period").solid_where("not unstable");
+            let line = Line::new("response", "speed", &column.0).name(name).solid_where("not unstable");
             let line = match (all, response.branches.len()) {
                 (true, _) => line.group("states").begins_where("begins"),
                 (false, 1) => line,
                 _ => line.group("branch"),
             };
-            let mut panel = Panel::new(Axis::log(&column.0, "N")).mark(line);
+            panel = panel.mark(line);
             for (_, limit) in limits.iter().filter(|l| l.0 == e.slot) {
-                panel = panel.mark(Rule::y(*limit, "at ever higher speed"));
+                panel = panel.mark(Rule::y(*limit, format!("{name}, high speed")));
             }
-            figure = figure.panel(panel);
+            count += 1;
         }
-        (!figure.panels.is_empty()).then_some(figure)
+        let alt = format!("Largest force over a period of {count} parts against speed.");
+        (count > 0).then(|| Figure::new("forces", "Forces of the steady response", alt).x(Axis::new("speed", "rad/s")).panel(panel))
     }
 
     fn alt(&self, response: &Response) -> String {

@@ -81,7 +81,12 @@ impl<'a> Shown<'a> {
         }
         // stopped before the first point: nothing to draw
         if out.find_table("response").is_some() {
-            out = out.figure(self.figure(response, all, request.speeds));
+            let figure = self.figure(response, all, request.speeds);
+            let jumps = self.jump_figure(response, &figure, request.speeds);
+            out = out.figure(figure);
+            if let Some(figure) = jumps {
+                out = out.figure(figure);
+            }
             if let Some(figure) = self.force_figure(response, all) {
                 out = out.figure(figure);
             }

@@ -96,25 +96,24 @@ impl Report<'_> {
     }
 }
 
+/// Words of the chart in the order of their colours: blue, red, green, pink.
+const VERDICTS: [&str; 4] = ["balanced or not", "not balanced", "balanced only", "none stable"];
+
 fn chart(system: &System, chart: &Chart) -> Figure {
     let path = chart.path.as_str();
-    let y = || Axis { scale: scale(chart.wide), ..axis(path, unit_of(system, path)) };
-    let words = CELLS.iter().map(|w| (*w).to_string()).collect();
-    let mut growth = Panel::new(y());
-    if chart.cells.iter().any(|c| c.growth.is_finite()) {
-        growth = growth.mark(Heat::new("chart", "speed", path, "growth", Axis::new("growth of the balanced state", "1/s")).diverging());
-    }
-    let mut verdict = Panel::new(y()).mark(Heat::new("chart", "speed", path, "verdict", Axis::new("stable states", "")).of_classes(words));
+    let axis = Axis { scale: scale(chart.wide), ..axis(path, unit_of(system, path)) };
+    let values = chart.cells.iter().map(|c| c.value * axis.factor);
+    let (from, to) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    let axis = if from < to { axis.range(from, to) } else { axis };
+    let words = VERDICTS.map(String::from).to_vec();
+    debug_assert!(CELLS.iter().all(|w| VERDICTS.contains(w)));
+    let mut panel = Panel::new(axis).mark(Heat::new("chart", "speed", path, "verdict", Axis::new("stable states", "")).of_classes(words));
     if !chart.edges.is_empty() {
-        let points = || Points::new("boundary", "speed", path).group("edge");
-        growth = growth.mark(points());
-        verdict = verdict.mark(points());
+        panel = panel.mark(Points::new("boundary", "speed", path).group("edge"));
     }
-    let alt = format!(
-        "Over spin speed and {path}: growth rate of the balanced state, with its located boundary; below, whether the stable states balance."
-    );
-    let figure = Figure::new("chart", format!("Balanced state over speed and {path}"), alt).x(Axis::new("spin speed", "rad/s"));
-    if growth.marks.is_empty() { figure.panel(verdict) } else { figure.panel(growth).panel(verdict) }
+    let alt = format!("Over spin speed and {path}: whether the stable states balance, with the located boundary of the balanced state.");
+    let title = format!("Balanced state over speed and {path}");
+    Figure::new("chart", title, alt).x(Axis::new("spin speed", "rad/s")).panel(panel)
 }
 
 fn errors(system: &System, e: &Errors, k: usize) -> Option<Figure> {

@@ -4,7 +4,9 @@ use super::Optimum;
 use super::result::{Found, Run, Stray};
 use super::search::{KEPT, TEST};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, Table, TableBuilder, parameter_name, significant};
+use crate::outcome::{
+    Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, Table, TableBuilder, parameter_name, significant,
+};
 use crate::study::Study;
 use crate::study::shared::support::inconsistent;
 use laval_num::optimise::Ended;
@@ -290,7 +292,8 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     // each figure has its own parameter along x
     let own = |k: usize| format!("along {}", study.vary[k].path);
     let along = |table: TableBuilder, of: &dyn Fn(usize) -> Vec<f64>| {
-        let column = |t: TableBuilder, k: usize| t.float(own(k), study.vary[k].unit, "value of this parameter; NaN in rows of others", of(k));
+        let column =
+            |t: TableBuilder, k: usize| t.float(own(k), study.vary[k].unit, "value of this parameter; NaN in rows of others", of(k));
         (0..study.vary.len()).fold(table, column)
     };
     let value = |k: usize, of: usize, u: f64| if of == k { study.vary[k].value(u) } else { f64::NAN };

@@ -3,7 +3,9 @@
 use super::Sensitivity;
 use super::places::{Derivatives, Kind, Place, Without};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, Axis, Band, End, Figure, Finding, Message, Outcome, Panel, Rule, SpecialPoint, Table, parameter_name, significant};
+use crate::outcome::{
+    Arg, Axis, Band, End, Figure, Finding, Message, Outcome, Panel, Rule, SpecialPoint, Table, parameter_name, significant,
+};
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};

@@ -1,0 +1,72 @@
+//! Steady responses at the operating speed that a `nonlinear_response` of the file found.
+
+use super::Facts;
+use crate::outcome::{Data, Table};
+
+/// What is known at the operating speed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Steady {
+    /// Steady responses there.
+    pub states: usize,
+    /// Those that are stable; none where stability was not assessed.
+    pub stable: Option<usize>,
+    /// Largest displacement of each body over the responses that a machine may be on, m.
+    pub sizes: Vec<(String, f64)>,
+    /// The same of the forces of parts, N.
+    pub forces: Vec<(String, f64)>,
+}
+
+const LARGEST: &str = " largest displacement";
+
+/// The steady responses at this amount of the speed; none where no study covers it.
+pub(super) fn steady(facts: &Facts, speed: f64) -> Option<Steady> {
+    let studies = facts.outcomes.iter().filter(|o| o.kind == "nonlinear_response");
+    studies.filter_map(|o| at(o.find_table("response")?, facts.sign * speed)).max_by_key(|s| s.states)
+}
+
+fn floats<'t>(t: &'t Table, name: &str) -> Option<&'t [f64]> {
+    match &t.column(name)?.data {
+        Data::Float(v) => Some(v),
+        _ => None,
+    }
+}
+
+fn flags<'t>(t: &'t Table, name: &str) -> Option<&'t [bool]> {
+    match &t.column(name)?.data {
+        Data::Flag(v) => Some(v),
+        _ => None,
+    }
+}
+
+fn at(t: &Table, speed: f64) -> Option<Steady> {
+    let speeds = floats(t, "speed")?;
+    let Data::Int(branch) = &t.column("branch")?.data else { return None };
+    let (stable, open) = (flags(t, "stable")?, flags(t, "not unstable")?);
+    let mut out = Steady::default();
+    // pieces of branches that pass the speed: first row, and the share of the second
+    let pieces: Vec<(usize, f64)> = (1..speeds.len())
+        .filter(|&k| branch[k] == branch[k - 1] && speeds[k] != speeds[k - 1])
+        .map(|k| (k - 1, (speed - speeds[k - 1]) / (speeds[k] - speeds[k - 1])))
+        .filter(|(k, x)| (0.0..1.0).contains(x) || *x == 1.0 && (k + 2 == speeds.len() || branch[k + 2] != branch[*k]))
+        .collect();
+    out.states = pieces.len();
+    if pieces.is_empty() {
+        return None;
+    }
+    let both = |flags: &[bool], k: usize| flags[k] && flags[k + 1];
+    let known = pieces.iter().all(|(k, _)| both(stable, *k) || !open[*k] || !open[k + 1]);
+    out.stable = known.then(|| pieces.iter().filter(|(k, _)| both(stable, *k)).count());
+    // where no response is stable the amplitudes are those of motions that do not last
+    let kept: Vec<(usize, f64)> = pieces.into_iter().filter(|(k, _)| both(open, *k)).collect();
+    let largest = |v: &[f64]| kept.iter().map(|&(k, x)| v[k] + x * (v[k + 1] - v[k])).fold(0.0, f64::max);
+    for c in t.columns() {
+        let Data::Float(v) = &c.data else { continue };
+        if let Some(body) = c.name.strip_suffix(LARGEST) {
+            out.sizes.push((body.to_string(), largest(v)));
+        } else if c.unit == "N" && c.doc == "largest value over a period" {
+            let part = c.name.strip_suffix(" force").unwrap_or(&c.name);
+            out.forces.push((part.to_string(), largest(v)));
+        }
+    }
+    Some(out)
+}
