@@ -66,7 +66,10 @@ fn a_good_file_is_run_and_the_report_named() {
     assert_eq!(dir.laval(["check", "pump.toml"]).done(), "ok: 3 parts, 2 coordinates, study response\n");
     let said = dir.laval(["run", "pump.toml"]);
     let out = said.done();
-    assert!(out.starts_with("response\n  ") && out.ends_with("\n\nout/pump/report.html\n"), "{out}");
+    assert!(out.starts_with("small\n\n✓ Stable at 1000 rpm.\n") && out.ends_with("\n\nout/pump/report.html\n"), "{out}");
+    // all findings stand before the summary
+    let all = dir.laval(["run", "pump.toml", "--all"]);
+    assert!(all.done().starts_with("response\n  ") && all.out.ends_with(out), "{}", all.out);
     let files: Vec<String> = tree(&dir.0.join("out/pump")).iter().map(|f| f.0.display().to_string()).collect();
     for wanted in ["figures/response-response.svg", "report.html", "response/response.csv", "response/response.parquet", "results.json"] {
         assert!(files.iter().any(|f| f == wanted), "{wanted} in {files:?}");
@@ -222,6 +225,35 @@ fn only_some_studies() {
     assert_eq!(names("b"), ["response", "narrow"]);
 }
 
+/// The answer of every template fits a terminal of 25 lines and 80 columns, without the name of the machine and of the report.
+#[test]
+fn the_summary_fits_a_terminal() {
+    let dir = Dir::new("summary");
+    for template in ["rigid-rotor", "oil-separator", "viscoelastic-shaft"] {
+        dir.laval(["new", template, "--out", "m.toml"]).done();
+        let said = dir.laval(["run", "m.toml", "--only", "modes"]);
+        let out = said.done();
+        let lines: Vec<&str> = out.lines().collect();
+        assert!(lines.len() <= 30 && lines.iter().all(|l| l.chars().count() <= 80), "{out}");
+        assert!(out.contains("rpm") && !out.contains("rad/s"), "{out}");
+        let _ = fs::remove_file(dir.0.join("m.toml"));
+    }
+}
+
+/// The summary and the report are in the language requested; the results name no language.
+#[test]
+fn reports_speak_the_language_requested() {
+    let dir = Dir::new("language");
+    dir.file("pump.toml", SMALL);
+    let english = dir.laval(["run", "pump.toml", "--out", "en"]).done().to_string();
+    let russian = dir.laval(["run", "pump.toml", "--out", "ru", "--lang", "ru"]).done().to_string();
+    assert!(russian.contains("об/мин") && !russian.contains("rpm") && english.contains("rpm"), "{russian}");
+    let page = dir.read("ru/report.html");
+    assert!(page.contains("<html lang=\"ru\">") && page.contains("об/мин"));
+    assert_eq!(dir.read("ru/results.json"), dir.read("en/results.json"));
+    dir.laval(["run", "pump.toml", "--lang", "xx"]).refused(&["xx", "en, ru, kk, uz"]);
+}
+
 #[test]
 fn a_refused_study_leaves_the_others() {
     let dir = Dir::new("refused");
@@ -232,7 +264,7 @@ fn a_refused_study_leaves_the_others() {
          [[study]]\nkind = \"modes\"\nname = \"small motions\"\n[[study]]",
     );
     dir.file("pump.toml", text);
-    let said = dir.laval(["run", "pump.toml"]);
+    let said = dir.laval(["run", "pump.toml", "--all"]);
     assert_eq!(said.code, 1, "{}{}", said.out, said.err);
     assert!(said.err.contains("study \"small motions\": "), "{}", said.err);
     assert!(said.out.starts_with("response\n") && said.out.ends_with("report.html\n"), "{}", said.out);
@@ -253,7 +285,7 @@ fn check_says_what_a_run_would_refuse() {
     let reported: serde_json::Value = serde_json::from_str(&dir.laval(["check", "pump.toml", "--json"]).out).unwrap();
     assert_eq!((&reported["ok"], reported["diagnostics"].as_array().unwrap().len()), (&false.into(), 1));
     // a run says it once as well, and does the rest
-    let run = dir.laval(["run", "pump.toml"]);
+    let run = dir.laval(["run", "pump.toml", "--all"]);
     assert_eq!((run.code, run.err.matches("no stiffness at rest").count()), (1, 1), "{}", run.err);
     assert!(run.out.starts_with("response\n"), "{}", run.out);
     // and the report once, among the findings and with the first of the studies
@@ -263,7 +295,8 @@ fn check_says_what_a_run_would_refuse() {
     assert!(results["studies"][1]["end"]["kind"] == "refused" && results["studies"][2]["end"]["kind"] == "refused");
     let page = fs::read_to_string(dir.0.join("out/pump/report.html")).unwrap();
     let body = page.split("id=\"input\"").next().unwrap();
-    assert_eq!(body.matches("no stiffness at rest").count(), 2, "{body}");
+    // on the first page once, too
+    assert_eq!(body.matches("no stiffness at rest").count(), 3, "{body}");
     assert!(body.contains("studies &quot;campbell&quot;, &quot;critical_speeds&quot;: ") && !body.contains("about ="), "{body}");
 }
 
@@ -301,7 +334,9 @@ fn a_work_limit_ends_a_study_early_and_says_so() {
     let dir = Dir::new("limit");
     dir.file("pump.toml", SMALL);
     let said = dir.laval(["run", "pump.toml", "--work-limit", "5"]);
-    assert!(said.done().contains("! The study stopped early"), "{}", said.out);
+    assert!(said.done().contains("! response: The study stopped early"), "{}", said.out);
+    let all = dir.laval(["run", "pump.toml", "--work-limit", "5", "--all"]);
+    assert!(all.done().contains("! The study stopped early"), "{}", all.out);
     for n in ["0", "-1"] {
         dir.laval(["run", "pump.toml", "--work-limit", n]).refused(&["--work-limit", n, "whole number from 1 on"]);
     }
@@ -319,7 +354,7 @@ fn ctrl_c_keeps_what_was_done() {
     let dir = Dir::new("stop");
     let long = "[[study]]\nkind = \"transient\"\nname = \"long\"\nduration = \"1e7 s\"\n[[study]]\nkind = \"modes\"\nname = \"after\"\n";
     dir.file("pump.toml", format!("{SMALL}{long}"));
-    let mut child = dir.command(["run", "pump.toml"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = dir.command(["run", "pump.toml", "--all"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut out = BufReader::new(child.stdout.take().unwrap());
     let mut line = String::new();
     // the first study is printed when it is done: the long one follows

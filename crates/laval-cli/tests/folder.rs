@@ -136,7 +136,9 @@ fn a_folder_that_another_run_writes_is_refused() {
     dir.file("x.toml", format!("{ROTOR}{}", response("r", 5)));
     let mut first = dir.command(["run", "long.toml", "--out", "o", "--quiet"]).stderr(Stdio::null()).spawn().unwrap();
     let number = first.id().to_string();
-    while fs::read_to_string(dir.0.join("o/.lock")).unwrap_or_default() != number {
+    // a file by which it finds out whether it can write there comes and goes
+    let trying = || tree(&dir.0.join("o")).keys().any(|name| name.extension().is_some_and(|e| e == "part"));
+    while fs::read_to_string(dir.0.join("o/.lock")).unwrap_or_default() != number || trying() {
         std::thread::sleep(Duration::from_millis(5));
     }
     let before = tree(&dir.0.join("o"));

@@ -167,11 +167,11 @@ fn campbell() -> Outcome {
             .mark(Rule::y(316.0, "gear mesh")),
     );
     Outcome::new("campbell", "campbell")
-        .finding(
-            Finding::info("first_critical_speed", "The first forward critical speed is {}.")
-                .value(153.0, "rad/s")
-                .evidence("difference from 8 more elements", 2.1e-6, "rad/s"),
-        )
+        .finding(Finding::info("first_critical_speed", "The first forward critical speed is {}.").value(153.0, "rad/s").evidence(
+            "difference from 8 more elements",
+            2.1e-6,
+            "rad/s",
+        ))
         .table(table)
         .table(orders)
         .table(crossings)

@@ -32,7 +32,7 @@ impl Dir {
 
     pub fn command<S: AsRef<OsStr>>(&self, args: impl IntoIterator<Item = S>) -> Command {
         let mut c = Command::new(env!("CARGO_BIN_EXE_laval"));
-        c.args(args).current_dir(&self.0);
+        c.args(args).current_dir(&self.0).env("LC_ALL", "C");
         c
     }
 

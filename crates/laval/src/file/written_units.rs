@@ -6,8 +6,30 @@ use toml::Value;
 
 /// SI units of results.
 const RESULTS: [&str; 24] = [
-    "rad/s", "m", "kg", "s", "N", "N/m", "N s/m", "kg m", "kg m^2", "rad", "Pa", "m/s", "m^3", "m^2/s", "kg/m^3", "N m", "N m/rad", "1/s",
-    "W", "rad/s^2", "m^2", "N/m^3", "m/s^2", "N m s/rad",
+    "rad/s",
+    "m",
+    "kg",
+    "s",
+    "N",
+    "N/m",
+    "N s/m",
+    "kg m",
+    "kg m^2",
+    "rad",
+    "Pa",
+    "m/s",
+    "m^3",
+    "m^2/s",
+    "kg/m^3",
+    "N m",
+    "N m/rad",
+    "1/s",
+    "W",
+    "rad/s^2",
+    "m^2",
+    "N/m^3",
+    "m/s^2",
+    "N m s/rad",
 ];
 
 /// Units of a file, by how often they stand there; that of the operating speed first: text, size in the SI unit, SI unit. A file that cannot be read has

@@ -142,6 +142,12 @@ pub struct Line {
     pub name: String,
     /// Drawn thin and grey with its name at its end instead of in the legend: for orders such as 1× and 2×.
     pub reference: bool,
+    /// Flag column: what is not valid is drawn thin and grey, and the axes do not reach for it.
+    pub valid_where: Option<String>,
+    /// An angle in rad, shown from half a turn below zero to half a turn above.
+    pub wrapped: bool,
+    /// A smooth path: drawn through its points without corners, its start and direction marked.
+    pub path: bool,
 }
 
 impl Line {
@@ -161,6 +167,9 @@ impl Line {
             solid_dashed: ("stable".into(), "unstable".into()),
             name: String::new(),
             reference: false,
+            valid_where: None,
+            wrapped: false,
+            path: false,
         }
     }
 
@@ -210,6 +219,24 @@ impl Line {
     /// Name in the legend.
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = name.into();
+        self
+    }
+
+    /// Grey where this flag column is not true: outside the validity of a part.
+    pub fn valid_where(mut self, column: impl Into<String>) -> Self {
+        self.valid_where = Some(column.into());
+        self
+    }
+
+    /// Shows an angle in rad from half a turn below zero to half a turn above.
+    pub fn wrapped(mut self) -> Self {
+        self.wrapped = true;
+        self
+    }
+
+    /// Smooth through its points, with its start and direction: for orbits.
+    pub fn path(mut self) -> Self {
+        self.path = true;
         self
     }
 
@@ -480,15 +507,16 @@ impl Figure {
     /// The first one that does not.
     pub fn check(&self, tables: &[Table]) -> Result<(), OutcomeError> {
         for mark in self.panels.iter().flat_map(|p| &p.marks) {
-            let (table, numbers, group, flag): (&str, Vec<&str>, Option<&String>, Option<&String>) = match mark {
+            let (table, numbers, group, flags): (&str, Vec<&str>, Option<&String>, Vec<&String>) = match mark {
                 Mark::Line(m) => {
                     let group = m.group.as_ref().or(m.class.as_ref());
-                    (&m.table, vec![&m.x, &m.y], group, m.solid_where.as_ref().or(m.begins_where.as_ref()))
+                    let flags = [&m.solid_where, &m.begins_where, &m.valid_where];
+                    (&m.table, vec![&m.x, &m.y], group, flags.into_iter().flatten().collect())
                 }
-                Mark::Points(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.filled_where.as_ref()),
-                Mark::Heat(m) if m.classes.is_empty() => (&m.table, vec![&m.x, &m.y, &m.value], None, None),
-                Mark::Heat(m) => (&m.table, vec![&m.x, &m.y], Some(&m.value), None),
-                Mark::Band(Band { place: BandPlace::Between(t, x, low, high), .. }) => (t, vec![x, low, high], None, None),
+                Mark::Points(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.filled_where.iter().collect()),
+                Mark::Heat(m) if m.classes.is_empty() => (&m.table, vec![&m.x, &m.y, &m.value], None, vec![]),
+                Mark::Heat(m) => (&m.table, vec![&m.x, &m.y], Some(&m.value), vec![]),
+                Mark::Band(Band { place: BandPlace::Between(t, x, low, high), .. }) => (t, vec![x, low, high], None, vec![]),
                 Mark::Band(_) | Mark::Rule(_) | Mark::Text(_) => continue,
             };
             let wrong = |column: &str, expected| OutcomeError::Reference {
@@ -505,7 +533,7 @@ impl Figure {
             if let Some(column) = group {
                 found.column(column).ok_or_else(|| wrong(column, "a column"))?;
             }
-            if let Some(column) = flag {
+            for column in flags {
                 let fits = found.column(column).is_some_and(|c| matches!(c.data, Data::Flag(_)));
                 fits.then_some(()).ok_or_else(|| wrong(column, "a column of flags"))?;
             }

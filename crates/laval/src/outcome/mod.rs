@@ -44,8 +44,8 @@ pub use finding::{Evidence, Finding, Level};
 pub use message::{Arg, Message, Quantity, Role};
 pub(crate) use number::quantity_to;
 pub use number::{quantity, significant, unit_text};
-use serde::{Deserialize, Serialize};
 pub use overview::{Block, Check, Mode, OverSpeed, Overview, Resonance, Unstable, Verdict};
+use serde::{Deserialize, Serialize};
 pub use table::{Column, Data, Table, TableBuilder};
 
 use crate::diagnostic::Diagnostic;

@@ -134,8 +134,6 @@ pub struct Mode {
     pub whirl: &'static str,
     /// Bodies with the semi-axes of their orbits, as shares of the largest; of those that hardly move none.
     pub orbits: Vec<(String, f64, f64)>,
-    /// Part whose internal states move most, where the bodies hardly do.
-    pub inner: Option<String>,
 }
 
 /// A body of the drawing, or what joins two.
@@ -149,6 +147,8 @@ pub enum Block {
         rotor: bool,
         /// Values of it that a reader looks for.
         labels: Vec<Arg>,
+        /// It has a support of its own to the ground.
+        grounded: bool,
         /// Radius of a cavity, radius of the free surface, height, m.
         cavity: Option<(f64, f64, f64)>,
     },

@@ -1,17 +1,18 @@
 //! The report as one page that opens offline: findings first, then each study with figures and tables, then the input.
 
 use super::Report;
-use super::first_page;
-use super::words::Style;
 use super::animation::animation;
 use super::embed::hash;
+use super::first_page;
 use super::payload::{column_for, payload};
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
 use super::text::escape;
+use super::words::Style;
 use super::write::Names;
 use crate::outcome::{
-    Column, Data, Evidence, Figure, Finding, Level, Outcome, OutcomeError, SpecialPoint, Status, Table, quantity, significant, unit_text,
+    Arg, Column, Data, Evidence, Figure, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant,
+    unit_text,
 };
 use std::fmt::Write;
 
@@ -42,7 +43,7 @@ pub fn html(report: &Report) -> Result<String, OutcomeError> {
 pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, OutcomeError)> {
     let mut scenes = Vec::new();
     for o in &report.outcomes {
-        let own: Result<Vec<Scene>, _> = o.figures.iter().map(|f| Scene::new(f, &o.tables)).collect();
+        let own: Result<Vec<Scene>, _> = o.figures.iter().map(|f| Scene::new(&report.style.units.figure(f), &o.tables)).collect();
         scenes.push(own.map_err(|e| (o.name.clone(), e))?);
     }
     let style = &report.style;
@@ -78,11 +79,13 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         Some(page) => {
             first_page::head(&mut s, page, style);
             if let Some((figure, scene)) = &over {
-                drawn(&mut s, figure, scene, "over", column);
-                s.push_str(HINT);
+                drawn(&mut s, figure, scene, "over", column, style);
+                hint(&mut s, style);
             }
             first_page::tail(&mut s, page, style);
-            s.push_str("<details class=\"all\"><summary>All findings</summary>\n");
+            s.push_str("<details class=\"all\"><summary>");
+            s.push_str(&say(style, "page-findings"));
+            s.push_str("</summary>\n");
             summary(&mut s, report);
             s.push_str("</details>\n");
         }
@@ -92,14 +95,16 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         study(&mut s, report, scenes, i, column, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
     }
     if let Some(input) = &report.input {
-        let name = if p.input_name.is_empty() { "Input file".into() } else { format!("Input file {}", escape(&p.input_name)) };
+        let name = style.message(&Message::new("page-input-file").arg("file", Arg::name(&p.input_name)));
         let _ = writeln!(
             s,
-            "<section class=\"study\" id=\"input\">\n<h2>Input</h2>\n<details><summary>{name}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n</section>",
+            "<section class=\"study\" id=\"input\">\n<h2>{}</h2>\n<details><summary>{}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n</section>",
+            say(style, "page-input"),
+            escape(name.trim()),
             escape(input)
         );
     }
-    s.push_str("</main>\n<footer>\n<details><summary>How this was computed</summary><dl>");
+    let _ = write!(s, "</main>\n<footer>\n<details><summary>{}</summary><dl>", say(style, "page-provenance"));
     let mut row = |k: &str, v: &str| {
         let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(k), escape(v));
     };
@@ -127,8 +132,13 @@ fn summary(s: &mut String, report: &Report) {
     let mut sorted: Vec<_> = all().filter(|f| f.2.level > Level::Info).collect();
     sorted.sort_by_key(|f| std::cmp::Reverse(f.2.level));
     for (i, o) in report.outcomes.iter().enumerate().filter(|(_, o)| !o.end.is_complete()) {
-        let _ =
-            writeln!(s, "<li class=\"warning\"><span class=\"tag\">! Stopped early</span>{}{}</li>", escape(&o.end_in_words()), link(i, o));
+        let _ = writeln!(
+            s,
+            "<li class=\"warning\"><span class=\"tag\">! {}</span>{}{}</li>",
+            say(&report.style, "page-stopped"),
+            escape(&o.end_in_words()),
+            link(i, o)
+        );
     }
     sorted.extend(all().filter(|f| f.2.level == Level::Info));
     // what several studies say in the same words stands once, with all their names
@@ -152,10 +162,10 @@ fn summary(s: &mut String, report: &Report) {
     }
     s.push_str("</ul>\n");
     if more > 0 {
-        let _ = writeln!(s, "<p class=\"more\">and {more} more with the studies below</p>");
+        let _ = writeln!(s, "<p class=\"more\">{}</p>", counted(&report.style, "page-more-studies", more));
     }
     if all().next().is_none() {
-        s.push_str("<p class=\"more\">The studies report nothing in words; see their figures and tables.</p>\n");
+        let _ = writeln!(s, "<p class=\"more\">{}</p>", say(&report.style, "page-nothing"));
     }
     if many {
         s.push_str("<nav aria-label=\"Studies\"><ul>");
@@ -187,30 +197,33 @@ fn fair(studies: impl Iterator<Item = usize>) -> Vec<bool> {
 /// Start of a list item; the caller closes it.
 fn sentence(f: &Finding, style: &Style) -> String {
     let tag = match f.level {
-        Level::Info => "",
-        Level::Warning => "<span class=\"tag\">! Warning</span>",
-        Level::Invalid => "<span class=\"tag\">!! Outside validity</span>",
+        Level::Info => String::new(),
+        Level::Warning => format!("<span class=\"tag\">! {}</span>", say(style, "page-warning")),
+        Level::Invalid => format!("<span class=\"tag\">!! {}</span>", say(style, "page-outside")),
     };
     format!("<li class=\"{}\">{tag}{}", f.level.word(), escape(&style.sentence(f)))
 }
 
-fn evidence(s: &mut String, label: &str, list: &[Evidence]) {
+fn evidence(s: &mut String, style: &Style, list: &[Evidence]) {
     if list.is_empty() {
         return;
     }
-    let _ = write!(s, "<details><summary>{label}</summary><dl>");
+    let _ = write!(s, "<details><summary>{}</summary><dl>", say(style, "page-evidence"));
     for e in list {
-        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&e.what), escape(&quantity(e.value, &e.unit)));
+        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&e.what), escape(&style.number(e.value, &e.unit)));
     }
     s.push_str("</dl></details>");
 }
 
 fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) -> Result<(), OutcomeError> {
     let (o, overview) = (&report.outcomes[i], &report.overview);
-    let kind = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", escape(&o.kind.replace('_', " "))) };
-    let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{kind}</h2>", escape(&o.name));
-    let (class, sign) = if o.end.is_complete() { ("end", "") } else { ("end stopped", "! ") };
-    let _ = writeln!(s, "<p class=\"{class}\">{sign}{}</p>", escape(&o.end_in_words()));
+    // the question it answers, and its own name where it has one
+    let question = report.style.message(&Message::new(["study-", &o.kind].concat()));
+    let name = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", escape(&o.name)) };
+    let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{name}</h2>", escape(&question));
+    if !o.end.is_complete() {
+        let _ = writeln!(s, "<p class=\"end stopped\">! {}</p>", escape(&o.end_in_words()));
+    }
     if !o.findings.is_empty() {
         s.push_str("<ul class=\"findings\">\n");
         let (mut shown, mut left) = (0, 0);
@@ -221,34 +234,34 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
             }
             shown += 1;
             s.push_str(&sentence(f, &report.style));
-            evidence(s, "Evidence", &f.evidence);
+            evidence(s, &report.style, &f.evidence);
             s.push_str("</li>\n");
         }
         s.push_str("</ul>\n");
         if left > 0 {
-            let _ = writeln!(s, "<p class=\"more\">and {left} more in results.json</p>");
+            let _ = writeln!(s, "<p class=\"more\">{}</p>", counted(&report.style, "page-more", left));
         }
     }
     for (k, (f, scene)) in o.figures.iter().zip(scenes).enumerate() {
-        drawn(s, f, scene, &format!("f{i}-{k}"), column);
+        drawn(s, f, scene, &format!("f{i}-{k}"), column, &report.style);
         if i == 0 && k == 0 && overview.is_none() {
-            s.push_str(HINT);
+            hint(s, &report.style);
         }
     }
     for (k, a) in o.animations.iter().enumerate() {
         s.push_str(&animation(a, &o.tables, &format!("a{i}-{k}"))?);
     }
     if !o.special_points.is_empty() {
-        special(s, o);
+        special(s, o, &report.style);
     }
     if !o.tables.is_empty() {
-        s.push_str("<h3>Tables</h3>\n");
+        let _ = writeln!(s, "<h3>{}</h3>", say(&report.style, "page-tables"));
     }
     for (k, t) in o.tables.iter().enumerate() {
-        table(s, t, (o.tables.len() == 1 || t.is_leading()) && t.rows() <= MOST_ROWS, names.map(|n| n.table(i, k)));
+        table(s, t, &report.style, (o.tables.len() == 1 || t.is_leading()) && t.rows() <= MOST_ROWS, names.map(|n| n.table(i, k)));
     }
     if !o.work.is_empty() {
-        s.push_str("<details><summary>Work done</summary><dl>");
+        let _ = write!(s, "<details><summary>{}</summary><dl>", say(&report.style, "page-work"));
         for (name, count) in &o.work {
             let _ = write!(s, "<dt>{}</dt><dd>{count}</dd>", escape(&name.replace('_', " ")));
         }
@@ -258,39 +271,55 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
     Ok(())
 }
 
+/// A sentence of the catalogues, escaped.
+fn say(style: &Style, key: &str) -> String {
+    escape(&style.message(&Message::new(key)))
+}
+
+/// The same with a count.
+fn counted(style: &Style, key: &str, count: usize) -> String {
+    escape(&style.message(&Message::new(key).arg("count", Arg::count(count))))
+}
+
 /// How to read a figure with the mouse and the keyboard.
-const HINT: &str = "<p class=\"hint\">Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.</p>\n";
+fn hint(s: &mut String, style: &Style) {
+    let _ = writeln!(s, "<p class=\"hint\">{}</p>", say(style, "page-hint"));
+}
 
 /// A figure that the script of the page makes live.
-fn drawn(s: &mut String, f: &Figure, scene: &Scene, id: &str, column: f64) {
+fn drawn(s: &mut String, f: &Figure, scene: &Scene, id: &str, column: f64, style: &Style) {
     let _ = writeln!(
         s,
-        "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">",
-        escape(&f.title),
-        escape(&f.alt)
+        "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b></figcaption>\n<div class=\"plot\">",
+        escape(&f.title)
     );
     s.push_str(&render(scene, f, WIDE, column.max(1.0), Some(&format!("{id}w"))));
     s.push_str(&render(scene, f, NARROW, column.max(1.0), Some(&format!("{id}n"))));
     let _ = writeln!(
         s,
-        "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>Reset zoom</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
+        "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>{}</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
+        say(style, "page-reset"),
         payload(scene, column)
     );
 }
 
 /// How far the ends of a point's bracket lie apart; nothing where the point's own equations were solved and the bracket is merely where it was
 /// looked for.
-fn width(p: &SpecialPoint) -> String {
+fn width(p: &SpecialPoint, size: f64) -> String {
     let width = p.bracket.1 - p.bracket.0;
-    if p.status == Status::Located && width > SEARCHED * p.at.abs() { "–".into() } else { significant(width, 2) }
+    if p.status == Status::Located && width > SEARCHED * p.at.abs() { "–".into() } else { significant(width / size, 2) }
 }
 
-fn special(s: &mut String, o: &Outcome) {
-    let (name, unit) = o.parameter.as_ref().map_or(("at", String::new()), |p| (p.name.as_str(), unit_text(&p.unit)));
+fn special(s: &mut String, o: &Outcome, style: &Style) {
+    let (name, own) = o.parameter.as_ref().map_or(("at", ""), |p| (p.name.as_str(), p.unit.as_str()));
+    let rung = style.units.column(name, own);
+    let size = rung.as_ref().map_or(1.0, |r| r.size);
+    let unit = style.language.unit(&unit_text(rung.as_ref().map_or(own, |r| &r.name)));
     let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit)) };
     // many would push the figures of the next study out of sight
     let folded = o.special_points.len() > FEW_POINTS;
-    s.push_str("<h3>Special points</h3>\n");
+    let heading = say(style, "page-points");
+    let _ = writeln!(s, "<h3>{heading}</h3>");
     if folded {
         let _ = writeln!(
             s,
@@ -300,7 +329,7 @@ fn special(s: &mut String, o: &Outcome) {
     }
     let _ = write!(
         s,
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Special points\"><table><thead><tr><th class=\"w\">kind</th>\
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{heading}\"><table><thead><tr><th class=\"w\">kind</th>\
          <th>{}{unit}</th><th>bracket width{unit}</th><th class=\"w\">status</th><th class=\"w\">evidence</th></tr></thead><tbody>",
         escape(name)
     );
@@ -311,13 +340,14 @@ fn special(s: &mut String, o: &Outcome) {
             Status::Doubtful(reason) => format!("! doubtful: {}", escape(reason)),
             s => s.word().into(),
         };
-        let list: Vec<String> = evidence.iter().map(|e| format!("{} {}", escape(&e.what), escape(&quantity(e.value, &e.unit)))).collect();
+        let list: Vec<String> =
+            evidence.iter().map(|e| format!("{} {}", escape(&e.what), escape(&style.number(e.value, &e.unit)))).collect();
         let _ = write!(
             s,
             "<tr><td class=\"w\">{}{of}</td><td>{}</td><td>{}</td><td class=\"w\">{status}</td><td class=\"w\">{}</td></tr>",
             escape(&kind.replace('_', " ")),
-            significant(*at, 7),
-            width(p),
+            style.language.number(&significant(*at / size, 7)),
+            style.language.number(&width(p, size)),
             list.join(", ")
         );
     }
@@ -330,10 +360,10 @@ fn special(s: &mut String, o: &Outcome) {
     }
 }
 
-fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
+fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str>) {
     let rows = t.rows();
     let many = t.columns().len() > MANY_COLUMNS;
-    let count = if rows == 1 { "1 row".into() } else { format!("{rows} rows") };
+    let count = counted(style, "page-rows", rows);
     let title = if t.doc().is_empty() { escape(t.name()) } else { escape(t.doc()) };
     let _ = write!(
         s,
@@ -342,21 +372,25 @@ fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
         if many { " class=\"many\"" } else { "" }
     );
     let words = |c: &Column| if matches!(c.data, Data::Text(_)) { " class=\"w\"" } else { "" };
-    for c in t.columns() {
-        let unit = if c.unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit_text(&c.unit))) };
+    let rungs: Vec<_> = t.columns().iter().map(|c| style.units.column(&c.name, &c.unit)).collect();
+    for (c, rung) in t.columns().iter().zip(&rungs) {
+        let unit = rung.as_ref().map_or(c.unit.as_str(), |r| r.name.as_str());
+        let unit =
+            if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&style.language.unit(&unit_text(unit)))) };
         let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), escape(&c.doc), escape(&c.name.replace('_', " ")));
     }
     s.push_str("</tr></thead><tbody>");
     let digits = if many { 4 } else { 6 };
     for r in 0..rows.min(MOST_ROWS) {
         s.push_str("<tr>");
-        for c in t.columns() {
+        for (c, rung) in t.columns().iter().zip(&rungs) {
+            let size = rung.as_ref().map_or(1.0, |r| r.size);
             let cell = match &c.data {
                 Data::Float(v) if v[r].is_nan() => "–".into(),
-                Data::Float(v) => significant(v[r], digits),
+                Data::Float(v) => style.language.number(&significant(v[r] / size, digits)),
                 Data::Int(v) => v[r].to_string(),
                 Data::Text(v) => escape(&v[r]),
-                Data::Flag(v) => if v[r] { "yes" } else { "no" }.into(),
+                Data::Flag(v) => say(style, if v[r] { "page-yes" } else { "page-no" }),
             };
             let _ = write!(s, "<td{}>{cell}</td>", words(c));
         }

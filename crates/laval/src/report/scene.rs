@@ -20,6 +20,10 @@ pub(super) struct PanelView {
     pub series: Vec<Series>,
     pub rules: Vec<RuleView>,
     pub texts: Vec<(f64, f64, String)>,
+    /// Curves whose ends are named, in display units.
+    pub ends: Vec<(Vec<(f64, f64)>, String)>,
+    /// Height over that of the other panels.
+    pub height: f64,
 }
 
 /// Points in display units; NaN breaks a line.
@@ -52,6 +56,8 @@ pub(super) struct BandView {
     pub tint: usize,
     /// With a strip at the upper border.
     pub strip: bool,
+    /// In full colour.
+    pub bar: bool,
 }
 
 pub(super) struct RuleView {
@@ -72,11 +78,21 @@ pub(super) enum Glyph {
     Dashed,
     Marker { shape: usize, open: bool },
     Tint(usize),
+    Block(usize),
     Contour,
 }
 
 /// Shapes from here on belong to classes: their sizes differ.
 pub(super) const CLASS: usize = 10;
+/// Shapes from here on are small.
+pub(super) const SMALL: usize = 20;
+
+/// Shapes from here on are arrowheads, by so many degrees against the clock from the direction of x.
+pub(super) const ARROW: usize = 1000;
+
+/// Steps between two points of a smooth path, and its most points for them.
+const SMOOTH: usize = 4;
+const MOST_SMOOTH: usize = 2000;
 
 /// The tint of strips: they warn.
 const STRIP_TINT: usize = 1;
@@ -262,28 +278,66 @@ impl Build<'_> {
             series: Vec::new(),
             rules: Vec::new(),
             texts: Vec::new(),
+            ends: Vec::new(),
+            height: panel.height,
         };
         let mut meanings = Vec::new();
         for mark in &panel.marks {
             match mark {
                 Mark::Line(m) => {
-                    let (xs, ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
+                    let (xs, mut ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
                     let solid = self.flags(&m.table, m.solid_where.as_ref()).map(<[bool]>::to_vec);
-                    let begins = self.flags(&m.table, m.begins_where.as_ref()).map(<[bool]>::to_vec);
+                    let mut begins = self.flags(&m.table, m.begins_where.as_ref()).map(<[bool]>::to_vec);
+                    if m.wrapped {
+                        let turn = std::f64::consts::TAU * fy;
+                        ys.iter_mut().for_each(|y| *y -= turn * (*y / turn).round());
+                        let far = |i: usize| i > 0 && (ys[i] - ys[i - 1]).abs() > 0.5 * turn;
+                        let jumps = (0..ys.len()).map(|i| far(i) || begins.as_ref().is_some_and(|b| b[i])).collect();
+                        begins = Some(jumps);
+                    }
+                    let valid = self.flags(&m.table, m.valid_where.as_ref()).map(<[bool]>::to_vec);
                     let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
-                    for class in m.classes {
+                    for class in m.classes.iter().filter(|c| !m.muted.contains(c)) {
                         self.colour(class, 0, 1);
+                    }
+                    if let Some(period) = m.period {
+                        for g in &groups {
+                            unwrap(&mut ys, &g.rows, period * fy.abs());
+                        }
+                    }
+                    for (group, words) in &m.ends {
+                        if let Some(g) = groups.iter().find(|g| g.name == *group) {
+                            view.ends.push((g.rows.iter().map(|&i| (xs[i], ys[i])).collect(), words.clone()));
+                        }
                     }
                     let groups = self.classed(groups, &m.table, m.class.as_ref());
                     let of = if m.class.is_some() { 1 } else { groups.len() };
                     for (k, (g, class)) in groups.into_iter().enumerate() {
                         let label = class.as_ref().unwrap_or(&g.name);
-                        let colour = if m.reference { Colour::Muted } else { self.colour(label, k, of) };
+                        let colour = if m.reference || m.muted.contains(&label.as_str()) { Colour::Muted } else { self.colour(label, k, of) };
                         // curves on a heat map are black
                         let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(_)));
                         let glyph = if on_heat { Glyph::Contour } else { Glyph::Line };
                         let entry = (!m.reference).then(|| self.entry(label, colour, glyph));
-                        let at = |i: usize| (xs[i], ys[i]);
+                        let place = |i: usize| (xs[i], ys[i]);
+                        let at = |i: usize| if valid.as_ref().is_none_or(|v| v[i]) { place(i) } else { (xs[i], f64::NAN) };
+                        if let Some(valid) = &valid {
+                            let points = split(&g.rows, place, valid, begins.as_deref()).1;
+                            if !points.is_empty() {
+                                let state = "outside validity";
+                                let entry = Some(self.entry(state, Colour::Muted, Glyph::Line));
+                                view.series.push(Series {
+                                    name: String::new(),
+                                    state: state.into(),
+                                    kind: Kind::Solid,
+                                    colour: Colour::Muted,
+                                    points,
+                                    entry,
+                                    reference: true,
+                                    below: 0,
+                                });
+                            }
+                        }
                         let pieces = match &solid {
                             None => vec![(Kind::Solid, String::new(), pieces_of(&g.rows, at, begins.as_deref()))],
                             Some(solid) => {
@@ -298,6 +352,8 @@ impl Build<'_> {
                             }
                         };
                         for (kind, state, points) in pieces.into_iter().filter(|p: &(Kind, String, Vec<_>)| !p.2.is_empty()) {
+                            let marked = if m.path { ends(&points) } else { Vec::new() };
+                            let points = if m.path { smooth(points) } else { points };
                             let below = if m.nested { of.saturating_sub(1 + k) } else { 0 };
                             view.series.push(Series {
                                 name: g.name.clone(),
@@ -309,6 +365,16 @@ impl Build<'_> {
                                 reference: m.reference,
                                 below,
                             });
+                            view.series.extend(marked.into_iter().map(|(shape, state, point)| Series {
+                                name: g.name.clone(),
+                                state: state.into(),
+                                kind: Kind::Marker { shape, open: false },
+                                colour,
+                                points: vec![point],
+                                entry,
+                                reference: false,
+                                below: 0,
+                            }));
                         }
                     }
                 }
@@ -319,12 +385,12 @@ impl Build<'_> {
                     let of = groups.len();
                     let place = |g: &Group| m.classes.iter().position(|c| *c == g.name);
                     groups.sort_by_key(|g| place(g).unwrap_or(usize::MAX));
-                    for class in m.classes {
+                    for class in m.classes.iter().filter(|c| !m.muted.contains(c)) {
                         self.colour(class, 0, 1);
                     }
                     for (k, g) in groups.into_iter().enumerate() {
-                        let colour = self.colour(&g.name, k, of);
-                        let shape = place(&g).map_or(k, |c| CLASS + c);
+                        let colour = if m.muted.contains(&g.name.as_str()) { Colour::Muted } else { self.colour(&g.name, k, of) };
+                        let shape = if m.small { SMALL + k } else { place(&g).map_or(k, |c| CLASS + c) };
                         let sides = [false, true].map(|open| {
                             let fits = |i: &&usize| filled.as_ref().is_none_or(|f| f[**i]) != open;
                             g.rows.iter().filter(fits).map(|i| (xs[*i], ys[*i])).collect::<Vec<_>>()
@@ -351,15 +417,15 @@ impl Build<'_> {
                     }
                 }
                 Mark::Band(m) => {
-                    let same = |e: &Entry| if let Glyph::Tint(t) = e.glyph { (e.label == m.name).then_some(t) } else { None };
+                    let same = |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == m.name).then_some(t) } else { None };
                     let known = self.legend.iter().find_map(same);
-                    let tint = known.unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
+                    let tint = m.tint.or(known).unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
                     let outlines = self.outlines(m, fx, fy);
                     if !outlines.is_empty() {
                         self.tints += usize::from(known.is_none());
-                        view.bands.extend(outlines.into_iter().map(|outline| BandView { outline, tint, strip: m.strip }));
+                        view.bands.extend(outlines.into_iter().map(|outline| BandView { outline, tint, strip: m.strip, bar: m.bar }));
                         if !m.name.is_empty() && known.is_none() {
-                            self.entry(&m.name, Colour::Slot(tint), Glyph::Tint(tint));
+                            self.entry(&m.name, Colour::Slot(tint), if m.bar { Glyph::Block(tint) } else { Glyph::Tint(tint) });
                         }
                     }
                 }
@@ -404,7 +470,7 @@ impl Build<'_> {
                         );
                         self.entry(label.trim_end(), Colour::Muted, Glyph::Contour);
                     }
-                    view.heat = Some(HeatView { xs, ys, values, axis, diverging: m.diverging, contour, classes });
+                    view.heat = Some(HeatView { xs, ys, values, axis, diverging: m.diverging, allowed: m.allowed, contour, classes });
                 }
             }
         }
@@ -431,6 +497,71 @@ impl Build<'_> {
                 rows.chunk_by(|a, b| fits(a) == fits(b)).filter(|r| fits(&r[0])).map(around).collect()
             }
         }
+    }
+}
+
+/// The start of a path, and an arrowhead where it has gone half its size: shape, meaning, place.
+fn ends(points: &[(f64, f64)]) -> Vec<(usize, &'static str, (f64, f64))> {
+    let known: Vec<(f64, f64)> = points.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
+    let Some(&start) = known.first() else { return Vec::new() };
+    let span = |f: &dyn Fn(&(f64, f64)) -> f64| extent(known.iter().map(f), false).map_or(0.0, |(a, b)| b - a);
+    let size = span(&|p| p.0).max(span(&|p| p.1));
+    let mut out = vec![(0, "start", start)];
+    let mut gone = 0.0;
+    for w in known.windows(2) {
+        let (dx, dy) = (w[1].0 - w[0].0, w[1].1 - w[0].1);
+        gone += dx.hypot(dy);
+        if gone > 0.5 * size && size > 0.0 {
+            let degrees = dy.atan2(dx).to_degrees().rem_euclid(360.0).round() as usize % 360;
+            out.push((ARROW + degrees, "direction", w[1]));
+            break;
+        }
+    }
+    out
+}
+
+/// The curve of Catmull and Rom through the points of a path.
+fn smooth(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    if points.len() < 3 || points.len() > MOST_SMOOTH {
+        return points;
+    }
+    let mut out = Vec::with_capacity(SMOOTH * points.len());
+    for k in 0..points.len() - 1 {
+        let (a, b) = (points[k], points[k + 1]);
+        // beside a gap the curve ends straight
+        let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
+        let before = k.checked_sub(1).map(|i| points[i]).filter(finite).unwrap_or(a);
+        let after = points.get(k + 2).copied().filter(finite).unwrap_or(b);
+        for j in 0..SMOOTH {
+            let t = j as f64 / SMOOTH as f64;
+            let at = |p: f64, a: f64, b: f64, q: f64| {
+                a + 0.5 * t * ((b - p) + t * ((2.0 * p - 5.0 * a + 4.0 * b - q) + t * (3.0 * (a - b) + q - p)))
+            };
+            out.push(if j == 0 { a } else { (at(before.0, a.0, b.0, after.0), at(before.1, a.1, b.1, after.1)) });
+        }
+    }
+    out.extend(points.last());
+    out
+}
+
+/// Adds whole periods to the values of the rows, so that none jumps by more than half of one. Of two ways that are as long the one is taken that stays nearer to
+/// where a resonance that lags leads: from zero to minus half a period.
+fn unwrap(values: &mut [f64], rows: &[usize], period: f64) {
+    let mut before = f64::NAN;
+    for &i in rows {
+        let v = values[i];
+        if !v.is_finite() {
+            continue;
+        }
+        if before.is_finite() {
+            let turns = ((before - v) / period).round();
+            let near = v + turns * period;
+            let other = if near > before { near - period } else { near + period };
+            let tie = ((near - before).abs() - (other - before).abs()).abs() < 1e-3 * period;
+            let home = |x: f64| (x + 0.25 * period).abs();
+            values[i] = if tie && home(other) < home(near) { other } else { near };
+        }
+        before = values[i];
     }
 }
 
@@ -530,7 +661,13 @@ fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView) -> AxisView {
     );
     if let Some((lo, hi)) = range {
         let zero = !log && lo >= 0.0 && lo < 0.4 * hi;
-        let padded = pad(lo, hi, 0.05, log);
+        let padded = match axis.knee {
+            Some(k) => {
+                let ends = pad((lo / k).asinh(), (hi / k).asinh(), 0.05, false);
+                (k * ends.0.sinh(), k * ends.1.sinh())
+            }
+            None => pad(lo, hi, 0.05, log),
+        };
         range = Some((if zero { 0.0 } else { padded.0 }, padded.1));
     }
     axis_view(axis, if panel.heat.is_some() { join(range, cells) } else { range })
@@ -561,7 +698,9 @@ fn axis_view(axis: &Axis, data: Option<(f64, f64)>) -> AxisView {
         let d = if lo == 0.0 { 1.0 } else { 0.1 * lo.abs() };
         (lo, hi) = (lo - d, hi + d);
     }
-    AxisView { bare: axis.bare, ..AxisView::new(&axis.label, &axis.unit, log, lo, hi) }
+    let view = AxisView::new(&axis.label, &axis.unit, log, lo, hi);
+    let knee = axis.knee.filter(|_| !log).unwrap_or(0.0);
+    AxisView { bare: axis.bare, names: axis.names.clone(), knee, exponent: if knee > 0.0 { 0 } else { view.exponent }, ..view }
 }
 
 #[cfg(test)]

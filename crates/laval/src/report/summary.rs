@@ -4,7 +4,7 @@ use super::Report;
 use super::first_page::{required, sentence, verdict};
 use super::terminal::Terminal;
 use super::words::Style;
-use crate::outcome::{Check, Level, Message, OverSpeed, Overview, Verdict};
+use crate::outcome::{Check, End, Level, Message, OverSpeed, Overview, Verdict};
 use crate::plain;
 
 /// Remarks below the strip.
@@ -12,9 +12,11 @@ const MOST_REMARKS: usize = 3;
 /// Suggestions.
 const MOST_NEXT: usize = 2;
 /// Widths of the columns of checks, the last takes what is left.
-const WHAT: usize = 27;
-const REQUIRED: usize = 12;
-const VERDICT: usize = 15;
+const WHAT: usize = 24;
+const REQUIRED: usize = 11;
+const VERDICT: usize = 10;
+/// Lines of one remark.
+const REMARK: usize = 2;
 
 /// The summary; empty where the report has no first page.
 pub fn summary(report: &Report, how: Terminal) -> String {
@@ -42,7 +44,7 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         out.push('\n');
     }
     for r in remarks {
-        for (k, line) in wrapped(&plain::line(&r), width - 2).into_iter().enumerate() {
+        for (k, line) in cut(wrapped(&plain::line(&r), width - 4), REMARK).into_iter().enumerate() {
             out.push_str(&format!("{} {line}\n", if k == 0 { paint("!", "33") } else { " ".into() }));
         }
     }
@@ -88,6 +90,15 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
     out
 }
 
+/// The first lines, with a mark where some are left out.
+fn cut(mut lines: Vec<String>, most: usize) -> Vec<String> {
+    if lines.len() > most {
+        lines.truncate(most);
+        lines[most - 1].push_str(" …");
+    }
+    lines
+}
+
 fn pad(text: &str, width: usize) -> String {
     format!("{text}{}", " ".repeat(width.saturating_sub(length(text))))
 }
@@ -95,13 +106,9 @@ fn pad(text: &str, width: usize) -> String {
 fn check(out: &mut String, c: &Check, style: &Style, width: usize, paint: &dyn Fn(&str, &str) -> String) {
     let room = width - WHAT - REQUIRED - VERDICT - 2;
     let what = wrapped(&plain::line(&style.message(&c.what)), WHAT - 1);
-    let mut result = wrapped(&plain::line(&style.message(&c.result)), room - 1);
-    if result.len() > 2 {
-        result.truncate(2);
-        result[1] = format!("{} …", result[1].chars().take(room - 3).collect::<String>());
-    }
+    let result = cut(wrapped(&plain::line(&style.message(&c.result)), room - 3), 2);
     let required = wrapped(&plain::line(&required(style, c)), REQUIRED - 1);
-    let verdict = plain::line(&verdict(style, c)).into_owned();
+    let verdict = plain::line(&verdict(style, c, true)).into_owned();
     let cell = |lines: &[String], k: usize| lines.get(k).cloned().unwrap_or_default();
     for k in 0..what.len().max(result.len()).max(required.len()) {
         let last = if k == 0 { paint(&verdict, sign(c.verdict).1) } else { String::new() };
@@ -158,13 +165,17 @@ fn strip(out: &mut String, page: &Overview, over: &OverSpeed, style: &Style, wid
 fn remarks(page: &Overview, report: &Report) -> Vec<String> {
     let style = &report.style;
     let mut out: Vec<String> = Vec::new();
+    let stopped = report.outcomes.iter().filter(|o| !matches!(o.end, End::Reached | End::Refused));
+    out.extend(stopped.map(|o| format!("{}: {}", o.name, o.end_in_words())));
     let texts = page.remarks.iter().flat_map(|r| &r.1).filter(|m| m.key == "remark-unstable" || m.key == "remark-jump");
     out.extend(texts.map(|m| sentence(style, m)));
     // what the page says already
     const SAID: [&str; 8] =
         ["unstable", "unstable_mode", "unstable_range", "largest_growth", "margin", "stability_unknown", "not_balanced", "refused"];
-    let findings = report.outcomes.iter().flat_map(|o| &o.findings);
-    let mut urgent: Vec<_> = findings.filter(|f| f.level > Level::Info && !SAID.contains(&f.id.as_str())).collect();
+    // what studies of parameters say of their own sampling is no news of the machine
+    let machine = report.outcomes.iter().filter(|o| o.kind != "uncertainty" && o.kind != "sensitivity");
+    let mut urgent: Vec<_> =
+        machine.flat_map(|o| &o.findings).filter(|f| f.level > Level::Info && !SAID.contains(&f.id.as_str())).collect();
     urgent.sort_by_key(|f| std::cmp::Reverse(f.level));
     for f in urgent {
         let text = style.sentence(f);

@@ -3,7 +3,7 @@
 use super::colour::Colour;
 use super::layout::{LABEL, Layout, PanelBox, TICK, TITLE, is_line};
 use super::payload::drawn;
-use super::scene::{CLASS, Entry, Glyph, Kind, PanelView, Scene, Series};
+use super::scene::{ARROW, CLASS, Entry, Glyph, Kind, PanelView, Scene, Series};
 use super::text::{escape, px};
 use super::thin;
 use crate::outcome::{Figure, OutcomeError, Table};
@@ -125,6 +125,13 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
             let class = if class.is_empty() { class } else { format!(r#" class="{class}""#) };
             let _ = write!(s, r#"<path{class} fill="{colour}" d="{d}"/>"#);
         }
+        let forbidden = if heat.allowed { heat.forbidden(&scene.x, &p.y, w, h) } else { String::new() };
+        if !forbidden.is_empty() {
+            let _ = write!(
+                s,
+                r##"<pattern id="{id}-h" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path stroke="#6b2a05" stroke-width="1.4" stroke-opacity="0.5" d="M0 0v7"/></pattern><path class="hatch" fill="url(#{id}-h)" shape-rendering="auto" d="{forbidden}"/>"##
+            );
+        }
         s.push_str("</g>");
         if let Some(level) = heat.contour {
             let points: Vec<_> =
@@ -144,10 +151,12 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
         let points: Vec<_> = band.outline.iter().map(corner).filter(|q| q.0.is_finite() && q.1.is_finite()).collect();
         let _ = write!(
             s,
-            r#"<path class="b{0}" fill="{1}" fill-opacity="0.16" d="{2}z"/>"#,
+            r#"<path class="b{0}{3}" fill="{1}" fill-opacity="{4}" d="{2}z"/>"#,
             band.tint % TINTS.len(),
             TINTS[band.tint % TINTS.len()],
-            path(&points, 0.5)
+            path(&points, 0.5),
+            if band.bar { " full" } else { "" },
+            if band.bar { 0.85 } else { 0.16 }
         );
         if band.strip {
             let (from, to) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), q| (a.min(q.0), b.max(q.0)));
@@ -203,7 +212,7 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
     let _ = write!(s, r##"<path class="ax" stroke="#555555" stroke-width="1" d="M{sx} {sy}v{sh}h{sw}"/><g class="tk t" fill="{INK}">"##);
     for (v, label) in &b.y_ticks.major {
         let y = y0 + (1.0 - p.y.place(*v)) * h;
-        let _ = write!(s, r#"<text x="{}" y="{}" text-anchor="end">{label}</text>"#, px(x0 - 5.0), px(y + 4.0));
+        let _ = write!(s, r#"<text x="{}" y="{}" text-anchor="end">{}</text>"#, px(x0 - 5.0), px(y + 4.0), escape(label));
     }
     if last {
         for (v, label) in &lay.x_ticks.major {
@@ -255,7 +264,12 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
 fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f64)], column: f64, on_heat: bool) {
     let key = series.entry.map_or(String::new(), |k| format!(r#" data-k="{k}""#));
     let (hex, class) = (series.colour.hex(), series.colour.class());
-    let stroke = if series.reference { 1.0 } else { 1.8 + NEST * series.below as f64 };
+    let stroke = if series.reference {
+        1.0
+    } else if series.colour == Colour::Muted {
+        1.2
+    } else { 1.8 + NEST * series.below as f64
+    };
     match series.kind {
         Kind::Solid | Kind::Dashed => {
             let dash = if series.kind == Kind::Dashed { r#" stroke-dasharray="6 4""# } else { "" };
@@ -271,7 +285,7 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
             if kept.len() > DOTS {
                 let d: String = kept.iter().map(|q| format!("M{} {}h0", px(q.0), px(q.1))).collect();
                 // dots of classes that share a place lie on each other like their markers
-                let size = if shape >= CLASS { 5.2 - 1.4 * (shape - CLASS).min(2) as f64 } else { 2.4 };
+                let size = if shape >= SMALL { 2.4 } else if shape >= CLASS { 5.2 - 1.4 * (shape - CLASS).min(2) as f64 } else { 2.4 };
                 let _ = write!(
                     s,
                     r#"<path class="s {class}" data-s="{index}"{key} stroke="{hex}" stroke-width="{size:.1}" stroke-linecap="round" d="{d}"/>"#
@@ -302,10 +316,15 @@ fn marker_style(hex: &str, open: bool) -> String {
     }
 }
 
-/// Outline of a marker: circle, square, triangle, diamond, triangle on its tip. Classes that share a place lie on each other, the smaller above.
+/// Outline of a marker: circle, square, triangle, diamond, triangle on its tip; arrowhead. Classes that share a place lie on each other, the smaller above.
 fn marker(shape: usize, x: f64, y: f64) -> String {
     let p = |v: f64| px(v);
-    let r = if shape >= CLASS { 5.6 - (shape - CLASS) as f64 } else { 4.2 };
+    if shape >= ARROW {
+        let (s, c) = ((shape - ARROW) as f64).to_radians().sin_cos();
+        let corner = |(a, b): (f64, f64)| format!("{} {}", p(x + a * c + b * s), p(y - a * s + b * c));
+        return format!("M{}L{}L{}z", corner((7.0, 0.0)), corner((-5.0, 5.0)), corner((-5.0, -5.0)));
+    }
+    let r = if shape >= SMALL { 2.4 } else if shape >= CLASS { 5.6 - (shape - CLASS) as f64 } else { 4.2 };
     match shape % 5 {
         0 => format!("M{} {}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z", p(x - r), p(y), d = 2.0 * r),
         1 => format!("M{} {}h{d}v{d}h-{d}z", p(x - 0.88 * r), p(y - 0.88 * r), d = px(1.76 * r)),
@@ -344,6 +363,10 @@ fn legend(s: &mut String, k: usize, e: &Entry, x: f64, y: f64, text: &str) {
             let dash = if g == Glyph::Dashed { r#" stroke-dasharray="6 4""# } else { "" };
             let (hex, class) = if g == Glyph::Contour { ("#000000".into(), "con".into()) } else { (hex, class) };
             let _ = write!(s, r#"<path class="{class}" stroke="{hex}" stroke-width="2"{dash} d="M{a} {}h24"/>"#, px(m));
+        }
+        Glyph::Block(t) => {
+            let (t, y) = (t % TINTS.len(), px(m - 5.0));
+            let _ = write!(s, r#"<path class="b{t} full" fill="{}" fill-opacity="0.85" d="M{a} {y}h24v10h-24z"/>"#, TINTS[t]);
         }
         Glyph::Tint(t) => {
             let _ = write!(

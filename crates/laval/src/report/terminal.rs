@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::words::Style;
-use crate::outcome::{Level, Outcome, quantity, significant};
+use crate::outcome::{Arg, Level, Outcome};
 use crate::plain;
 
 /// How to write for the terminal.
@@ -56,11 +56,11 @@ fn study(o: &Outcome, style: &Style, how: Terminal) -> String {
             Level::Invalid => (paint("!!", "31"), 2),
         };
         let mut text = plain::line(&style.sentence(f)).into_owned();
-        let first = f.evidence.first().map(|e| format!(" ({} {})", plain::line(&e.what), quantity(e.value, &e.unit)));
+        let first = f.evidence.first().map(|e| format!(" ({} {})", plain::line(&e.what), style.number(e.value, &e.unit)));
         // evidence only where it is not said already and does not push the finding beyond two lines
         let said = f.evidence.first().is_some_and(|e| {
-            let rounded = |digits| format!("{} {}", significant(e.value, digits), e.unit);
-            text.contains(&quantity(e.value, &e.unit)) || (5..=8).any(|digits| text.contains(&rounded(digits)))
+            let rounded = |digits| style.arg(&Arg::quantity(e.value, &e.unit).digits(digits));
+            text.contains(&style.number(e.value, &e.unit)) || (3..=8).any(|digits| text.contains(&rounded(digits)))
         });
         if let Some(e) = first.filter(|e| !said && text.chars().count() + e.chars().count() < 2 * how.width.saturating_sub(8)) {
             match text.strip_suffix('.') {

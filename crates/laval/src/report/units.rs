@@ -1,6 +1,6 @@
 //! The units in which a reader sees results: those of the machine file, else the usual ones of the field.
 
-use crate::outcome::{Quantity, Role, significant, unit_text};
+use crate::outcome::{Axis, Figure, Mark, Quantity, Role, significant, unit_text};
 use std::f64::consts::{PI, TAU};
 
 /// A unit of a reader: its name and its size in the SI unit.
@@ -58,12 +58,12 @@ const LARGEST: f64 = 1e5;
 const SMALLEST: f64 = 1e-2;
 
 impl Units {
-    /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first. Multiples of SI units by
-    /// powers of ten are chosen by size.
+    /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first. SI units with prefixes are
+    /// chosen by size.
     pub fn new(written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
         let mut out = Units { preferred: Vec::new(), everyday: true };
         for (name, size, si) in written {
-            let multiple = prefixes(&si).into_iter().chain(everyday(&si)).any(|r| (r.size / size - 1.0).abs() < 1e-12);
+            let multiple = prefixes(&si).into_iter().chain(everyday(&si)).any(|r| r.name == name || r.name == name.replacen('u', "µ", 1));
             if (si == "rad/s" || !multiple) && out.of(&si).is_none() {
                 let name = if name == "deg" { "°".into() } else { name };
                 out.preferred.push((si, Rung { name, size }));
@@ -75,6 +75,11 @@ impl Units {
     /// Speeds in rpm, displacements in mm, unbalance in g mm: where no machine file says otherwise.
     pub fn everyday() -> Units {
         Units::new([("rpm".into(), TAU / 60.0, "rad/s".into())])
+    }
+
+    /// They are those of a machine file or of the field, not SI units alone.
+    pub fn is_everyday(&self) -> bool {
+        self.everyday
     }
 
     fn of(&self, si: &str) -> Option<&Rung> {
@@ -107,6 +112,46 @@ impl Units {
         fits.cloned().or_else(tiny).unwrap_or_else(plain)
     }
 
+    /// The unit in which a column or an axis of this name is read, where it is another than that of the results: speeds and frequencies, angles, lengths.
+    pub fn column(&self, name: &str, unit: &str) -> Option<Rung> {
+        match unit {
+            "rad/s" => {
+                let role = if name.contains("frequency") { Role::Frequency } else { Role::Plain };
+                Some(self.rung(0.0, unit, role)).filter(|r| r.size != 1.0)
+            }
+            "rad" if self.everyday => Some(Rung::new("°", PI / 180.0)),
+            "m" => self.of("m").cloned().or_else(|| self.everyday.then(|| Rung::new("mm", 1e-3))),
+            other => self.of(other).cloned(),
+        }
+    }
+
+    /// A figure with its axes in the units of the reader.
+    pub fn figure(&self, figure: &Figure) -> Figure {
+        let mut out = figure.clone();
+        self.axis(&mut out.x);
+        for panel in &mut out.panels {
+            self.axis(&mut panel.y);
+            for mark in &mut panel.marks {
+                if let Mark::Heat(heat) = mark {
+                    self.axis(&mut heat.colours);
+                }
+            }
+        }
+        out
+    }
+
+    fn axis(&self, axis: &mut Axis) {
+        // an axis with a factor has a unit for readers already
+        if axis.factor != 1.0 {
+            return;
+        }
+        if let Some(r) = self.column(&axis.label, &axis.unit) {
+            axis.unit = r.name;
+            axis.factor = 1.0 / r.size;
+            axis.range = axis.range.map(|(a, b)| (a / r.size, b / r.size));
+        }
+    }
+
     /// Number and unit as they are read.
     pub fn split(&self, q: &Quantity) -> (String, String) {
         let speed = q.unit == "rad/s";
@@ -130,11 +175,8 @@ mod tests {
 
     #[test]
     fn units_of_the_file_come_first() {
-        let file = Units::new([
-            ("rpm".into(), TAU / 60.0, "rad/s".into()),
-            ("mm".into(), 1e-3, "m".into()),
-            ("N/mm".into(), 1e3, "N/m".into()),
-        ]);
+        let file =
+            Units::new([("rpm".into(), TAU / 60.0, "rad/s".into()), ("mm".into(), 1e-3, "m".into()), ("N/mm".into(), 1e3, "N/m".into())]);
         for (value, unit, role, want) in [
             (314.159265, "rad/s", Role::Plain, "3000 rpm"),
             (314.159265, "rad/s", Role::Frequency, "50 Hz"),

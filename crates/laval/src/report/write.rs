@@ -243,7 +243,8 @@ pub(super) fn compose(report: &Report, formats: &[Format]) -> Result<Vec<Compose
             }
         }
         for (k, f) in o.figures.iter().enumerate().filter(|_| wants(Format::Svg)) {
-            let text = svg::draw(f, &o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
+            let text = svg::draw(&report.style.units.figure(f), &o.tables)
+                .map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
             file(format!("{}.svg", names.figure(i, k)), Some(i), text.into_bytes());
         }
     }
@@ -357,7 +358,8 @@ mod tests {
         let v: serde_json::Value = serde_json::from_str(&text).unwrap();
         let finding = &v["studies"][0]["findings"][0];
         assert!(finding["value"].is_null() && finding["evidence"][0]["value"].is_null());
-        assert_eq!(finding["text"], "Value not a number.");
+        assert_eq!(finding["message"], "Value {}.");
+        assert!(finding["args"]["value"]["value"].is_null() && finding["args"]["value"]["unit"] == "m");
         assert_eq!(v["studies"][0]["tables"][0]["file"], "a/t");
         let keys: Vec<&String> = v["studies"][0].as_object().unwrap().keys().collect();
         assert_eq!(keys, ["kind", "name", "end", "parameter", "findings", "special_points", "tables", "figures", "work"]);

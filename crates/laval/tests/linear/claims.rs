@@ -406,7 +406,9 @@ fn an_operating_speed_on_a_critical_speed_is_said_to_be_one() {
     let o = run_all(&text(90.0)).remove(0);
     let critical = finding(&o, "critical_speed").value.unwrap();
     let margin = finding(&o, "margin");
-    assert_eq!((margin.message.key.as_str(), margin.number("critical")), ("critical-speeds-small-margin", Some(critical)));
+    assert_eq!(margin.message.key, "critical-speeds-small-margin");
+    // the nearest of the critical speed and the peak of the response beside it, which are equal to rounding
+    assert!((margin.number("critical").unwrap() / critical - 1.0).abs() < 1e-12, "{margin:?}");
     assert!(margin.sentence().starts_with("Separation margin") && margin.sentence().contains('%'), "{}", margin.sentence());
     let o = run_all(&text(critical * (1.0 + 2e-16))).remove(0);
     let margin = finding(&o, "margin");

@@ -3,6 +3,7 @@
 mod add_a_part;
 mod all_mistakes;
 mod architecture;
+mod catalogues;
 mod constructed;
 mod docs;
 mod figures;

@@ -7,6 +7,13 @@ verdict-not_computed = not computed
 verdict-attention = attention
 verdict-failed = not met
 
+# The same, short, for the terminal.
+short-passed = ok
+short-no_limit = no limit
+short-not_computed = not run
+short-attention = attention
+short-failed = NOT MET
+
 # Headline.
 headline-stable = Stable at { $speed }.
 headline-unstable = Unstable at { $speed }. Do not run the machine at this speed.
@@ -38,20 +45,28 @@ remark-unstable = { $open ->
 remark-resonance = Resonance at { $speed }, "{ $body }" { $value }.
 remark-resonance-unbounded = Undamped resonance at { $speed }: the amplitude of "{ $body }" has no bound.
 remark-critical = Critical speed { $speed }.
-remark-jump = The amplitude jumps at { $speed }.
-as-sentence = { $text }.
+remark-jump = { $count ->
+        [one] A slow run jumps at { $speeds }.
+       *[other] A slow run jumps at { $speeds }.
+    }
+remark-stability = { $text }.
+remark-vibration = Vibration: { $text }.
+remark-forces = Forces: { $text }.
 
 # Checks: name, result, requirement.
 check-stability = Stability
-check-instability = Distance to instability
-check-resonance = Distance to resonance (1×)
+check-instability = Nearest instability
+check-resonance = Nearest resonance (1×)
 check-vibration = Vibration
 check-forces = Forces
-check-validity = Validity of the model
+check-validity = Validity
 check-balls = Unbalance with balls
-check-run-up = Run-up to { $speed }
+check-run-up = Run-up
 
-required-decay = decay > { $margin }
+required-decay = { $margin ->
+        [none] decaying
+       *[other] decay ≥ { $margin }
+    }
 required-below = ≤ { $limit }
 required-validity = inside
 required-less-unbalance = less than without
@@ -63,6 +78,10 @@ stability-stable = { $modes ->
 stability-unstable = a mode grows by the factor e in { $time }
 stability-unknown = no mode found grows, but some may be missing
 stability-neutral = the least damped mode has no damping
+stability-balanced = the balanced state is stable from { $from } to { $to }
+stability-state = a state that does not balance is stable from { $from } to { $to }
+stability-no-state = no stable synchronous state at this speed
+stability-needs-stationary = balls move in the rotor: needs a study "stationary"
 stability-mode = at { $frequency }, logarithmic decrement { $decrement }
 stability-no-mode = the machine has no mode
 distance-both = { $below } below, { $above } above
@@ -76,6 +95,7 @@ vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak } peak velocity
 vibration-unbounded = undamped resonance at this speed
 forces-sizes = { $sizes }
+validity-none = no part states a limit
 validity-inside = { $share } of the limits used
 validity-elsewhere = inside at this speed ({ $share } used); outside at other speeds
 validity-outside-here = { $ratio } times the limit of a part
@@ -87,6 +107,7 @@ validity-studies = { $count ->
 balls-no-study = needs a study "stationary" or "transient"
 balls-left = { $left } left of { $without }
 run-up-computed = largest displacement { $value } ("{ $body }")
+run-up-unknown = what lies below { $speed } is not known
 run-up-free = crosses no resonance and no unstable range
 run-up-resonances = { $count ->
         [one] crosses the resonance at { $resonances }
@@ -99,6 +120,7 @@ run-up-both = crosses { $count ->
     } and the unstable range { $ranges }
 speed-span = { $from } – { $to }
 why-refused = not available for this machine: { $reason }
+why-same = not available for the same reason
 why-too-long = takes longer than a second; add the study to the file
 why-no-speed = no operating speed is set
 
@@ -123,7 +145,7 @@ page-over-speed = Behaviour over the speed
 page-modes = Modes at { $speed }
 page-machine = Machine
 page-next = What to do next
-page-findings = Findings
+page-findings = All findings
 page-mode = Mode { $number }
 page-whirl = { $whirl ->
         [forward] forward
@@ -133,11 +155,8 @@ page-whirl = { $whirl ->
     }
 page-decrement = decrement { $decrement }
 page-grows = grows
-page-inner = mainly "{ $part }"
-axis-speed = speed ({ $unit })
 axis-amplitude = amplitude
-axis-growth = growth rate (1/s)
-strip-stable = stable
+axis-growth = growth rate
 strip-unstable = unstable
 axis-speed-plain = speed
 axis-operating = operating speed
@@ -146,3 +165,27 @@ caption-both = Amplitude of the linear unbalance response, and growth rate of th
 caption-amplitude = Amplitude of the linear unbalance response.
 caption-growth = Growth rate of the least stable mode.
 strip-resonance = resonance
+
+# The rest of the report.
+page-evidence = Evidence
+page-warning = Warning
+page-outside = Outside validity
+page-stopped = Stopped early
+page-tables = Tables
+page-points = Special points
+page-work = Work done
+page-input = Input
+page-input-file = Input file { $file }
+page-provenance = How this was computed
+page-more = and { $count } more in results.json
+page-more-studies = and { $count } more with the studies below
+page-rows = { $count ->
+        [one] 1 row
+       *[other] { $count } rows
+    }
+page-nothing = The studies have no findings; see their figures and tables.
+page-hint = Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.
+page-reset = Reset zoom
+page-yes = yes
+page-no = no
+vibration-unstable = no steady vibration: the machine is unstable

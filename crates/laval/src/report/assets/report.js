@@ -30,17 +30,39 @@ function floats(text) {
 }
 
 // Value at a place 0..1 of an axis, and back.
-const value = (ax, t) => ax.log ? ax.lo * Math.pow(ax.hi / ax.lo, t) : ax.lo + t * (ax.hi - ax.lo);
-const place = (ax, v) => ax.log ? (v > 0 ? Math.log(v / ax.lo) / Math.log(ax.hi / ax.lo) : NaN) : (v - ax.lo) / (ax.hi - ax.lo);
+const bend = (ax, v) => Math.asinh(v / ax.k);
+const value = (ax, t) => ax.k ? ax.k * Math.sinh(bend(ax, ax.lo) + t * (bend(ax, ax.hi) - bend(ax, ax.lo))) : ax.log ? ax.lo * Math.pow(ax.hi / ax.lo, t) : ax.lo + t * (ax.hi - ax.lo);
+const place = (ax, v) => ax.k ? (bend(ax, v) - bend(ax, ax.lo)) / (bend(ax, ax.hi) - bend(ax, ax.lo)) : ax.log ? (v > 0 ? Math.log(v / ax.lo) / Math.log(ax.hi / ax.lo) : NaN) : (v - ax.lo) / (ax.hi - ax.lo);
 
 function step(span, most) {
   const raw = span / Math.max(most, 1), p = Math.pow(10, Math.floor(Math.log10(raw)));
   return [1, 2, 5, 10].map(m => m * p).find(s => s >= raw * (1 - 1e-9)) || 10 * p;
 }
 
+// Logarithmic lengths: each tick with its own prefix, 100 µm, 1 mm.
+const LENGTHS = [[0, "m"], [-3, "mm"], [-6, "µm"], [-9, "nm"]];
+const metres = ax => { const l = ax.log && LENGTHS.find(l => l[1] === ax.u); return l ? l[0] : null; };
+const lengthUnit = d => LENGTHS.find(l => d >= l[0]) || LENGTHS[3];
+const powers = (m, d) => d > 1 || d < 0 ? (m > 1 ? m + "·" : "") + power(d) : String(m * Math.pow(10, d));
+function length(m, d) {
+  const [p, u] = lengthUnit(d), r = d - p;
+  return (r >= -3 && r <= 5 ? (m * Math.pow(10, r)).toFixed(Math.max(0, -r)) : powers(m, r)) + " " + u;
+}
+
 // Labelled ticks of an axis between two values.
 function ticks(ax, lo, hi, most) {
   if (ax.bare) return [];
+  if (ax.names.length) return ax.names.filter(n => n[0] >= lo && n[0] <= hi);
+  if (ax.k) {
+    const out = [], room = 1 / (most + 2), at = v => (bend(ax, v) - bend(ax, lo)) / (bend(ax, hi) - bend(ax, lo));
+    const put = (v, room) => { if (v >= lo && v <= hi && out.every(t => Math.abs(at(t[0]) - at(v)) >= room)) out.push([v, number(v)]); };
+    const first = Math.ceil(Math.log10(ax.k) - 1e-9), last = Math.floor(Math.log10(Math.max(Math.abs(lo), Math.abs(hi))) + 1e-9);
+    put(0, room);
+    for (const s of [-1, 1]) for (let d = last; d >= first; d--) put(s * Math.pow(10, d), room);
+    for (const m of [2, 5]) for (let d = first; d <= last; d++) for (const s of [1, -1]) put(s * m * Math.pow(10, d), 1.5 * room);
+    if (out.length >= 3) return out.sort((a, b) => a[0] - b[0]);
+  }
+  const own = metres(ax);
   if (ax.log && hi / lo > 8) {
     const all = [];
     for (let d = Math.floor(Math.log10(lo)); d <= Math.ceil(Math.log10(hi)); d++)
@@ -48,20 +70,24 @@ function ticks(ax, lo, hi, most) {
     let inside = all.filter(t => t[2] >= lo && t[2] <= hi);
     if (inside.length > most + 1) inside = inside.filter(t => t[0] === 1);
     const stride = Math.ceil(inside.length / most);
-    const plain = lo >= 0.9e-3 && hi <= 1.2e4;
+    const plain = lo >= 0.9e-3 && hi <= 1.2e5;
     return inside.filter((t, i) => i % stride === 0).map(([m, d, v]) =>
-      [v, plain ? v.toFixed(Math.max(0, -d)) : d > 1 || d < 0 ? (m > 1 ? m + "·" : "") + power(d) : String(v)]);
+      [v, own !== null ? length(m, d + own) : plain ? v.toFixed(Math.max(0, -d)) : powers(m, d)]);
   }
   const inside = s => Math.floor(hi / s + 1e-6) - Math.ceil(lo / s - 1e-6) + 1;
   let s = step(hi - lo, most);
+  if (ax.u === "°" && !ax.log && hi - lo > 80 && !ax.e)
+    s = [15, 30, 45, 90, 180].find(q => (hi - lo) / q <= Math.max(most, 2)) || 360 * Math.ceil((hi - lo) / 360 / Math.max(most, 2));
+  else
   for (let m = most + 1; inside(s) < 3 && m < most + 6; m++) s = step(hi - lo, m);
-  const e = Math.pow(10, ax.e), out = [];
+  const [p, u] = own === null ? [0, ""] : lengthUnit(Math.floor(Math.log10(hi) + 1e-9) + own);
+  const e = own === null ? Math.pow(10, ax.e) : Math.pow(10, p - own), out = [];
   const digits = Math.min(12, Math.max(0, Math.ceil(-Math.log10(s / e) - 1e-9)));
   for (let k = Math.ceil(lo / s - 1e-6); k <= hi / s + 1e-6 && out.length < 60; k++) {
     let label = (k * s / e).toFixed(digits);
     if (+label === 0) label = label.replace("-", "");
-    if (ax.log && digits > 4) label = number(k * s);
-    out.push([k * s, minus(label)]);
+    if (ax.log && digits > 4) label = number(k * s / e);
+    out.push([k * s, minus(label) + unit(u)]);
   }
   return out;
 }
@@ -100,10 +126,14 @@ function linePath(xs, ys, X, Y, x0, x1) {
 }
 
 function markerPath(shape, x, y) {
-  const r = shape >= 10 ? 5.6 - (shape - 10) : 4.2, M = (a, b) => "M" + f1(a) + " " + f1(b), L = (a, b) => "L" + f1(a) + " " + f1(b);
+  if (shape >= 1000) {
+    const w = (shape - 1000) * Math.PI / 180, S = Math.sin(w), C = Math.cos(w), at = (a, b) => f1(x + a * C + b * S) + " " + f1(y - a * S + b * C);
+    return "M" + at(7, 0) + "L" + at(-5, 5) + "L" + at(-5, -5) + "z";
+  }
+  const r = shape >= 20 ? 2.4 : shape >= 10 ? 5.6 - (shape - 10) : 4.2, M = (a, b) => "M" + f1(a) + " " + f1(b), L = (a, b) => "L" + f1(a) + " " + f1(b);
   switch (shape % 5) {
     case 0: return `${M(x - r, y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0z`;
-    case 1: return M(x - 3.7, y - 3.7) + "h7.4v7.4h-7.4z";
+    case 1: return M(x - .88 * r, y - .88 * r) + `h${1.76 * r}v${1.76 * r}h${-1.76 * r}z`;
     case 2: return M(x, y - 1.15 * r) + L(x + 1.1 * r, y + 0.8 * r) + L(x - 1.1 * r, y + 0.8 * r) + "z";
     case 3: return M(x, y - 1.25 * r) + L(x + 1.25 * r, y) + L(x, y + 1.25 * r) + L(x - 1.25 * r, y) + "z";
     default: return M(x - 1.1 * r, y - 0.8 * r) + L(x + 1.1 * r, y - 0.8 * r) + L(x, y + 1.15 * r) + "z";

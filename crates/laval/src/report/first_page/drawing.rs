@@ -9,7 +9,9 @@ const WIDTH: f64 = 372.0;
 /// Middle line of the bodies.
 const MIDDLE: f64 = 150.0;
 const BODY: f64 = 46.0;
+/// Least distance between two bodies, and the room of the name and the values of one link.
 const GAP: f64 = 58.0;
+const LINE: f64 = 27.0;
 /// Half width of a body without cavity.
 const HALF: f64 = 60.0;
 /// Links drawn beside each other at one place.
@@ -31,17 +33,25 @@ pub(super) fn drawing(page: &Overview, style: &Style) -> String {
     bodies.truncate(MOST);
     let mut s = String::new();
     let (mut y, mut placed) = (18.0, Vec::new());
-    for b in &bodies {
-        let Block::Body { name, rotor, labels, cavity } = b else { continue };
+    let order: Vec<&str> = bodies.iter().map(|b| name_of(b)).collect();
+    for (k, b) in bodies.iter().enumerate() {
+        let Block::Body { name, rotor, labels, cavity, .. } = b else { continue };
         let (half, height) = cavity.map_or((HALF, BODY), |(r, _, h)| shape(r, h));
         body(&mut s, (y, half, height), *rotor, *cavity);
         let text = words(style, labels);
         label(&mut s, MIDDLE + half + 8.0, y + 0.5 * height - 3.0, name, &text);
         placed.push(Placed { name, top: y, half, height });
-        y += height + GAP;
+        y += height + GAP.max(8.0 + LINE * below(page, &order, k).min(BESIDE) as f64);
     }
     let ground = y;
     links(&mut s, page, style, &placed, ground);
+    for (b, p) in bodies.iter().zip(&placed) {
+        if matches!(b, Block::Body { grounded: true, .. }) {
+            for x in [MIDDLE - p.half + 12.0, MIDDLE + p.half - 12.0] {
+                let _ = write!(s, "<path class=\"spr\" d=\"{}\"/>", spring(x, p.top + p.height, ground));
+            }
+        }
+    }
     let _ = write!(s, "<path class=\"gnd\" d=\"M{} {ground}H{}\"/>", px(MIDDLE - 90.0), px(MIDDLE + 90.0));
     for k in 0..15 {
         let x = MIDDLE - 88.0 + 12.5 * f64::from(k);
@@ -53,6 +63,25 @@ pub(super) fn drawing(page: &Overview, style: &Style) -> String {
     }
     let height = px(ground + 14.0);
     format!("<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-label=\"{}\">{s}</svg>\n", escape(&names(&placed)))
+}
+
+fn name_of(block: &Block) -> &str {
+    match block {
+        Block::Body { name, .. } | Block::Link { name, .. } => name,
+    }
+}
+
+/// Links from this body to what stands below it.
+fn below(page: &Overview, order: &[&str], body: usize) -> usize {
+    let place = |end: &Option<(String, f64)>| match end {
+        Some((name, _)) => order.iter().position(|n| n == name),
+        None => Some(order.len()),
+    };
+    let ends = page.machine.iter().filter_map(|b| match b {
+        Block::Link { ends, .. } => Some((place(&ends[0])?, place(&ends[1])?)),
+        Block::Body { .. } => None,
+    });
+    ends.filter(|(a, b)| a != b && a.min(b) == &body).count()
 }
 
 fn names(placed: &[Placed]) -> String {
@@ -96,7 +125,9 @@ fn words(style: &Style, labels: &[Arg]) -> String {
 }
 
 fn label(s: &mut String, x: f64, y: f64, name: &str, values: &str) {
-    let cut = |text: &str, most: usize| if text.chars().count() > most { text.chars().take(most - 1).chain(['…']).collect() } else { text.to_string() };
+    let cut = |text: &str, most: usize| {
+        if text.chars().count() > most { text.chars().take(most - 1).chain(['…']).collect() } else { text.to_string() }
+    };
     let room = ((WIDTH - x) / 6.6).max(6.0) as usize;
     let _ = write!(s, "<text class=\"dl b\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y), escape(&cut(name, room)));
     let _ = write!(s, "<text class=\"dl\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y + 13.0), escape(&cut(values, room)));
@@ -132,7 +163,7 @@ fn links(s: &mut String, page: &Overview, style: &Style, placed: &[Placed], grou
             label(s, 4.0, 0.5 * (from + to) - 4.0 + 28.0 * k as f64, name, &text);
         } else {
             let right = MIDDLE + 46.0 + 8.0;
-            label(s, right, from + 16.0 + 28.0 * k as f64 / 1.4, name, &text);
+            label(s, right, from + 16.0 + LINE * k as f64, name, &text);
         }
     }
 }

@@ -21,11 +21,12 @@ fn class(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The word of a verdict, or the margin that says more.
-pub(super) fn verdict(style: &Style, check: &Check) -> String {
-    let word = style.message(&Message::new(["verdict-", check.verdict.word()].concat()));
+/// The word of a verdict, with the margin: the long word, or the `short` one of the terminal.
+pub(super) fn verdict(style: &Style, check: &Check, short: bool) -> String {
+    let family = if short { "short-" } else { "verdict-" };
+    let word = style.message(&Message::new([family, check.verdict.word()].concat()));
     match check.margin {
-        Some(m) => format!("{word}, {}", style.arg(&Arg::percent(m).digits(2))),
+        Some(m) => format!("{word}{} {}", if short { "" } else { "," }, style.arg(&Arg::percent(m).digits(2))),
         None => word,
     }
 }
@@ -83,7 +84,7 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
                 say(&c.result),
                 escape(&required(style, c)),
                 class(c.verdict),
-                escape(&verdict(style, c))
+                escape(&verdict(style, c, false))
             );
         }
         s.push_str("</tbody></table></section>\n");
@@ -105,7 +106,8 @@ pub(super) fn tail(s: &mut String, page: &Overview, style: &Style) {
         s.push_str("</section>\n");
     }
     if !page.next.is_empty() {
-        let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", escape(&style.message(&Message::new("page-next"))));
+        let _ =
+            writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", escape(&style.message(&Message::new("page-next"))));
         for m in &page.next {
             let _ = writeln!(s, "<li>{}</li>", escape(&style.message(m)));
         }

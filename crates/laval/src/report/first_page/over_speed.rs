@@ -57,7 +57,9 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed, style: &St
         if high - low > 4.0 * room {
             axis = axis.range((1.05 * low).max(-room), (1.05 * high).min(room));
         }
-        let panel = Panel::new(axis).mark(Line::new("growth", "speed", "growth")).mark(Rule::y(0.0, say("strip-stable-limit")));
+        let panel = Panel::new(axis)
+            .mark(Line::new("growth", "speed", "growth").name(say("axis-growth")))
+            .mark(Rule::y(0.0, say("strip-stable-limit")));
         figure = figure.panel(marks(panel));
     }
     figure

@@ -80,6 +80,7 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
             px(y - ty - 0.6 * tx)
         );
     }
-    let inner = m.inner.as_ref().map(|p| format!("<div class=\"mw\">{}</div>", say(Message::new("page-inner").arg("part", Arg::name(p)))));
-    let _ = writeln!(s, "</svg><div>{whirl}</div><div class=\"mw\">{damping}</div>{}</div>", inner.unwrap_or_default());
+    // bodies that move at least half as far as the one that moves most
+    let most: Vec<String> = m.orbits.iter().filter(|o| o.1 >= 0.5).map(|o| escape(&o.0)).collect();
+    let _ = writeln!(s, "</svg><div>{}</div><div>{whirl}</div><div class=\"mw\">{damping}</div></div>", most.join(" + "));
 }

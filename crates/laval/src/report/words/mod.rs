@@ -83,16 +83,39 @@ impl Style {
         }
     }
 
+    /// A number of an evidence, with its SI unit, in those of the reader.
+    pub fn number(&self, value: f64, unit: &str) -> String {
+        self.arg(&Arg::quantity(value, unit).digits(4))
+    }
+
     /// A number with its unit.
     pub fn quantity(&self, q: &Quantity) -> String {
         let (number, unit) = self.units.split(q);
         let number = self.language.number(&number);
+        let number = if self.units.is_everyday() { grouped(&number) } else { number };
         match unit.as_str() {
             "" => number,
             "°" => format!("{number}°"),
             unit => format!("{number} {}", self.language.unit(unit)),
         }
     }
+}
+
+/// Groups of three digits, apart by a narrow space that does not break, from five digits before the point on.
+fn grouped(number: &str) -> String {
+    let start = number.find(|c: char| c.is_ascii_digit()).unwrap_or(number.len());
+    let digits = number[start..].chars().take_while(char::is_ascii_digit).count();
+    if digits < 5 {
+        return number.into();
+    }
+    let mut out = number[..start].to_string();
+    for (k, c) in number[start..start + digits].chars().enumerate() {
+        if k > 0 && (digits - k).is_multiple_of(3) {
+            out.push('\u{202f}');
+        }
+        out.push(c);
+    }
+    out + &number[start + digits..]
 }
 
 impl Finding {

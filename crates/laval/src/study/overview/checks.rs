@@ -15,20 +15,41 @@ const MOST_NAMED: usize = 3;
 /// All checks that apply to this machine.
 pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     let Some(speed) = facts.operating else { return Vec::new() };
+    if facts.balls {
+        let mut out = vec![balanced(facts, speed), validity(facts)];
+        out.extend(balls(facts));
+        out.extend(run_up(facts, over, speed));
+        return out;
+    }
     let mut out = vec![stability(facts)];
+    let unstable = out[0].verdict == Verdict::Failed;
     out.extend(instability(facts, over, speed));
     out.extend(resonance(facts, over, speed));
-    out.extend(vibration(facts));
-    out.extend(forces(facts));
+    if unstable {
+        // the response exists, and no machine stays on it
+        out.push(Check::new("check-vibration", Message::new("vibration-unstable"), Verdict::NotComputed));
+    } else {
+        out.extend(vibration(facts));
+        out.extend(forces(facts));
+    }
     out.push(validity(facts));
-    out.extend(balls(facts));
     out.extend(run_up(facts, over, speed));
+    // a reason that holds for several stands once
+    let mut reasons: Vec<Message> = Vec::new();
+    for c in out.iter_mut().filter(|c| c.result.key == "why-refused") {
+        if reasons.contains(&c.result) {
+            c.result = Message::new("why-same");
+        } else {
+            reasons.push(c.result.clone());
+        }
+    }
     out
 }
 
 /// Whether the machine is stable at its speed, in the words of the study of modes.
 fn stability(facts: &Facts) -> Check {
-    let required = Some(Arg::from(Message::new("required-decay").arg("margin", Arg::quantity(facts.limits.growth, "1/s"))));
+    let decay = if facts.limits.growth > 0.0 { Arg::quantity(facts.limits.growth, "1/s") } else { Arg::word("none") };
+    let required = Some(Arg::from(Message::new("required-decay").arg("margin", decay)));
     let of = |result: Message, verdict| Check { required: required.clone(), ..Check::new("check-stability", result, verdict) };
     let Some((study, known)) = &facts.modes else { return of(Message::new("why-no-speed"), Verdict::NotComputed) };
     let Known::Yes(result) = known else { return of(known.why(), Verdict::NotComputed) };
@@ -64,6 +85,28 @@ fn stability(facts: &Facts) -> Check {
     Check { detail, ..of(message, verdict) }
 }
 
+/// Whether a state of the balls is stable at the speed, of a study of stationary states.
+fn balanced(facts: &Facts, speed: f64) -> Check {
+    let found: Vec<_> = facts.outcomes.iter().filter(|o| o.kind == "stationary").flat_map(|o| &o.findings).collect();
+    if found.is_empty() {
+        return Check::new("check-stability", Message::new("stability-needs-stationary"), Verdict::NotComputed);
+    }
+    let range = |id: &str| {
+        let all = found.iter().filter(|f| f.id == id).filter_map(|f| Some((f.number("from")?, f.value?)));
+        all.filter(|(from, to)| (from..=to).contains(&&speed)).max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
+    };
+    let of = |key: &str, (from, to): (f64, f64)| Message::new(key).arg("from", Arg::speed(from)).arg("to", Arg::speed(to));
+    let (result, verdict) = match (range("balanced_stable"), range("stable_states")) {
+        (Some(r), _) => (of("stability-balanced", r), Verdict::Passed),
+        (None, Some(r)) => (of("stability-state", r), Verdict::Attention),
+        (None, None) => (Message::new("stability-no-state"), Verdict::Failed),
+    };
+    Check {
+        required: Some(Message::new("required-decay").arg("margin", Arg::word("none")).into()),
+        ..Check::new("check-stability", result, verdict)
+    }
+}
+
 /// A distance in speed with its requirement.
 fn distance(what: &str, none: &str, nearest: &Nearest, speed: f64, required: f64, within: (f64, f64)) -> Check {
     let places = |key: &str| {
@@ -95,6 +138,7 @@ fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Ch
     let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, MARGIN, over.range);
     if nearest.margin(speed) == Some(0.0) {
         check.verdict = Verdict::Failed;
+        check.margin = None;
         check.result = Message::new("distance-inside-unstable");
     }
     Some(check)
@@ -102,7 +146,7 @@ fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Ch
 
 fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Check> {
     let required = facts.limits.clearance.unwrap_or(MARGIN);
-    let Some(over) = over.filter(|_| facts.criticals.get().is_some()) else {
+    let Some(over) = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some()) else {
         return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
     };
     let nearest = margins::resonance(over, speed);
@@ -126,17 +170,22 @@ fn vibration(facts: &Facts) -> Vec<Check> {
     let mut largest = sizes.clone();
     largest.sort_by(|a, b| b.1.total_cmp(&a.1));
     largest.truncate(MOST_NAMED);
-    let item = |(p, x): &(&Probe, f64)| {
-        Arg::from(Message::new("item").arg("name", Arg::name(&p.name)).arg("value", Arg::quantity(*x, "m")))
-    };
+    let item =
+        |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", Arg::name(&p.name)).arg("value", Arg::quantity(*x, "m")));
     let result = Message::new("vibration-sizes").arg("sizes", Arg::List(largest.iter().map(item).collect()));
     let speed = r.speed.abs();
-    let detail = largest.first().map(|(p, x)| {
-        Message::new("vibration-velocity").arg("name", Arg::name(&p.name)).arg("peak", Arg::quantity(x * speed, "m/s"))
-    });
+    let detail = largest
+        .first()
+        .map(|(p, x)| Message::new("vibration-velocity").arg("name", Arg::name(&p.name)).arg("peak", Arg::quantity(x * speed, "m/s")));
     let kept = |limits: &[Limit], factor: f64| {
-        let of = |l: &&Limit| facts.system.probes().iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body });
-        limits.iter().filter_map(|l| Some((l, factor * r.size(of(&l)?)))).max_by(|a, b| (a.1 / a.0.value).total_cmp(&(b.1 / b.0.value))).map(|(l, x)| (l.value, x))
+        let of = |l: &&Limit| {
+            facts.system.probes().iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body })
+        };
+        limits
+            .iter()
+            .filter_map(|l| Some((l, factor * r.size(of(&l)?))))
+            .max_by(|a, b| (a.1 / a.0.value).total_cmp(&(b.1 / b.0.value)))
+            .map(|(l, x)| (l.value, x))
     };
     let worst = [(kept(&facts.limits.displacement, 1.0), "m"), (kept(&facts.limits.velocity, speed), "m/s")];
     let worst = worst.into_iter().filter_map(|(w, unit)| Some((w?, unit))).max_by(|a, b| (a.0.1 / a.0.0).total_cmp(&(b.0.1 / b.0.0)));
@@ -192,6 +241,7 @@ fn validity(facts: &Facts) -> Check {
     let required = Some(Arg::from(Message::new("required-validity")));
     let (result, verdict) = match here {
         Some(x) if !(x <= 1.0) => (Message::new("validity-outside-here").arg("ratio", Arg::number(x)), Verdict::Failed),
+        Some(0.0) if outside.is_empty() => (Message::new("validity-none"), Verdict::Passed),
         Some(x) if outside.is_empty() => (Message::new("validity-inside").arg("share", Arg::percent(x)), Verdict::Passed),
         Some(x) => (Message::new("validity-elsewhere").arg("share", Arg::percent(x)), Verdict::Passed),
         None if outside.is_empty() => (Message::new("validity-nothing"), Verdict::NotComputed),
@@ -202,9 +252,6 @@ fn validity(facts: &Facts) -> Check {
 
 /// What balls leave of the unbalance, of a study of stationary states.
 fn balls(facts: &Facts) -> Option<Check> {
-    if !facts.system.slots().iter().any(|s| s.part.movable_masses().is_some()) {
-        return None;
-    }
     let found = facts.outcomes.iter().filter(|o| o.kind == "stationary").flat_map(|o| &o.findings);
     let left = found.clone().find(|f| f.id == "residual_unbalance");
     let Some((left, value)) = left.and_then(|f| Some((f, f.value?))) else {
@@ -219,13 +266,18 @@ fn balls(facts: &Facts) -> Option<Check> {
 
 /// What a run-up to the operating speed crosses.
 fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Check> {
-    let over = over?;
+    let unknown = || Check::new("check-run-up", Message::new("run-up-unknown").arg("speed", Arg::speed(speed)), Verdict::NotComputed);
+    let nothing = OverSpeed::default();
+    let run = facts.outcomes.iter().find(|o| o.kind == "run_up" && o.end.is_complete());
+    let known = over.is_some_and(|o| !o.growth.is_empty() && (!o.response_speed.is_empty() || facts.criticals.get().is_some()));
+    if !known && run.is_none() {
+        return Some(unknown());
+    }
+    let over = over.unwrap_or(&nothing);
     let resonances: Vec<Arg> = over.resonances.iter().filter(|r| r.speed < speed).map(|r| Arg::speed(r.speed)).collect();
     let unstable = over.unstable.iter().filter(|u| u.from < speed);
     let range = |from: f64, to: f64| Arg::from(Message::new("speed-span").arg("from", Arg::speed(from)).arg("to", Arg::speed(to)));
     let ranges: Vec<Arg> = unstable.map(|u| range(u.from, u.to.min(speed))).collect();
-    let what = Message::new("check-run-up").arg("speed", Arg::speed(speed));
-    let run = facts.outcomes.iter().find(|o| o.kind == "run_up" && o.end.is_complete());
     let largest = run.and_then(|o| o.findings.iter().find(|f| f.id == "largest_displacement")).and_then(|f| Some((f, f.value?)));
     let limit = facts.limits.passage.iter().map(|l| l.value).reduce(f64::min);
     let (result, required, verdict) = match (largest, resonances.is_empty() && ranges.is_empty()) {
@@ -245,5 +297,5 @@ fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Check> 
             (m.arg("ranges", Arg::List(ranges)), None, Verdict::NotComputed)
         }
     };
-    Some(Check { what, required, ..Check::new("check-run-up", result, verdict) })
+    Some(Check { required, ..Check::new("check-run-up", result, verdict) })
 }

@@ -48,17 +48,18 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
         };
         headline.extend(more);
     }
-    let remarks = [here(facts, page, speed), below(over, speed), above(over, speed)];
+    let remarks = [here(page, speed), below(over, speed), above(over, speed)];
     let next = next(facts, &page.checks, over, speed);
     (page.verdict, page.headline, page.next) = (verdict, headline, next);
     page.remarks = remarks.into_iter().flatten().collect();
 }
 
 /// At the operating speed.
-fn here(_: &Facts, page: &Overview, speed: f64) -> Option<(Message, Vec<Message>)> {
-    let names = ["check-stability", "check-vibration", "check-forces"];
+fn here(page: &Overview, speed: f64) -> Option<(Message, Vec<Message>)> {
+    let names = [("check-stability", "remark-stability"), ("check-vibration", "remark-vibration"), ("check-forces", "remark-forces")];
     let of = |name: &str| page.checks.iter().find(|c| c.what.key == name && c.verdict != Verdict::NotComputed);
-    let texts: Vec<Message> = names.iter().filter_map(|n| Some(Message::new("as-sentence").arg("text", of(n)?.result.clone()))).collect();
+    let texts: Vec<Message> =
+        names.iter().filter_map(|(name, key)| Some(Message::new(*key).arg("text", of(name)?.result.clone()))).collect();
     (!texts.is_empty()).then(|| (Message::new("remark-here").arg("speed", Arg::speed(speed)), texts))
 }
 
@@ -79,8 +80,17 @@ fn below(over: Option<&OverSpeed>, speed: f64) -> Option<(Message, Vec<Message>)
     for r in over.resonances.iter().filter(|r| r.speed < speed) {
         out.push(resonance(r));
     }
+    let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w <= speed).collect();
+    if !jumps.is_empty() {
+        out.push(jump(&jumps));
+    }
     out.truncate(MOST);
     (!out.is_empty()).then(|| (Message::new("remark-below"), out))
+}
+
+fn jump(speeds: &[f64]) -> Message {
+    let list = Arg::List(speeds.iter().map(|w| Arg::speed(*w)).collect());
+    Message::new("remark-jump").arg("count", Arg::count(speeds.len())).arg("speeds", list)
 }
 
 fn resonance(r: &crate::outcome::Resonance) -> Message {
@@ -98,7 +108,8 @@ fn above(over: Option<&OverSpeed>, speed: f64) -> Option<(Message, Vec<Message>)
     let mut out: Vec<(f64, Message)> =
         over.unstable.iter().filter(|u| u.from > speed).map(|u| (u.from, span("remark-unstable", u))).collect();
     out.extend(over.resonances.iter().filter(|r| r.speed > speed).map(|r| (r.speed, resonance(r))));
-    out.extend(over.jumps.iter().filter(|w| **w > speed).map(|w| (*w, Message::new("remark-jump").arg("speed", Arg::speed(*w)))));
+    let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w > speed).collect();
+    out.extend(jumps.first().map(|w| (*w, jump(&jumps))));
     out.sort_by(|a, b| a.0.total_cmp(&b.0));
     out.truncate(MOST);
     (!out.is_empty()).then(|| (Message::new("remark-above"), out.into_iter().map(|o| o.1).collect()))

@@ -15,6 +15,7 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
         name: slot.name.clone(),
         rotor: turns(system, k),
         labels: labels(system, slot),
+        grounded: slot.part.body().is_some_and(|b| b.parameters().stiffness.is_some()),
         cavity: cavity(system, &slot.name),
     };
     let drawn = system.slots().iter().enumerate();

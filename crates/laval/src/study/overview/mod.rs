@@ -30,6 +30,8 @@ use laval_num::work::watched;
 const SECOND: u64 = 1_000_000_000;
 /// Speeds of the range at which growth and response are computed.
 const POINTS: usize = 120;
+/// The lowest speed shown, over the operating speed.
+const SLOW: f64 = 0.05;
 /// Distance from resonances and instability, over the operating speed, where `[limits]` gives none.
 pub(super) const MARGIN: f64 = 0.15;
 
@@ -86,6 +88,10 @@ pub(super) struct Facts<'a> {
     range: (f64, f64),
     stability: Known<StabilityMapResult>,
     criticals: Known<CriticalSpeedsResult>,
+    /// Where critical speeds are not known: the response over the range.
+    forced: Option<ForcedResponseResult>,
+    /// Masses move in the rotor: no linear study answers, and a study of stationary states does.
+    balls: bool,
 }
 
 /// The first page. `speeds`: what the studies of the file cover.
@@ -93,6 +99,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let operating = system.machine.speed.filter(|w| *w != 0.0);
     let range = range(operating, speeds);
     let speed = crate::model::field::RangeValue { from: range.0, to: range.1, points: Some(POINTS) };
+    let wide = speed.clone();
     let modes = operating.map(|speed| {
         let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
         let known = within(&study, system, context);
@@ -110,8 +117,16 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     };
     let stability = within(&map, system, context);
     let criticals = within(&CriticalSpeeds { speed, orders: vec![1.0], margin: MARGIN }, system, context);
+    let forced = match criticals {
+        Known::Yes(_) => None,
+        _ => match within(&ForcedResponse { speed: wide }, system, context) {
+            Known::Yes(r) => Some(r),
+            _ => None,
+        },
+    };
+    let balls = system.slots().iter().any(|s| s.part.movable_masses().is_some());
     let facts =
-        Facts { system, operating, limits: limits::of(system), outcomes, modes, response, range, stability, criticals };
+        Facts { system, operating, limits: limits::of(system), outcomes, modes, response, range, stability, criticals, forced, balls };
     let mut out = Overview {
         operating,
         over_speed: over_speed::over_speed(&facts),
@@ -135,6 +150,7 @@ fn range(operating: Option<f64>, speeds: &[SpinSpeeds]) -> (f64, f64) {
     if !(from.is_finite() && to > 0.0) {
         (from, to) = (10.0, 1000.0);
     }
-    // at standstill nothing turns, and ratios of speeds have no end
-    (from.max(1e-3 * to), to)
+    // at standstill nothing turns, and far below the operating speed there is little to see
+    let least = operating.map_or(1e-3 * to, |w| SLOW * w.abs());
+    (from.max(least), to)
 }

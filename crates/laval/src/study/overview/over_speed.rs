@@ -18,8 +18,9 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         out.unstable = unstable(row, facts.range);
         (out.growth_speed, out.growth) = row.samples.iter().map(|s| (s.speed, s.value.re)).unzip();
     }
-    if let Some(found) = facts.criticals.get() {
-        match &found.response {
+    let forced = facts.forced.as_ref().map(|f| &f.curve);
+    if facts.criticals.get().is_some() || forced.is_some() {
+        match facts.criticals.get().map_or(forced, |found| found.response.as_ref()) {
             Some(curve) => {
                 out.response_speed = curve.points.iter().map(|p| p.speed).collect();
                 let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
@@ -28,7 +29,12 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
                 out.resonances = peaks(facts, curve);
             }
             None => {
-                let light = found.crossings.iter().filter(|c| c.located() && damping(c).abs() < LIGHT);
+                let light = facts
+                    .criticals
+                    .get()
+                    .into_iter()
+                    .flat_map(|found| &found.crossings)
+                    .filter(|c| c.located() && damping(c).abs() < LIGHT);
                 out.resonances = light.map(|c: &Critical| Resonance { speed: c.speed, amplitude: None }).collect();
             }
         }
@@ -51,7 +57,8 @@ fn peaks(facts: &Facts, curve: &crate::solve::extrema::Curve) -> Vec<Resonance> 
         if out.iter().any(|r| (r.speed - e.speed).abs() < 0.02 * e.speed.abs()) {
             continue;
         }
-        let amplitude = (!probes[e.probe].is_tilt()).then(|| (probes[e.probe].name.clone(), if e.unbounded { f64::INFINITY } else { e.value }));
+        let amplitude =
+            (!probes[e.probe].is_tilt()).then(|| (probes[e.probe].name.clone(), if e.unbounded { f64::INFINITY } else { e.value }));
         out.push(Resonance { speed: e.speed, amplitude });
     }
     out

@@ -41,15 +41,5 @@ fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
         Whirl::Mixed => "mixed",
         Whirl::None => "none",
     };
-    Mode { growth: m.growth(), frequency: m.frequency(), whirl, orbits, inner: inner(facts, m) }
-}
-
-/// The part whose internal states hold most of the mode, where its bodies hold little.
-fn inner(facts: &Facts, m: &MachineMode) -> Option<String> {
-    let most = |v: &[laval_num::complex::C64]| v.iter().map(|x| x.abs()).fold(0.0, f64::max);
-    if most(&m.z) <= most(&m.q) {
-        return None;
-    }
-    let k = (0..m.z.len()).max_by(|&a, &b| m.z[a].abs().total_cmp(&m.z[b].abs()))?;
-    facts.system.slots().iter().find(|s| s.states.contains(&k)).map(|s| s.name.clone())
+    Mode { growth: m.growth(), frequency: m.frequency(), whirl, orbits }
 }

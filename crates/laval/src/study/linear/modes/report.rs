@@ -70,7 +70,7 @@ impl<'a> Shown<'a> {
     fn table(&self) -> Result<Table, Diagnostic> {
         let (modes, speed) = (self.modes(), self.study.speed);
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
-        let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(speed, "rad/s"), self.study.about.word()))
+        let mut table = Table::new("modes", format!("Natural modes about {}", self.study.about.word()))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
             .float("frequency", "rad/s", "whirl frequency", column(MachineMode::frequency))

@@ -6,7 +6,7 @@ use super::shown::{holder, quality};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, End, Finding, Message, Outcome, Table, quantity};
+use crate::outcome::{Arg, End, Finding, Message, Outcome, Table};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Request, Response};
@@ -113,7 +113,7 @@ pub(super) fn outcome(
     for (name, count) in &response.work {
         outcome = outcome.work(*name, *count);
     }
-    let (at, count) = (quantity(speed, "rad/s"), found.len());
+    let count = found.len();
     if found.is_empty() {
         let finding = match complete {
             true => Finding::warning("no_motion", "nonlinear-response-no-motion"),
@@ -147,7 +147,7 @@ pub(super) fn outcome(
             outcome = outcome.finding(finding.evidence("largest growth rate", m.growth.0, "1/s").evidence("error", m.growth.1, "1/s"));
         }
     }
-    let mut table = Table::new("motions", format!("Steady motions at {at}"))
+    let mut table = Table::new("motions", "Steady motions")
         .int("motion", "", "number by the displacement of the first body", (1..=count as i64).collect())
         .int("turns", "", "period in turns of the rotor", found.iter().map(|m| m.turns as i64).collect());
     for (i, p) in probes.iter().enumerate() {

@@ -1,0 +1,23 @@
+# The question that each kind of study answers, as a heading.
+study-modes = Natural modes at one speed
+study-campbell = Natural frequencies over the speed
+study-critical_speeds = Critical speeds
+study-stability_map = Where is the machine stable?
+study-forced_response = Unbalance response
+study-nonlinear_response = Unbalance response with nonlinear parts
+study-methods = Approximate methods compared
+study-backbone = Nonlinear natural frequencies
+study-limit_cycles = Self-excited whirl
+study-bifurcation_loci = How jumps and stability limits move
+study-response_map = Response over two parameters
+study-stationary = States of the balls
+study-transient = Motion in time
+study-run_up = Run-up
+study-sweep = Slow run through the speed range
+study-motion_map = Motions over two parameters
+study-basins = Which motion follows from which start?
+study-separation = Separation
+study-operating_window = At which speed to run, and for how long?
+study-sensitivity = Which parameter matters?
+study-uncertainty = What do tolerances do?
+study-optimum = Best parameters

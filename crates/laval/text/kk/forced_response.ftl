@@ -1,0 +1,34 @@
+# At one speed.
+forced-response-amplitude = { $body }: { $speed } кезінде амплитудасы { $value }.
+forced-response-tilt = «{ $body }» денесінің көлбеу бұрышы { $speed } кезінде { $value }.
+
+# Resonances.
+forced-response-largest-resonance = Ең үлкен { $others ->
+        [unbounded] шектеулі резонанс
+       *[none] резонанс
+    } { $value } кезінде: { $body }, амплитудасы { $amplitude }.{ $search ->
+        [stopped] {" "}Бұл – зерттеу тоқтағанға дейін табылғандардың ең үлкені.
+       *[complete] {""}
+    }
+forced-response-largest-tilt-resonance = Көлбеу бұрышының ең үлкен { $others ->
+        [unbounded] шектеулі резонансы
+       *[none] резонансы
+    } { $value } кезінде: { $body }, амплитудасы { $amplitude }.{ $search ->
+        [stopped] {" "}Бұл – зерттеу тоқтағанға дейін табылғандардың ең үлкені.
+       *[complete] {""}
+    }
+forced-response-undamped-resonance = Демпферленбеген резонанс, { $value } кезінде: { $body }, амплитудасы шексіз. Демпферлеу қосыңыз немесе бұл айналу жиілігінен аулақ болыңыз.
+forced-response-other-undamped-resonance = Демпферленбеген резонанс, { $value } кезінде: амплитудасы шексіз. Демпферлеу қосыңыз немесе бұл айналу жиілігінен аулақ болыңыз.
+forced-response-no-resonance = Бұл ауқымда ешбір дененің резонансы жоқ.
+forced-response-no-resonance-known = Тербелісі белгілі айналу жиіліктерінде резонанс табылмады.
+forced-response-no-resonance-yet = Зерттеу тоқтағанға дейін резонанс табылмады.
+
+# How far the response is known and valid.
+forced-response-frequency-only = Айналу жиілігінің { $step } қадамынан тар резонанстар табылмай қалуы мүмкін, орнықтылық бағаланған жоқ: бір бөлшек тек жиіліктік облыста берілген.
+forced-response-unknown = Тербеліс { $speeds } айналу жиілігінің { $unknown } мәнінде белгісіз, алғашқысы { $value }: онда бір бөлшектің реакциясы дәл есептелмейді.
+forced-response-gap-closes = Тербеліс { $speeds ->
+        [one] { $value } кезінде
+       *[several] { $value } – { $last } аралығында
+    } «{ $part }» бөлшегінің тепе-теңдіктегі { $gap } саңылауын жабады. Жанасу ескерілмеген, сондықтан ондағы амплитудалар жарамсыз: nonlinear_response қолданыңыз.
+forced-response-validity = Жарамсыз: тербеліс { $speed } кезінде «{ $part }» бөлшегінің жарамдылық шегінен тыс, { $what } = { $value } (шегі 1).
+forced-response-validity-unbounded = Жарамсыз: тербеліс { $speed } кезінде «{ $part }» бөлшегінің жарамдылық шегінен тыс, { $what } шексіз (шегі 1).

@@ -1,0 +1,188 @@
+# The first page of a report, and the summary in the terminal.
+
+# Verdicts.
+verdict-passed = сай келеді
+verdict-no_limit = шек берілмеген
+verdict-not_computed = есептелмеген
+verdict-attention = назар аударыңыз
+verdict-failed = сай келмейді
+
+# The same, short, for the terminal.
+short-passed = сай
+short-no_limit = шек жоқ
+short-not_computed = есеп жоқ
+short-attention = назар
+short-failed = САЙ ЕМЕС
+
+# Headline.
+headline-stable = { $speed } кезінде орнықты.
+headline-unstable = { $speed } кезінде орнықсыз. Машинаны бұл айналу жиілігінде пайдаланбаңыз.
+headline-not-proven = { $speed } кезінде орнықтылық дәлелденген жоқ.
+headline-unknown = { $speed } кезінде орнықтылық есептелмеген.
+headline-no-speed = Жұмыстық айналу жиілігі берілмеген.
+headline-limit = Талап орындалмаған: { $check }.
+headline-resonance = Ең жақын резонансқа ({ $resonance }) дейін бар болғаны { $margin }.
+headline-near-instability = Ең жақын орнықсыздыққа дейін бар болғаны { $margin }.
+headline-crosses = { $count ->
+        [one] Екпіндеу орнықсыз аралықтан өтеді: { $from } – { $to }.
+       *[other] Екпіндеу { $from } – { $to } аралығында жатқан { $count } орнықсыз аралықтан өтеді.
+    }
+
+# Remarks below it.
+remark-here = { $speed } кезінде
+remark-below = Екпіндеу кезінде
+remark-above = Одан жоғары
+remark-unstable = { $open ->
+        [yes] { $from } мәнінен бастап орнықсыз: { $oscillates ->
+            [yes] прецессия, жиілігі { $frequency }
+           *[no] тербеліссіз қозғалыс
+        }, e есе өсу уақыты { $time }.
+       *[no] { $from } – { $to } аралығында орнықсыз: { $oscillates ->
+            [yes] прецессия, жиілігі { $frequency }
+           *[no] тербеліссіз қозғалыс
+        }, e есе өсу уақыты { $time }.
+    }
+remark-resonance = Резонанс { $speed } кезінде, «{ $body }» денесі { $value }.
+remark-resonance-unbounded = Демпферленбеген резонанс { $speed } кезінде: «{ $body }» денесінің амплитудасы шексіз.
+remark-critical = Сындық айналу жиілігі { $speed }.
+remark-jump = { $count ->
+        [one] Айналу жиілігі баяу өзгергенде секіріс болатын мән: { $speeds }.
+       *[other] Айналу жиілігі баяу өзгергенде секіріс болатын мәндер: { $speeds }.
+    }
+remark-stability = { $text }.
+remark-vibration = Тербеліс: { $text }.
+remark-forces = Күштер: { $text }.
+
+# Checks: name, result, requirement.
+check-stability = Орнықтылық
+check-instability = Ең жақын орнықсыздық
+check-resonance = Ең жақын резонанс (1×)
+check-vibration = Тербеліс
+check-forces = Күштер
+check-validity = Жарамдылық
+check-balls = Шариктермен дисбаланс
+check-run-up = Екпіндеу
+
+required-decay = { $margin ->
+        [none] өшетін
+       *[other] өшу ≥ { $margin }
+    }
+required-below = ≤ { $limit }
+required-validity = шек ішінде
+required-less-unbalance = шариксіз мәннен аз
+
+stability-stable = { $modes ->
+        [one] мода өшеді, өшу жылдамдығы { $decay }
+       *[other] барлық { $modes } мода өшеді, ең баяуының өшу жылдамдығы { $decay }
+    }
+stability-unstable = бір мода өседі, e есе өсу уақыты { $time }
+stability-unknown = табылған ешбір мода өспейді, бірақ кейбірі табылмай қалуы мүмкін
+stability-neutral = ең әлсіз демпферленген моданың демпферлеуі жоқ
+stability-balanced = теңгерілген күй { $from } – { $to } аралығында орнықты
+stability-state = роторды теңгермейтін күй { $from } – { $to } аралығында орнықты
+stability-no-state = бұл айналу жиілігінде орнықты синхронды күй жоқ
+stability-needs-stationary = роторда шариктер қозғалады: «stationary» зерттеуі қажет
+stability-mode = жиілігі { $frequency }, логарифмдік декременті { $decrement }
+stability-no-mode = машинада мода жоқ
+distance-both = төменде { $below }, жоғарыда { $above }
+distance-below = төменде { $below }, жоғарыда { $to } мәніне дейін жоқ
+distance-above = төменде { $from } мәнінен бастап жоқ, жоғарыда { $above }
+distance-stable-throughout = { $from } – { $to } аралығында орнықты
+distance-inside-unstable = жұмыстық айналу жиілігі орнықсыз аралықта
+distance-no-resonance = { $from } – { $to } аралығында жоқ
+item = { $name } { $value }
+vibration-sizes = { $sizes }
+vibration-velocity = { $name }: жылдамдық шыңы { $peak }
+vibration-unbounded = бұл айналу жиілігінде демпферленбеген резонанс
+forces-sizes = { $sizes }
+validity-none = ешбір бөлшектің шегі көрсетілмеген
+validity-inside = шектердің { $share } бөлігі пайдаланылған
+validity-elsewhere = бұл айналу жиілігінде шек ішінде ({ $share } пайдаланылған); басқа айналу жиіліктерінде шектен тыс
+validity-outside-here = бір бөлшек шегінің { $ratio } есесі
+validity-nothing = бұл айналу жиілігінде ешбір бөлшек бағаланбады
+validity-studies = { $count ->
+        [one] бір нәтиже өз моделінің жарамдылық шегінен тыс
+       *[other] { $count } нәтиже өз модельдерінің жарамдылық шегінен тыс
+    }
+balls-no-study = «stationary» немесе «transient» зерттеуі қажет
+balls-left = { $left } қалды, шариктерсіз { $without }
+run-up-computed = ең үлкен ығысу { $value } («{ $body }»)
+run-up-unknown = { $speed } мәнінен төмен не болатыны белгісіз
+run-up-free = резонанстан да, орнықсыз аралықтан да өтпейді
+run-up-resonances = { $count ->
+        [one] резонанстан өтеді: { $resonances }
+       *[other] { $count } резонанстан өтеді: { $resonances }
+    }
+run-up-unstable = орнықсыз аралықтан өтеді: { $ranges }
+run-up-both = { $count ->
+        [one] резонанстан ({ $resonances })
+       *[other] { $count } резонанстан ({ $resonances })
+    } және орнықсыз аралықтан ({ $ranges }) өтеді
+speed-span = { $from } – { $to }
+why-refused = бұл машина үшін есептелмейді: { $reason }
+why-same = сол себептен есептелмейді
+why-too-long = бір секундтан ұзақ есептеледі; зерттеуді файлға қосыңыз
+why-no-speed = жұмыстық айналу жиілігі берілмеген
+
+# What to do next.
+next-speed = [machine] бөлімінде speed беріңіз: тексеруге жұмыстық айналу жиілігі қажет.
+next-unstable = Орнықсыз аралықтан тыс айналу жиілігін таңдаңыз немесе демпферлеу қосыңыз; орнықтылық картасын қараңыз.
+next-stability-map = Орнықты айналу жиіліктерін және қажетті демпферлеуді табу үшін «stability_map» зерттеуін қосыңыз.
+next-resonance = Жұмыстық айналу жиілігі мен резонанстың арасын { $margin } немесе одан көп алшақтатыңыз немесе демпферлеу қосыңыз.
+next-balls = «stationary» зерттеуін қосыңыз: шариктер қандай айналу жиіліктерінде теңгереді.
+next-run-up = Екпіндеуді модельдеңіз: «run_up» зерттеуін қосыңыз.
+next-nonlinear = «nonlinear_response» зерттеуін қосыңыз: машинада бейсызық бөлшектер бар, секірістер болуы мүмкін.
+next-limits = Тербелісті бағалау үшін [limits] бөлімінде displacement және force беріңіз.
+
+# Headings of the page.
+page-checks = Тексерулер
+page-check = Тексеру
+page-result = Нәтиже
+page-required = Талап
+page-verdict = Қорытынды
+page-not-set = берілмеген
+page-over-speed = Айналу жиілігіне тәуелділік
+page-modes = { $speed } кезіндегі модалар
+page-machine = Машина
+page-next = Келесі қадамдар
+page-findings = Барлық нәтиже
+page-mode = { $number }-мода
+page-whirl = { $whirl ->
+        [forward] тура
+        [backward] кері
+        [mixed] аралас
+       *[none] прецессиясыз
+    }
+page-decrement = декремент { $decrement }
+page-grows = өседі
+axis-amplitude = амплитуда
+axis-growth = өсу жылдамдығы
+strip-unstable = орнықсыз
+axis-speed-plain = айналу жиілігі
+axis-operating = жұмыстық айналу жиілігі
+strip-stable-limit = одан төмен орнықты
+caption-both = Дисбаланстан болатын сызықты тербелістің амплитудасы және орнықтылығы ең төмен моданың өсу жылдамдығы.
+caption-amplitude = Дисбаланстан болатын сызықты тербелістің амплитудасы.
+caption-growth = Орнықтылығы ең төмен моданың өсу жылдамдығы.
+strip-resonance = резонанс
+
+# The rest of the report.
+page-evidence = Негіздеме
+page-warning = Ескерту
+page-outside = Жарамдылық шегінен тыс
+page-stopped = Ерте тоқтатылған
+page-tables = Кестелер
+page-points = Ерекше нүктелер
+page-work = Есептеу көлемі
+page-input = Бастапқы деректер
+page-input-file = Бастапқы файл { $file }
+page-provenance = Бұл қалай есептелді
+page-more = тағы { $count }, results.json файлында
+page-more-studies = тағы { $count }, төмендегі зерттеулерде
+page-rows = { $count } жол
+page-nothing = Зерттеулерде тұжырым жоқ; олардың графиктері мен кестелерін қараңыз.
+page-hint = Мәндерін оқу үшін қисыққа меңзеңіз. Масштабтау үшін тартып апарыңыз, бәрін көру үшін екі рет шертіңіз, қисықты жасыру үшін атауын шертіңіз. Пернелер: бағыттауыштар, +, −, 0.
+page-reset = Масштабты қалпына келтіру
+page-yes = иә
+page-no = жоқ
+vibration-unstable = орныққан тербеліс жоқ: машина орнықсыз

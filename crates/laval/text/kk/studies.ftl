@@ -1,0 +1,23 @@
+# The question that each kind of study answers, as a heading.
+study-modes = Бір айналу жиілігіндегі меншікті модалар
+study-campbell = Айналу жиілігіне тәуелді меншікті жиіліктер
+study-critical_speeds = Сындық айналу жиіліктері
+study-stability_map = Машина қай кезде орнықты?
+study-forced_response = Дисбаланстан болатын тербеліс
+study-nonlinear_response = Бейсызық бөлшектері бар машинаның дисбаланстан болатын тербелісі
+study-methods = Жуық әдістерді салыстыру
+study-backbone = Бейсызық меншікті жиіліктер
+study-limit_cycles = Автотербеліс
+study-bifurcation_loci = Секірістер мен орнықтылық шектері қалай ығысады
+study-response_map = Екі параметрге тәуелді тербеліс
+study-stationary = Шариктердің күйлері
+study-transient = Уақыт бойынша қозғалыс
+study-run_up = Екпіндеу
+study-sweep = Айналу жиілігін ауқым бойымен баяу өзгерту
+study-motion_map = Екі параметрге тәуелді қозғалыстар
+study-basins = Қай бастапқы шарттан қандай қозғалыс шығады?
+study-separation = Сепарация
+study-operating_window = Қандай айналу жиілігінде және қанша уақыт жұмыс істеу керек?
+study-sensitivity = Қай параметр маңызды?
+study-uncertainty = Шақтамалардың әсері қандай?
+study-optimum = Ең жақсы параметрлер

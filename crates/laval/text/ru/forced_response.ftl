@@ -1,0 +1,37 @@
+# At one speed.
+forced-response-amplitude = Амплитуда { $body } при { $speed }: { $value }.
+forced-response-tilt = Наклон тела «{ $body }» при { $speed }: { $value }.
+
+# Resonances.
+forced-response-largest-resonance = Наибольший { $others ->
+        [unbounded] ограниченный резонанс
+       *[none] резонанс
+    } при { $value }: амплитуда { $body } { $amplitude }.{ $search ->
+        [stopped] {" "}Это наибольший из найденных до остановки расчёта.
+       *[complete] {""}
+    }
+forced-response-largest-tilt-resonance = Наибольший { $others ->
+        [unbounded] ограниченный резонанс по наклону
+       *[none] резонанс по наклону
+    } при { $value }: амплитуда { $body } { $amplitude }.{ $search ->
+        [stopped] {" "}Это наибольший из найденных до остановки расчёта.
+       *[complete] {""}
+    }
+forced-response-undamped-resonance = Резонанс без демпфирования при { $value }: амплитуда { $body } не ограничена. Добавьте демпфирование или избегайте этой частоты вращения.
+forced-response-other-undamped-resonance = Резонанс без демпфирования при { $value }: амплитуда не ограничена. Добавьте демпфирование или избегайте этой частоты вращения.
+forced-response-no-resonance = В этом диапазоне резонансов нет ни у одного тела.
+forced-response-no-resonance-known = Там, где отклик известен, резонансов не найдено.
+forced-response-no-resonance-yet = До остановки расчёта резонансов не найдено.
+
+# How far the response is known and valid.
+forced-response-frequency-only = Резонансы, более узкие, чем шаг частоты вращения { $step }, могут быть пропущены, устойчивость не оценена: один из элементов задан только в частотной области.
+forced-response-unknown = Отклик неизвестен при { $unknown } из { $speeds } { $speeds ->
+        [one] значения
+       *[other] значений
+    } частоты вращения, впервые при { $value }: реакция одного из элементов там неточна.
+forced-response-gap-closes = Колебания закрывают зазор элемента «{ $part }», { $gap } в положении равновесия, { $speeds ->
+        [one] при { $value }
+       *[several] при частотах вращения от { $value } до { $last }
+    }. Контакт не учтён, поэтому амплитуды там недействительны: используйте nonlinear_response.
+forced-response-validity = Недействительно: отклик при { $speed } вне области применимости элемента «{ $part }», { $what } = { $value } (предел 1).
+forced-response-validity-unbounded = Недействительно: отклик при { $speed } вне области применимости элемента «{ $part }», { $what } = ∞ (предел 1).

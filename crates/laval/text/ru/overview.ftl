@@ -1,0 +1,195 @@
+# The first page of a report, and the summary in the terminal.
+
+# Verdicts.
+verdict-passed = выполнено
+verdict-no_limit = предел не задан
+verdict-not_computed = не рассчитано
+verdict-attention = внимание
+verdict-failed = не выполнено
+
+# The same, short, for the terminal.
+short-passed = норма
+short-no_limit = не задано
+short-not_computed = нет данных
+short-attention = внимание
+short-failed = НАРУШЕНО
+
+# Headline.
+headline-stable = Устойчиво при { $speed }.
+headline-unstable = Неустойчиво при { $speed }. Не эксплуатируйте машину при этой частоте вращения.
+headline-not-proven = Устойчивость при { $speed } не доказана.
+headline-unknown = Устойчивость при { $speed } не рассчитана.
+headline-no-speed = Рабочая частота вращения не задана.
+headline-limit = Требование не выполнено: { $check }.
+headline-resonance = Ближайший резонанс, { $resonance }, отстоит всего на { $margin }.
+headline-near-instability = Ближайшая неустойчивость отстоит всего на { $margin }.
+headline-crosses = { $count ->
+        [1] Разгон проходит через неустойчивый диапазон, от { $from } до { $to }.
+        [one] Разгон проходит через { $count } неустойчивый диапазон между { $from } и { $to }.
+        [few] Разгон проходит через { $count } неустойчивых диапазона между { $from } и { $to }.
+       *[other] Разгон проходит через { $count } неустойчивых диапазонов между { $from } и { $to }.
+    }
+
+# Remarks below it.
+remark-here = При { $speed }
+remark-below = При разгоне
+remark-above = Выше
+remark-unstable = { $open ->
+        [yes] Неустойчиво начиная с { $from }: { $oscillates ->
+            [yes] прецессия с частотой { $frequency }
+           *[no] движение без колебаний
+        } растёт в e раз за { $time }.
+       *[no] Неустойчиво от { $from } до { $to }: { $oscillates ->
+            [yes] прецессия с частотой { $frequency }
+           *[no] движение без колебаний
+        } растёт в e раз за { $time }.
+    }
+remark-resonance = Резонанс при { $speed }, «{ $body }» { $value }.
+remark-resonance-unbounded = Резонанс без демпфирования при { $speed }: амплитуда тела «{ $body }» не ограничена.
+remark-critical = Критическая частота вращения { $speed }.
+remark-jump = При медленном изменении частоты вращения отклик меняется скачком при { $speeds }.
+remark-stability = { $text }.
+remark-vibration = Вибрация: { $text }.
+remark-forces = Силы: { $text }.
+
+# Checks: name, result, requirement.
+check-stability = Устойчивость
+check-instability = Ближайшая неустойчивость
+check-resonance = Ближайший резонанс (1×)
+check-vibration = Вибрация
+check-forces = Силы
+check-validity = Применимость
+check-balls = Дисбаланс с шариками
+check-run-up = Разгон
+
+required-decay = { $margin ->
+        [none] затухание
+       *[other] затухание ≥ { $margin }
+    }
+required-below = ≤ { $limit }
+required-validity = в пределах
+required-less-unbalance = меньше, чем без шариков
+
+stability-stable = { $modes ->
+        [1] мода затухает со скоростью { $decay }
+       *[other] затухают все моды ({ $modes }), самая медленная со скоростью { $decay }
+    }
+stability-unstable = мода растёт в e раз за { $time }
+stability-unknown = растущих мод не найдено, но некоторые могут быть пропущены
+stability-neutral = наименее демпфированная мода не имеет демпфирования
+stability-balanced = уравновешенное состояние устойчиво от { $from } до { $to }
+stability-state = от { $from } до { $to } устойчиво состояние, которое не уравновешивает ротор
+stability-no-state = устойчивого синхронного состояния при этой частоте вращения нет
+stability-needs-stationary = в роторе движутся шарики: нужен расчёт «stationary»
+stability-mode = на частоте { $frequency }, логарифмический декремент { $decrement }
+stability-no-mode = у машины нет мод
+distance-both = { $below } снизу, { $above } сверху
+distance-below = { $below } снизу, сверху нет до { $to }
+distance-above = снизу нет начиная с { $from }, { $above } сверху
+distance-stable-throughout = устойчиво от { $from } до { $to }
+distance-inside-unstable = рабочая частота вращения лежит в неустойчивом диапазоне
+distance-no-resonance = нет в диапазоне от { $from } до { $to }
+item = { $name } { $value }
+vibration-sizes = { $sizes }
+vibration-velocity = { $name } { $peak }, пик виброскорости
+vibration-unstable = установившихся колебаний нет: машина неустойчива
+vibration-unbounded = резонанс без демпфирования при этой частоте вращения
+forces-sizes = { $sizes }
+validity-none = ни один элемент не указывает предела
+validity-inside = использовано { $share } пределов
+validity-elsewhere = в пределах при этой частоте вращения (использовано { $share }); при других — вне пределов
+validity-outside-here = отношение к пределу элемента { $ratio }
+validity-nothing = при этой частоте вращения не оценён ни один элемент
+validity-studies = вне области применимости модели { $count ->
+        [one] { $count } вывод
+        [few] { $count } вывода
+       *[other] { $count } выводов
+    }
+balls-no-study = нужен расчёт «stationary» или «transient»
+balls-left = осталось { $left } из { $without }
+run-up-computed = наибольшее перемещение { $value } («{ $body }»)
+run-up-unknown = что лежит ниже { $speed }, неизвестно
+run-up-free = без резонансов и неустойчивых диапазонов
+run-up-resonances = проходит через { $count ->
+        [1] резонанс при { $resonances }
+        [one] { $count } резонанс, при { $resonances }
+        [few] { $count } резонанса, при { $resonances }
+       *[other] { $count } резонансов, при { $resonances }
+    }
+run-up-unstable = проходит через неустойчивый диапазон { $ranges }
+run-up-both = проходит через { $count ->
+        [1] резонанс при { $resonances }
+        [one] { $count } резонанс, при { $resonances },
+        [few] { $count } резонанса, при { $resonances },
+       *[other] { $count } резонансов, при { $resonances },
+    } и через неустойчивый диапазон { $ranges }
+speed-span = { $from } – { $to }
+why-refused = неприменимо к этой машине: { $reason }
+why-too-long = занимает больше секунды; добавьте расчёт в файл
+why-no-speed = рабочая частота вращения не задана
+
+# What to do next.
+next-speed = Задайте speed в [machine]: для проверок нужна рабочая частота вращения.
+next-unstable = Выберите частоту вращения вне неустойчивого диапазона или добавьте демпфирование; см. карту устойчивости.
+next-stability-map = Добавьте расчёт «stability_map», чтобы найти устойчивые частоты вращения и нужное демпфирование.
+next-resonance = Разведите рабочую частоту вращения и резонанс на { $margin } или больше либо добавьте демпфирование.
+next-balls = Добавьте расчёт «stationary»: при каких частотах вращения шарики уравновешивают ротор.
+next-run-up = Рассчитайте разгон: добавьте расчёт «run_up».
+next-nonlinear = Добавьте расчёт «nonlinear_response»: в машине есть нелинейные элементы, скачки не исключены.
+next-limits = Задайте displacement и force в [limits], чтобы оценить вибрацию.
+
+# Headings of the page.
+page-checks = Проверки
+page-check = Проверка
+page-result = Результат
+page-required = Требование
+page-verdict = Оценка
+page-not-set = не задано
+page-over-speed = Поведение по частоте вращения
+page-modes = Моды при { $speed }
+page-machine = Машина
+page-next = Что делать дальше
+page-findings = Все выводы
+page-mode = Мода { $number }
+page-whirl = { $whirl ->
+        [forward] прямая
+        [backward] обратная
+        [mixed] смешанная
+       *[none] без прецессии
+    }
+page-decrement = декремент { $decrement }
+page-grows = растёт
+axis-amplitude = амплитуда
+axis-growth = инкремент
+strip-unstable = неустойчиво
+axis-speed-plain = частота вращения
+axis-operating = рабочая частота вращения
+strip-stable-limit = ниже устойчиво
+caption-both = Амплитуда линейного отклика на дисбаланс и инкремент наименее устойчивой моды.
+caption-amplitude = Амплитуда линейного отклика на дисбаланс.
+caption-growth = Инкремент наименее устойчивой моды.
+strip-resonance = резонанс
+
+# The rest of the report.
+page-evidence = Подтверждающие данные
+page-warning = Предупреждение
+page-outside = Вне области применимости
+page-stopped = Остановлено раньше времени
+page-tables = Таблицы
+page-points = Особые точки
+page-work = Объём вычислений
+page-input = Исходные данные
+page-input-file = Исходный файл { $file }
+page-provenance = Как выполнен расчёт
+page-more = и ещё { $count } в results.json
+page-more-studies = и ещё { $count } вместе с расчётами ниже
+page-rows = { $count } { $count ->
+        [one] строка
+        [few] строки
+       *[other] строк
+    }
+page-nothing = В расчётах нет выводов; см. рисунки и таблицы.
+page-hint = Наведите указатель на кривую, чтобы прочитать значения. Перетащите, чтобы увеличить; двойной щелчок показывает всё; щелчок по имени скрывает кривую. Клавиши: стрелки, +, −, 0.
+page-reset = Сбросить масштаб
+page-yes = да
+page-no = нет

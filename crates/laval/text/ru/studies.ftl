@@ -1,0 +1,23 @@
+# The question that each kind of study answers, as a heading.
+study-modes = Собственные моды при одной частоте вращения
+study-campbell = Собственные частоты в зависимости от частоты вращения
+study-critical_speeds = Критические частоты вращения
+study-stability_map = Где машина устойчива?
+study-forced_response = Отклик на дисбаланс
+study-nonlinear_response = Отклик на дисбаланс с нелинейными элементами
+study-methods = Сравнение приближённых методов
+study-backbone = Нелинейные собственные частоты
+study-limit_cycles = Автоколебания
+study-bifurcation_loci = Как смещаются скачки и границы устойчивости
+study-response_map = Отклик в зависимости от двух параметров
+study-stationary = Состояния шариков
+study-transient = Движение во времени
+study-run_up = Разгон
+study-sweep = Медленное прохождение диапазона частот вращения
+study-motion_map = Движения в зависимости от двух параметров
+study-basins = К какому движению приводят начальные условия?
+study-separation = Разделение
+study-operating_window = При какой частоте вращения и как долго работать?
+study-sensitivity = Какой параметр важен?
+study-uncertainty = К чему приводят допуски?
+study-optimum = Лучшие параметры

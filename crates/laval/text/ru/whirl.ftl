@@ -1,0 +1,8 @@
+# How a mode moves.
+whirl-direction = { $whirl ->
+        [forward] прямая прецессия
+        [backward] обратная прецессия
+        [mixed] смешанная прецессия с долей прямой { $forward_share }
+        [straight] смешанная прецессия по прямой линии
+       *[none] колебания
+    }

@@ -1,0 +1,34 @@
+# Bir tezlikda.
+forced-response-amplitude = { $speed } tezlikda { $body } uchun amplituda { $value }.
+forced-response-tilt = { $speed } tezlikda "{ $body }" jismining og‘ish burchagi { $value }.
+
+# Rezonanslar.
+forced-response-largest-resonance = Eng katta { $others ->
+        [unbounded] chegaralangan rezonans
+       *[none] rezonans
+    } { $value } tezlikda: { $body } uchun amplituda { $amplitude }.{ $search ->
+        [stopped] {" "}Bu hisob to‘xtaguncha topilganlarning eng kattasi.
+       *[complete] {""}
+    }
+forced-response-largest-tilt-resonance = Og‘ish burchagining eng katta { $others ->
+        [unbounded] chegaralangan rezonansi
+       *[none] rezonansi
+    } { $value } tezlikda: { $body } uchun amplituda { $amplitude }.{ $search ->
+        [stopped] {" "}Bu hisob to‘xtaguncha topilganlarning eng kattasi.
+       *[complete] {""}
+    }
+forced-response-undamped-resonance = { $value } tezlikda so‘nishsiz rezonans: { $body } uchun amplituda chegaralanmagan. So‘ndirish qo‘shing yoki bu tezlikdan qoching.
+forced-response-other-undamped-resonance = { $value } tezlikda so‘nishsiz rezonans: amplituda chegaralanmagan. So‘ndirish qo‘shing yoki bu tezlikdan qoching.
+forced-response-no-resonance = Bu oraliqda birorta ham jismda rezonans yo‘q.
+forced-response-no-resonance-known = Javob ma’lum bo‘lgan joyda rezonans topilmadi.
+forced-response-no-resonance-yet = Hisob to‘xtaguncha rezonans topilmadi.
+
+# Javob qanchalik ma’lum va haqiqiy.
+forced-response-frequency-only = Tezlik qadamidan ({ $step }) tor rezonanslar tushib qolgan bo‘lishi mumkin, turg‘unlik esa baholanmagan: qism faqat chastotalar sohasida berilgan.
+forced-response-unknown = { $speeds } ta tezlikdan { $unknown } tasida javob noma’lum, birinchisi { $value }: u yerda qismning aniq reaksiyasi yo‘q.
+forced-response-gap-closes = Tebranish { $speeds ->
+        [one] { $value } tezlikda
+       *[several] { $value } – { $last } oralig‘idagi tezliklarda
+    } "{ $part }" qismining tirqishini (muvozanat holatida { $gap }) yopadi. Kontakt hisobga olinmagan, shuning uchun u yerda amplitudalar haqiqiy emas: nonlinear_response hisobidan foydalaning.
+forced-response-validity = Haqiqiy emas: { $speed } tezlikda javob "{ $part }" qismining qo‘llanish sohasidan tashqarida, { $what } = { $value } (chegara 1).
+forced-response-validity-unbounded = Haqiqiy emas: { $speed } tezlikda javob "{ $part }" qismining qo‘llanish sohasidan tashqarida, { $what } chegaralanmagan (chegara 1).

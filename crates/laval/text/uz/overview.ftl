@@ -1,0 +1,184 @@
+# Hisobotning birinchi sahifasi va terminaldagi xulosa.
+
+# Baholar.
+verdict-passed = bajarilgan
+verdict-no_limit = chegara qo‘yilmagan
+verdict-not_computed = hisoblanmagan
+verdict-attention = e’tibor bering
+verdict-failed = bajarilmagan
+
+# Xuddi shular, terminal uchun qisqa.
+short-passed = bajarildi
+short-no_limit = chegara yo‘q
+short-not_computed = hisoblanmadi
+short-attention = e’tibor bering
+short-failed = BAJARILMADI
+
+# Sarlavha.
+headline-stable = { $speed } tezlikda turg‘un.
+headline-unstable = { $speed } tezlikda noturg‘un. Mashinani bu tezlikda ishlatmang.
+headline-not-proven = { $speed } tezlikda turg‘unlik isbotlanmagan.
+headline-unknown = { $speed } tezlikda turg‘unlik hisoblanmagan.
+headline-no-speed = Ish tezligi berilmagan.
+headline-limit = Talab bajarilmagan: { $check }.
+headline-resonance = Eng yaqin rezonansgacha ({ $resonance }) masofa atigi { $margin }.
+headline-near-instability = Eng yaqin noturg‘unlikkacha masofa atigi { $margin }.
+headline-crosses = { $count ->
+        [1] Tezlashish { $from } – { $to } noturg‘un oralig‘idan o‘tadi.
+       *[other] Tezlashish { $from } va { $to } orasidagi { $count } ta noturg‘un oraliqdan o‘tadi.
+    }
+
+# Uning ostidagi izohlar.
+remark-here = { $speed } tezlikda
+remark-below = Tezlashish yo‘lida
+remark-above = Yuqorida
+remark-unstable = { $open ->
+        [yes] { $from } tezlikdan boshlab noturg‘un: { $oscillates ->
+            [yes] { $frequency } chastotali pretsessiya
+           *[no] tebranishsiz harakat
+        } { $time } ichida e marta o‘sadi.
+       *[no] { $from } – { $to } oralig‘ida noturg‘un: { $oscillates ->
+            [yes] { $frequency } chastotali pretsessiya
+           *[no] tebranishsiz harakat
+        } { $time } ichida e marta o‘sadi.
+    }
+remark-resonance = { $speed } tezlikda rezonans, "{ $body }" jismi: { $value }.
+remark-resonance-unbounded = { $speed } tezlikda so‘nishsiz rezonans: "{ $body }" jismining amplitudasi chegaralanmagan.
+remark-critical = Kritik aylanish chastotasi { $speed }.
+remark-jump = { $count ->
+        [1] Sekin tezlashish yoki sekinlashishda sakrash: { $speeds }.
+       *[other] Sekin tezlashish yoki sekinlashishda sakrashlar: { $speeds }.
+    }
+remark-stability = { $text }.
+remark-vibration = Tebranish: { $text }.
+remark-forces = Kuchlar: { $text }.
+
+# Tekshiruvlar: nomi, natijasi, talabi.
+check-stability = Turg‘unlik
+check-instability = Eng yaqin noturg‘unlik
+check-resonance = Eng yaqin rezonans (1×)
+check-vibration = Tebranish
+check-forces = Kuchlar
+check-validity = Qo‘llanish sohasi
+check-balls = Sharchalar bilan disbalans
+check-run-up = Tezlashish
+
+required-decay = { $margin ->
+        [none] so‘nuvchi
+       *[other] so‘nish ≥ { $margin }
+    }
+required-below = ≤ { $limit }
+required-validity = ichida
+required-less-unbalance = sharchalarsizdan kam
+
+stability-stable = { $modes ->
+        [1] moda { $decay } sur’at bilan so‘nadi
+       *[other] barcha { $modes } ta moda so‘nadi, eng sekini { $decay } sur’at bilan
+    }
+stability-unstable = moda { $time } ichida e marta o‘sadi
+stability-unknown = topilgan modalar o‘smaydi, lekin ba’zilari tushib qolgan bo‘lishi mumkin
+stability-neutral = eng kam so‘nuvchi modada so‘nish yo‘q
+stability-balanced = balansirlangan holat { $from } – { $to } oralig‘ida turg‘un
+stability-state = balansirlamaydigan holat { $from } – { $to } oralig‘ida turg‘un
+stability-no-state = bu tezlikda turg‘un sinxron holat yo‘q
+stability-needs-stationary = sharchalar rotor ichida harakatlanadi: "stationary" hisobi kerak
+stability-mode = chastotasi { $frequency }, logarifmik dekrement { $decrement }
+stability-no-mode = mashinada moda yo‘q
+distance-both = pastda { $below }, yuqorida { $above }
+distance-below = pastda { $below }, yuqorida { $to } tezlikkacha yo‘q
+distance-above = pastda { $from } tezlikkacha yo‘q, yuqorida { $above }
+distance-stable-throughout = { $from } – { $to } oralig‘ida turg‘un
+distance-inside-unstable = ish tezligi noturg‘un oraliqda
+distance-no-resonance = { $from } – { $to } oralig‘ida yo‘q
+item = { $name } { $value }
+vibration-sizes = { $sizes }
+vibration-velocity = { $name }: tezlik amplitudasi { $peak }
+vibration-unbounded = bu tezlikda so‘nishsiz rezonans
+forces-sizes = { $sizes }
+validity-none = birorta ham qism chegara bermaydi
+validity-inside = chegaralarning { $share } qismi ishlatilgan
+validity-elsewhere = bu tezlikda ichida ({ $share } ishlatilgan); boshqa tezliklarda tashqarida
+validity-outside-here = qism chegarasining { $ratio } barobari
+validity-nothing = bu tezlikda birorta ham qism baholanmagan
+validity-studies = { $count } ta xulosa o‘z modelining qo‘llanish sohasidan tashqarida
+balls-no-study = "stationary" yoki "transient" hisobi kerak
+balls-left = { $without } disbalansdan { $left } qoldi
+run-up-computed = eng katta siljish { $value } ("{ $body }" jismi)
+run-up-unknown = { $speed } tezlikdan pastda nima borligi noma’lum
+run-up-free = rezonanslardan ham, noturg‘un oraliqlardan ham o‘tmaydi
+run-up-resonances = { $count ->
+        [1] rezonansdan o‘tadi: { $resonances }
+       *[other] { $count } ta rezonansdan o‘tadi: { $resonances }
+    }
+run-up-unstable = noturg‘un oraliqdan o‘tadi: { $ranges }
+run-up-both = { $count ->
+        [1] rezonansdan ({ $resonances })
+       *[other] { $count } ta rezonansdan ({ $resonances })
+    } va noturg‘un oraliqdan ({ $ranges }) o‘tadi
+speed-span = { $from } – { $to }
+why-refused = bu mashina uchun mumkin emas: { $reason }
+why-too-long = bir soniyadan ko‘p vaqt oladi; hisobni faylga qo‘shing
+why-no-speed = ish tezligi berilmagan
+
+# Keyin nima qilish kerak.
+next-speed = [machine] bo‘limida speed qiymatini bering: tekshiruvlar uchun ish tezligi kerak.
+next-unstable = Noturg‘un oraliqdan tashqaridagi tezlikni tanlang yoki so‘ndirish qo‘shing; turg‘unlik xaritasiga qarang.
+next-stability-map = Turg‘un tezliklarni va zarur so‘ndirishni topish uchun "stability_map" hisobini qo‘shing.
+next-resonance = Ish tezligi va rezonans orasini { $margin } yoki undan ko‘proq qiling yoki so‘ndirish qo‘shing.
+next-balls = "stationary" hisobini qo‘shing: sharchalar qaysi tezliklarda balansirlashini ko‘rsatadi.
+next-run-up = Tezlashishni modellashtiring: "run_up" hisobini qo‘shing.
+next-nonlinear = "nonlinear_response" hisobini qo‘shing: mashinada chiziqsiz qismlar bor, sakrashlar istisno emas.
+next-limits = Tebranish baholanishi uchun [limits] bo‘limida displacement va force chegaralarini bering.
+
+# Sahifa sarlavhalari.
+page-checks = Tekshiruvlar
+page-check = Tekshiruv
+page-result = Natija
+page-required = Talab
+page-verdict = Baho
+page-not-set = berilmagan
+page-over-speed = Tezlik bo‘yicha holat
+page-modes = { $speed } tezlikdagi modalar
+page-machine = Mashina
+page-next = Keyin nima qilish kerak
+page-findings = Barcha xulosalar
+page-mode = { $number }-moda
+page-whirl = { $whirl ->
+        [forward] to‘g‘ri pretsessiya
+        [backward] teskari pretsessiya
+        [mixed] aralash pretsessiya
+       *[none] pretsessiyasiz
+    }
+page-decrement = dekrement { $decrement }
+page-grows = o‘sadi
+axis-amplitude = amplituda
+axis-growth = o‘sish sur’ati
+strip-unstable = noturg‘un
+axis-speed-plain = tezlik
+axis-operating = ish tezligi
+strip-stable-limit = pastda turg‘un
+caption-both = Disbalansga chiziqli javobning amplitudasi va eng kam turg‘un modaning o‘sish sur’ati.
+caption-amplitude = Disbalansga chiziqli javobning amplitudasi.
+caption-growth = Eng kam turg‘un modaning o‘sish sur’ati.
+strip-resonance = rezonans
+
+# Hisobotning qolgan qismi.
+page-evidence = Asoslar
+page-warning = Ogohlantirish
+page-outside = Qo‘llanish sohasidan tashqarida
+page-stopped = Erta to‘xtatilgan
+page-tables = Jadvallar
+page-points = Maxsus nuqtalar
+page-work = Bajarilgan ish
+page-input = Kirish ma’lumotlari
+page-input-file = Kirish fayli: { $file }
+page-provenance = Bu qanday hisoblangan
+page-more = va yana { $count } ta, results.json faylida
+page-more-studies = va yana { $count } ta, quyidagi hisoblar bilan birga
+page-rows = { $count } ta qator
+page-nothing = Hisoblarda xulosalar yo‘q; ularning grafiklari va jadvallariga qarang.
+page-hint = Qiymatlarni o‘qish uchun egri chiziqni ko‘rsating. Kattalashtirish uchun sudrang, hammasini ko‘rish uchun ikki marta bosing, egri chiziqni yashirish uchun nomini bosing. Tugmalar: strelkalar, +, −, 0.
+page-reset = Masshtabni tiklash
+page-yes = ha
+page-no = yo‘q
+vibration-unstable = barqaror tebranish yo‘q: mashina noturg‘un

@@ -1,0 +1,23 @@
+# Har bir hisob turi javob beradigan savol, sarlavha sifatida.
+study-modes = Bir tezlikdagi xususiy modalar
+study-campbell = Tezlik bo‘yicha xususiy chastotalar
+study-critical_speeds = Kritik aylanish chastotalari
+study-stability_map = Mashina qayerda turg‘un?
+study-forced_response = Disbalansga javob
+study-nonlinear_response = Chiziqsiz qismlar bilan disbalansga javob
+study-methods = Taqribiy usullarni solishtirish
+study-backbone = Chiziqsiz xususiy chastotalar
+study-limit_cycles = O‘z-o‘zidan qo‘zg‘aluvchi pretsessiya
+study-bifurcation_loci = Sakrashlar va turg‘unlik chegaralari qanday siljiydi
+study-response_map = Ikki parametr bo‘yicha javob
+study-stationary = Sharchalarning holatlari
+study-transient = Vaqt bo‘yicha harakat
+study-run_up = Tezlashish
+study-sweep = Tezlik oralig‘idan sekin o‘tish
+study-motion_map = Ikki parametr bo‘yicha harakatlar
+study-basins = Qaysi boshlang‘ich shartdan qaysi harakat kelib chiqadi?
+study-separation = Ajratish
+study-operating_window = Qaysi tezlikda va qancha vaqt ishlash kerak?
+study-sensitivity = Qaysi parametr muhim?
+study-uncertainty = Dopusklar qanday ta’sir qiladi?
+study-optimum = Eng yaxshi parametrlar

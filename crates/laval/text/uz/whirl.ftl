@@ -1,0 +1,8 @@
+# Moda qanday harakatlanadi.
+whirl-direction = { $whirl ->
+        [forward] to‘g‘ri pretsessiya
+        [backward] teskari pretsessiya
+        [mixed] aralash pretsessiya, to‘g‘ri ulushi { $forward_share }
+        [straight] to‘g‘ri chiziq bo‘ylab aralash pretsessiya
+       *[none] tebranish
+    }
