@@ -26,6 +26,8 @@ pub struct Panel {
     pub y: Axis,
     /// What is drawn.
     pub marks: Vec<Mark>,
+    /// Height over that of the other panels.
+    pub height: f64,
 }
 
 /// Scale of an axis.
@@ -53,12 +55,25 @@ pub struct Axis {
     pub range: Option<(f64, f64)>,
     /// Without numbers: places along it only have names.
     pub bare: bool,
+    /// Names that stand at places of the axis, in its unit, instead of numbers.
+    pub names: Vec<(f64, String)>,
+    /// Linear nearer to zero than this, logarithmic on both sides beyond: for values of both signs and of many sizes.
+    pub knee: Option<f64>,
 }
 
 impl Axis {
     /// A linear axis.
     pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, factor: 1.0, range: None, bare: false }
+        Axis {
+            label: label.into(),
+            unit: unit.into(),
+            scale: Scale::Linear,
+            factor: 1.0,
+            range: None,
+            bare: false,
+            names: Vec::new(),
+            knee: None,
+        }
     }
 
     /// A logarithmic axis.
@@ -78,6 +93,24 @@ impl Axis {
         Axis { unit: unit.into(), factor, ..self }
     }
 
+    /// Of the parameter at a path: `radius of oil` for `oil.radius`; metres in mm.
+    pub fn parameter(path: &str, unit: &str) -> Self {
+        let axis = Axis::new(parameter_name(path), unit);
+        if unit == "m" { Axis { unit: "mm".into(), factor: 1e3, ..axis } } else { axis }
+    }
+
+    /// Names at places, in the unit of the axis, instead of numbers.
+    pub fn names(mut self, names: Vec<(f64, String)>) -> Self {
+        self.names = names;
+        self
+    }
+
+    /// Linear nearer to zero than `knee`, in the unit of the axis, and logarithmic on both sides beyond.
+    pub fn knee(mut self, knee: f64) -> Self {
+        self.knee = Some(knee).filter(|k| k.is_finite() && *k > 0.0);
+        self
+    }
+
     /// Without numbers.
     pub fn bare(mut self) -> Self {
         self.bare = true;
@@ -88,6 +121,14 @@ impl Axis {
     pub fn range(mut self, from: f64, to: f64) -> Self {
         self.range = Some((from, to));
         self
+    }
+}
+
+/// A parameter as it is read: `radius of oil` for `oil.radius`.
+pub fn parameter_name(path: &str) -> String {
+    match path.split_once('.') {
+        Some((part, field)) => format!("{} of {part}", field.replace(['_', '.'], " ")),
+        None => path.replace('_', " "),
     }
 }
 
@@ -148,6 +189,12 @@ pub struct Line {
     pub wrapped: bool,
     /// A smooth path: drawn through its points without corners, its start and direction marked.
     pub path: bool,
+    /// Values of `class` that are drawn thin and grey.
+    pub muted: &'static [&'static str],
+    /// Groups, and the words at the ends of their curves.
+    pub ends: Vec<(String, String)>,
+    /// Values that differ by this are the same (angles): the curve is drawn without jumps by it.
+    pub period: Option<f64>,
 }
 
 impl Line {
@@ -170,7 +217,28 @@ impl Line {
             valid_where: None,
             wrapped: false,
             path: false,
+            muted: &[],
+            ends: Vec::new(),
+            period: None,
         }
+    }
+
+    /// Draws pieces of these classes thin and grey.
+    pub fn muted(mut self, classes: &'static [&'static str]) -> Self {
+        self.muted = classes;
+        self
+    }
+
+    /// Words at the ends of the curves of these groups.
+    pub fn ends(mut self, ends: Vec<(String, String)>) -> Self {
+        self.ends = ends;
+        self
+    }
+
+    /// Values that differ by `period` are the same: the curve goes on without jumps by it.
+    pub fn cyclic(mut self, period: f64) -> Self {
+        self.period = Some(period);
+        self
     }
 
     /// One line per value of this column.
@@ -263,6 +331,10 @@ pub struct Points {
     pub classes: &'static [&'static str],
     /// Flag column: filled markers where true, open ones elsewhere.
     pub filled_where: Option<String>,
+    /// Values of `group` that are grey.
+    pub muted: &'static [&'static str],
+    /// Small, for many.
+    pub small: bool,
     /// Name in the legend.
     pub name: String,
 }
@@ -270,7 +342,29 @@ pub struct Points {
 impl Points {
     /// Markers at columns `x`, `y`.
     pub fn new(table: impl Into<String>, x: impl Into<String>, y: impl Into<String>) -> Self {
-        Points { table: table.into(), x: x.into(), y: y.into(), group: None, classes: &[], filled_where: None, name: String::new() }
+        Points {
+            table: table.into(),
+            x: x.into(),
+            y: y.into(),
+            group: None,
+            classes: &[],
+            filled_where: None,
+            muted: &[],
+            small: false,
+            name: String::new(),
+        }
+    }
+
+    /// Draws markers of these classes grey.
+    pub fn muted(mut self, classes: &'static [&'static str]) -> Self {
+        self.muted = classes;
+        self
+    }
+
+    /// Small markers, for many.
+    pub fn small(mut self) -> Self {
+        self.small = true;
+        self
     }
 
     /// Colour and shape by this column.
@@ -307,6 +401,10 @@ pub struct Band {
     pub name: String,
     /// Also a strip at the upper border, never too narrow to be seen.
     pub strip: bool,
+    /// In full colour: a bar rather than a background.
+    pub bar: bool,
+    /// The tint: 0 green, 1 red, 2 blue, 3 pink; otherwise the next that is free.
+    pub tint: Option<usize>,
 }
 
 /// Where a [`Band`] lies; values before the axis factor.
@@ -323,17 +421,45 @@ pub enum BandPlace {
 impl Band {
     /// Between two values of x.
     pub fn x(from: f64, to: f64) -> Self {
-        Band { place: BandPlace::X(from, to), name: String::new(), strip: false }
+        Band::new(BandPlace::X(from, to))
     }
 
     /// Between two values of y.
     pub fn y(from: f64, to: f64) -> Self {
-        Band { place: BandPlace::Y(from, to), name: String::new(), strip: false }
+        Band::new(BandPlace::Y(from, to))
     }
 
     /// Between the columns `low` and `high` over column `x`.
     pub fn between(table: impl Into<String>, x: impl Into<String>, low: impl Into<String>, high: impl Into<String>) -> Self {
-        Band { place: BandPlace::Between(table.into(), x.into(), low.into(), high.into()), name: String::new(), strip: false }
+        Band::new(BandPlace::Between(table.into(), x.into(), low.into(), high.into()))
+    }
+
+    fn new(place: BandPlace) -> Self {
+        Band { place, name: String::new(), strip: false, bar: false, tint: None }
+    }
+
+    /// In full colour.
+    pub fn bar(mut self) -> Self {
+        self.bar = true;
+        self
+    }
+
+    /// Green, of what is allowed.
+    pub fn good(mut self) -> Self {
+        self.tint = Some(0);
+        self
+    }
+
+    /// Red, of what is not.
+    pub fn bad(mut self) -> Self {
+        self.tint = Some(1);
+        self
+    }
+
+    /// Blue, of neither.
+    pub fn neutral(mut self) -> Self {
+        self.tint = Some(2);
+        self
     }
 
     /// Adds a strip at the upper border of the panel, wide enough to be seen however narrow the interval. For intervals of x.
@@ -387,6 +513,8 @@ pub struct Heat {
     pub colours: Axis,
     /// Colours that part at zero (growth rates) instead of a plain ramp.
     pub diverging: bool,
+    /// Green above zero, where it is allowed; hatched red below.
+    pub allowed: bool,
     /// Draws the curve where the value (before the factor) equals this.
     pub contour: Option<f64>,
     /// Words the value may be, each with a colour of its own and an entry in the legend; empty for numbers.
@@ -403,6 +531,7 @@ impl Heat {
             value: value.into(),
             colours,
             diverging: false,
+            allowed: false,
             contour: None,
             classes: Vec::new(),
         }
@@ -418,6 +547,12 @@ impl Heat {
     pub fn diverging(mut self) -> Self {
         self.diverging = true;
         self
+    }
+
+    /// Colours that part at zero: green above, where it is allowed; hatched red below.
+    pub fn allowed(mut self) -> Self {
+        self.allowed = true;
+        self.diverging()
     }
 
     /// Draws the curve where the value equals `level`.
@@ -448,7 +583,13 @@ impl Text {
 impl Panel {
     /// An empty panel.
     pub fn new(y: Axis) -> Self {
-        Panel { y, marks: Vec::new() }
+        Panel { y, marks: Vec::new(), height: 1.0 }
+    }
+
+    /// So many times as high as others.
+    pub fn height(mut self, height: f64) -> Self {
+        self.height = height;
+        self
     }
 
     /// Adds a mark.

@@ -39,7 +39,7 @@ mod overview;
 mod table;
 
 pub use animation::{Animation, Circle};
-pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text};
+pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text, parameter_name};
 pub use finding::{Evidence, Finding, Level};
 pub use message::{Arg, Message, Quantity, Role};
 pub(crate) use number::quantity_to;

@@ -62,6 +62,10 @@ const BLUE_RED: [[u8; 3]; 11] = [
     [103, 0, 31],
 ];
 
+/// Vermilion to green, of colours that the colour-blind tell apart.
+const FORBIDDEN_ALLOWED: [[u8; 3]; 7] =
+    [[158, 62, 8], [213, 110, 50], [247, 215, 195], [247, 247, 247], [196, 232, 216], [74, 178, 142], [0, 96, 70]];
+
 fn ramp(anchors: &[[u8; 3]], t: f64) -> [u8; 3] {
     let s = t.clamp(0.0, 1.0) * (anchors.len() - 1) as f64;
     let i = (s.floor() as usize).min(anchors.len() - 2);
@@ -76,6 +80,11 @@ fn hex([r, g, b]: [u8; 3]) -> String {
 /// Colour of a heat map at 0..1; 0.5 is neutral when `diverging`.
 pub(super) fn heat(t: f64, diverging: bool) -> String {
     hex(if diverging { ramp(&BLUE_RED, t) } else { ramp(&VIRIDIS, t) })
+}
+
+/// Colour at 0..1 of what is forbidden below 0.5 and allowed above.
+pub(super) fn allowed(t: f64) -> String {
+    hex(ramp(&FORBIDDEN_ALLOWED, t))
 }
 
 #[cfg(test)]

@@ -14,6 +14,8 @@ pub(super) struct HeatView {
     /// Scale of the values.
     pub axis: AxisView,
     pub diverging: bool,
+    /// Below zero it is forbidden: hatched.
+    pub allowed: bool,
     pub contour: Option<f64>,
     /// Names and colours of the values 0, 1, 2 ..; empty for numbers on a scale.
     pub classes: Vec<(String, Colour)>,
@@ -59,7 +61,26 @@ impl HeatView {
 
     /// Colour at a place of the colour map, quantised.
     pub fn colour(&self, tone: f64) -> String {
-        colour::heat(tone, self.diverging)
+        if self.allowed { colour::allowed(tone) } else { colour::heat(tone, self.diverging) }
+    }
+
+    /// Path data in pixels of the cells with values below zero: runs along x.
+    pub fn forbidden(&self, x: &AxisView, y: &AxisView, w: f64, h: f64) -> String {
+        let (xe, ye) = (edges(&self.xs, x), edges(&self.ys, y));
+        let n = self.xs.len();
+        let mut out = String::new();
+        for j in 0..self.ys.len() {
+            let mut first = 0;
+            for run in self.values[j * n..(j + 1) * n].chunk_by(|a, b| (*a < 0.0) == (*b < 0.0)) {
+                let (from, to) = (xe[first] * w, xe[first + run.len()] * w);
+                first += run.len();
+                if run[0] < 0.0 {
+                    let [a, b, c, d] = [from, (1.0 - ye[j + 1]) * h, to, (1.0 - ye[j]) * h].map(super::text::px);
+                    out.push_str(&format!("M{a} {b}H{c}V{d}H{a}z"));
+                }
+            }
+        }
+        out
     }
 
     /// Colour, class of the style sheet and path data in pixels: runs of equal colour along x, joined per colour.
@@ -205,7 +226,7 @@ mod tests {
 
     fn view(rows: &[(f64, f64, f64)], lo: f64, hi: f64) -> HeatView {
         let (xs, ys, values) = HeatView::grid(rows, false);
-        HeatView { xs, ys, values, axis: unit(lo, hi), diverging: true, contour: None, classes: vec![] }
+        HeatView { xs, ys, values, axis: unit(lo, hi), diverging: true, allowed: false, contour: None, classes: vec![] }
     }
 
     #[test]
@@ -229,7 +250,7 @@ mod tests {
     fn classes_have_their_own_colours() {
         let (xs, ys, values) = HeatView::grid(&[(0.0, 0.0, 0.0), (1.0, 0.0, 1.0), (0.0, 1.0, 1.0), (1.0, 1.0, f64::NAN)], true);
         let classes = vec![("a".to_string(), Colour::Slot(0)), ("b".to_string(), Colour::Slot(1))];
-        let h = HeatView { xs, ys, values, axis: unit(0.0, 1.0), diverging: false, contour: None, classes };
+        let h = HeatView { xs, ys, values, axis: unit(0.0, 1.0), diverging: false, allowed: false, contour: None, classes };
         let drawn = h.cells(&unit(0.0, 1.0), &unit(0.0, 1.0), 10.0, 10.0);
         assert_eq!(drawn.iter().map(|c| c.0.as_str()).collect::<Vec<_>>(), [colour::SLOTS[0], colour::SLOTS[1]]);
         assert_eq!(drawn.iter().map(|c| c.2.matches('z').count()).collect::<Vec<_>>(), [1, 2]);

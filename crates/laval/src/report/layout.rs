@@ -10,6 +10,8 @@ pub(super) const TITLE: f64 = 14.0;
 const ROW: f64 = 14.0;
 /// Side of a square panel.
 const LARGEST_SQUARE: f64 = 440.0;
+/// Share of the width for names along y, at most.
+pub(super) const NAMES: f64 = 0.32;
 /// Most rows of labels above a panel; what does not fit is listed in the legend.
 const MOST_ROWS: usize = 5;
 
@@ -76,8 +78,9 @@ fn wanted(scene: &Scene, panel: usize) -> (Vec<Wanted>, Vec<Wanted>) {
         let w = Wanted { at, text: r.label.clone(), reference: false };
         if r.vertical { top.push(w) } else { right.push(w) }
     }
-    for s in p.series.iter().filter(|s| s.reference && !s.name.is_empty()) {
-        let places: Vec<_> = s.points.iter().map(|(x, y)| (scene.x.place(*x), p.y.place(*y))).collect();
+    let named = p.series.iter().filter(|s| s.reference && !s.name.is_empty()).map(|s| (&s.points, &s.name));
+    for (points, name) in named.chain(p.ends.iter().map(|e| (&e.0, &e.1))) {
+        let places: Vec<_> = points.iter().map(|(x, y)| (scene.x.place(*x), p.y.place(*y))).collect();
         let inside = |q: &(f64, f64)| (-1e-9..=1.0 + 1e-9).contains(&q.0) && (-1e-9..=1.0 + 1e-9).contains(&q.1);
         let Some(last) = places.iter().rposition(inside) else { continue };
         let mut end = places[last];
@@ -95,7 +98,7 @@ fn wanted(scene: &Scene, panel: usize) -> (Vec<Wanted>, Vec<Wanted>) {
             let f = room(end.0, dx).min(room(end.1, dy)).clamp(0.0, 1.0);
             end = (end.0 + f * dx, end.1 + f * dy);
         }
-        let w = |at| Wanted { at, text: s.name.clone(), reference: true };
+        let w = |at| Wanted { at, text: name.clone(), reference: true };
         if end.1 > 0.97 && end.0 < 0.99 { top.push(w(end.0)) } else { right.push(w(end.1)) }
     }
     top.sort_by(|a, b| a.at.total_cmp(&b.at));
@@ -125,12 +128,15 @@ impl Layout {
             (_, true) => 150.0,
         };
         let wants: Vec<_> = (0..scene.panels.len()).map(|i| wanted(scene, i)).collect();
-        let y_ticks: Vec<Ticks> = scene.panels.iter().map(|p| p.y.ticks((ph / 42.0) as usize)).collect();
+        let mut y_ticks: Vec<Ticks> = scene.panels.iter().map(|p| p.y.ticks((p.height * ph / 42.0) as usize)).collect();
+        for (ticks, _) in y_ticks.iter_mut().zip(&scene.panels).filter(|t| !t.1.y.names.is_empty()) {
+            ticks.major.iter_mut().for_each(|t| t.1 = fit(&t.1, TICK, NAMES * w));
+        }
         let widest = |t: &Ticks| t.major.iter().map(|m| width(&m.1, TICK)).fold(0.0, f64::max);
         let x0 = (y_ticks.iter().map(widest).fold(0.0, f64::max) + 12.0).max(30.0).ceil();
         let label_room = if narrow { 0.2 * w } else { 0.22 * w };
         let rights = wants.iter().flat_map(|w| &w.1).map(|r| width(&r.text, TICK).min(label_room)).fold(0.0, f64::max);
-        let bars: Vec<Option<Ticks>> = scene.panels.iter().map(|p| scale(p).map(|h| bar_ticks(h, ph))).collect();
+        let bars: Vec<Option<Ticks>> = scene.panels.iter().map(|p| scale(p).map(|h| bar_ticks(h, p.height * ph))).collect();
         let bar_room = bars.iter().flatten().map(|t| 16.0 + 14.0 + 6.0 + widest(t)).fold(0.0, f64::max);
         let label_space = if rights > 0.0 { rights + 8.0 } else { 0.0 };
         let right = (label_space + bar_room).max(18.0).ceil();
@@ -142,6 +148,7 @@ impl Layout {
         let mut panels = Vec::new();
         let mut omitted = Vec::new();
         for (i, (p, (tops, rights))) in scene.panels.iter().zip(wants).enumerate() {
+            let ph = if scene.equal { ph } else { p.height * ph };
             y += LABEL + 2.0;
             let title_y = y;
             // the title of the colours stands beside that of y when both fit

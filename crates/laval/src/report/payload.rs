@@ -63,7 +63,9 @@ pub(super) fn payload(scene: &Scene, column: f64) -> String {
 }
 
 fn axis(a: &AxisView) -> Value {
-    json!({ "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": plain::line(&a.label), "u": unit_text(&a.unit), "bare": a.bare })
+    let names: Vec<Value> =
+        a.names.iter().map(|n| json!([n.0, plain::line(&super::text::fit(&n.1, super::layout::TICK, super::layout::NAMES * WIDE))])).collect();
+    json!({ "k": a.knee, "names": names, "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": plain::line(&a.label), "u": unit_text(&a.unit), "bare": a.bare })
 }
 
 fn heat(h: &HeatView) -> Value {

@@ -3,7 +3,7 @@
 use super::colour::Colour;
 use super::layout::{LABEL, Layout, PanelBox, TICK, TITLE, is_line};
 use super::payload::drawn;
-use super::scene::{ARROW, CLASS, Entry, Glyph, Kind, PanelView, Scene, Series};
+use super::scene::{ARROW, CLASS, Entry, Glyph, Kind, PanelView, SMALL, Scene, Series};
 use super::text::{escape, px};
 use super::thin;
 use crate::outcome::{Figure, OutcomeError, Table};

@@ -26,10 +26,16 @@ limit-cycles-onset-left = No limit cycle was followed from here: { $why }.
 limit-cycles-onset-stopped = No limit cycle was followed from here before the study stopped.
 limit-cycles-onset-not-found = No limit cycle was found here.
 limit-cycles-bistable = Bistable from { $from } to { $to }: the equilibrium and a whirl of up to { $value } are both stable. Which one occurs depends on the history; avoid large disturbances there.
+limit-cycles-bistable-invalid = Bistable from { $from } to { $to }: a whirl is stable beside the stable equilibrium. Its size is not valid: { $value } is outside the range of a part. Avoid large disturbances there.
 limit-cycles-largest = The largest stable limit cycle of family { $family } has a { $quality ->
         [tilt] tilt
        *[displacement] displacement
     } of { $value } of { $body }, at { $speed } with whirl frequency { $frequency }.
+limit-cycles-largest-invalid = Not valid: the largest stable limit cycle of family { $family } is outside the range of a part. The { $quality ->
+        [tilt] tilt
+       *[displacement] displacement
+    } of { $value } of { $body }, computed at { $speed } with whirl frequency { $frequency }, is no result.
+limit-cycles-largest-valid = Inside the range of all parts, it reaches { $size }, at { $speed }.
 limit-cycles-all-unstable = All limit cycles of family { $family } are unstable; none of them persists.
 limit-cycles-fold = The limit cycles of family { $family } fold at { $value }; this whirl does not exist beyond.
 limit-cycles-unbounded = Near { $value } this whirl grows without bound: the nonlinear parts hardly deflect in it and cannot limit it. Avoid these speeds, or add damping.

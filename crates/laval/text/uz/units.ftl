@@ -1,9 +1,4 @@
-# O‘lchov birliklari, xalqaro belgidan farq qiladiganlari.
+# Symbols of units, word by word: `N/mm` is unit-N, a slash and unit-mm; µ is written u.
+
 unit-rpm = ayl/min
-unit-rpm-s = ayl/min/s
-unit-hz = Gs
-unit-khz = kGs
-unit-rev = ayl
-unit-turn = ayl
-unit-rev-s = ayl/s
-unit-rev-min = ayl/min
+unit-Hz = Gs

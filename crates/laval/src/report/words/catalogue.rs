@@ -61,13 +61,24 @@ impl Language {
         }
     }
 
-    /// A unit as the language writes it.
+    /// A unit as the language writes it, word by word: `N/mm` has the words `N` and `mm`.
     pub fn unit(self, unit: &str) -> String {
-        let key = format!("unit-{}", slug(unit));
-        match self.bundle().has_message(&key) {
-            true => self.format(&key, &FluentArgs::new()),
-            false => unit.into(),
+        let mut out = String::with_capacity(unit.len());
+        let mut word = String::new();
+        for c in unit.chars().chain(['\0']) {
+            if c.is_alphabetic() {
+                word.push(c);
+                continue;
+            }
+            let key = format!("unit-{}", word.replace('µ', "u"));
+            match !word.is_empty() && self.bundle().has_message(&key) {
+                true => out.push_str(&self.format(&key, &FluentArgs::new())),
+                false => out.push_str(&word),
+            }
+            word.clear();
+            out.extend(Some(c).filter(|c| *c != '\0'));
         }
+        out
     }
 
     fn bundle(self) -> &'static Bundle {
@@ -114,6 +125,14 @@ fn bundle(language: Language) -> Bundle {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
+
+    #[test]
+    fn units_are_translated_word_by_word() {
+        let units = ["rpm", "N/mm", "µN s/m", "rad/s²", "MN/m", "mN", "°", "1/s"];
+        let ru = units.map(|u| Language::Russian.unit(u));
+        assert_eq!(ru, ["об/мин", "Н/мм", "мкН с/м", "рад/с²", "МН/м", "мН", "°", "1/с"]);
+        assert_eq!(units.map(|u| Language::English.unit(u)), units);
+    }
 
     #[test]
     fn every_file_reads_without_error_and_no_sentence_stands_twice() {
