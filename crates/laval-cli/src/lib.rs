@@ -8,6 +8,7 @@
 mod check;
 mod input;
 mod new;
+mod pdf;
 mod progress;
 mod run;
 mod show;

@@ -1,6 +1,7 @@
 //! `laval run`.
 
 use crate::input::{self, Input};
+use crate::pdf;
 use crate::progress::Bar;
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, terminal};
 use laval::build;
@@ -43,6 +44,9 @@ pub struct Args {
     /// Language of the report and of the summary: en, ru, kk, uz [default: that of LANG where it is one of them]
     #[arg(long, value_name = "LANGUAGE", value_parser = str::parse::<Language>)]
     lang: Option<Language>,
+    /// Print the report to report.pdf too, with a Chromium that is found on this computer
+    #[arg(long)]
+    pdf: bool,
     /// Print nothing but what is wrong
     #[arg(long, short)]
     quiet: bool,
@@ -243,6 +247,13 @@ impl<'a> Run<'a> {
             ));
         }
         let page = files.into_iter().find(|f| f.ends_with("report.html"));
+        if self.args.pdf {
+            let printed = page.as_deref().map_or_else(|| Err(Diagnostic::error("pdf.page", "--pdf prints report.html, which --format leaves out")), pdf::print);
+            if let Err(d) = printed {
+                input::complain(&d);
+                self.code = self.code.max(WRONG);
+            }
+        }
         let place = page.unwrap_or_else(|| self.dir.clone()).display().to_string();
         self.paragraph(&format!("{}\n", plain::line(&place)));
         if self.code != FAILED && CANCEL.load(Ordering::Relaxed) { STOPPED } else { self.code }

@@ -254,6 +254,25 @@ fn reports_speak_the_language_requested() {
     dir.laval(["run", "pump.toml", "--lang", "xx"]).refused(&["xx", "en, ru, kk, uz"]);
 }
 
+/// Where a Chromium is found the report is printed; else the run says so, and its results are there.
+#[test]
+fn a_report_is_printed_or_the_reason_named() {
+    let dir = Dir::new("pdf");
+    dir.file("pump.toml", SMALL);
+    let said = dir.laval(["run", "pump.toml", "--pdf"]);
+    let pdf = dir.0.join("out/pump/report.pdf");
+    match said.code {
+        0 => assert!(fs::read(&pdf).unwrap().starts_with(b"%PDF")),
+        code => assert!(code == 1 && said.err.contains("pdf.") && !pdf.exists(), "{}", said.err),
+    }
+    assert!(dir.0.join("out/pump/report.html").is_file());
+    let said = dir.laval(["run", "pump.toml", "--pdf", "--format", "json"]);
+    assert!(said.code == 1 && said.err.contains("pdf.page"), "{}", said.err);
+    let mut without = dir.command(["run", "pump.toml", "--pdf"]);
+    let said = Said::of(&without.env("PATH", &dir.0).output().unwrap());
+    assert!(said.code == 1 && said.err.contains("no Chromium was found"), "{}", said.err);
+}
+
 #[test]
 fn a_refused_study_leaves_the_others() {
     let dir = Dir::new("refused");

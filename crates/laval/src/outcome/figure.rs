@@ -191,6 +191,8 @@ pub struct Line {
     pub path: bool,
     /// Values of `class` that are drawn thin and grey.
     pub muted: &'static [&'static str],
+    /// In the colour of text, not of the palette: for intervals on bars.
+    pub ink: bool,
     /// Groups, and the words at the ends of their curves.
     pub ends: Vec<(String, String)>,
     /// Values that differ by this are the same (angles): the curve is drawn without jumps by it.
@@ -218,6 +220,7 @@ impl Line {
             wrapped: false,
             path: false,
             muted: &[],
+            ink: false,
             ends: Vec::new(),
             period: None,
         }
@@ -226,6 +229,12 @@ impl Line {
     /// Draws pieces of these classes thin and grey.
     pub fn muted(mut self, classes: &'static [&'static str]) -> Self {
         self.muted = classes;
+        self
+    }
+
+    /// Draws it in the colour of text.
+    pub fn ink(mut self) -> Self {
+        self.ink = true;
         self
     }
 
@@ -484,17 +493,25 @@ pub struct Rule {
     pub at: f64,
     /// Label.
     pub label: String,
+    /// Two values along the same axis that the label ends with, in the unit of the axis: `unstable 100 to 120`.
+    pub between: Option<(f64, f64)>,
 }
 
 impl Rule {
     /// Vertical, at a value of x.
     pub fn x(at: f64, label: impl Into<String>) -> Self {
-        Rule { vertical: true, at, label: label.into() }
+        Rule { vertical: true, at, label: label.into(), between: None }
     }
 
     /// Horizontal, at a value of y.
     pub fn y(at: f64, label: impl Into<String>) -> Self {
-        Rule { vertical: false, at, label: label.into() }
+        Rule { vertical: false, at, label: label.into(), between: None }
+    }
+
+    /// Adds two values of the same axis to the label, before its factor.
+    pub fn between(mut self, from: f64, to: f64) -> Self {
+        self.between = Some((from, to));
+        self
     }
 }
 

@@ -64,7 +64,7 @@ const BLUE_RED: [[u8; 3]; 11] = [
 
 /// Vermilion to green, of colours that the colour-blind tell apart.
 const FORBIDDEN_ALLOWED: [[u8; 3]; 7] =
-    [[158, 62, 8], [213, 110, 50], [247, 215, 195], [247, 247, 247], [196, 232, 216], [74, 178, 142], [0, 96, 70]];
+    [[224, 138, 92], [236, 174, 140], [246, 214, 196], [247, 247, 247], [190, 230, 212], [84, 184, 148], [0, 128, 94]];
 
 fn ramp(anchors: &[[u8; 3]], t: f64) -> [u8; 3] {
     let s = t.clamp(0.0, 1.0) * (anchors.len() - 1) as f64;

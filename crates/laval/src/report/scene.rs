@@ -314,13 +314,20 @@ impl Build<'_> {
                     let of = if m.class.is_some() { 1 } else { groups.len() };
                     for (k, (g, class)) in groups.into_iter().enumerate() {
                         let label = class.as_ref().unwrap_or(&g.name);
-                        let colour = if m.reference || m.muted.contains(&label.as_str()) { Colour::Muted } else { self.colour(label, k, of) };
+                        let colour = match m.reference {
+                            // modes without a legend are drawn like reference lines, and are none
+                            true if m.group.is_none() => Colour::Slot(6),
+                            true => Colour::Muted,
+                            false if m.muted.contains(&label.as_str()) => Colour::Muted,
+                            false if m.ink => Colour::Slot(6),
+                            false => self.colour(label, k, of),
+                        };
                         // curves on a heat map are black
                         let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(_)));
                         let glyph = if on_heat { Glyph::Contour } else { Glyph::Line };
                         let entry = (!m.reference).then(|| self.entry(label, colour, glyph));
                         let place = |i: usize| (xs[i], ys[i]);
-                        let at = |i: usize| if valid.as_ref().is_none_or(|v| v[i]) { place(i) } else { (xs[i], f64::NAN) };
+                        let at = |i: usize| if valid.as_ref().is_none_or(|v| v[i]) { place(i) } else { (f64::NAN, f64::NAN) };
                         if let Some(valid) = &valid {
                             let points = split(&g.rows, place, valid, begins.as_deref()).1;
                             if !points.is_empty() {
@@ -432,7 +439,10 @@ impl Build<'_> {
                 Mark::Rule(m) => {
                     let at = m.at * if m.vertical { fx } else { fy };
                     if at.is_finite() {
-                        view.rules.push(RuleView { vertical: m.vertical, at, label: m.label.clone() });
+                        let factor = if m.vertical { fx } else { fy };
+                        let ends: Vec<String> = m.between.iter().flat_map(|(a, b)| [a, b]).map(|v| significant(v * factor, 4)).collect();
+                        let label = [m.label.clone(), ends.join(" to ")].join(" ").trim_end().to_string();
+                        view.rules.push(RuleView { vertical: m.vertical, at, label });
                     }
                 }
                 Mark::Text(m) => view.texts.push((m.x * fx, m.y * fy, m.text.clone())),

@@ -129,7 +129,7 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
         if !forbidden.is_empty() {
             let _ = write!(
                 s,
-                r##"<pattern id="{id}-h" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path stroke="#6b2a05" stroke-width="1.4" stroke-opacity="0.5" d="M0 0v7"/></pattern><path class="hatch" fill="url(#{id}-h)" shape-rendering="auto" d="{forbidden}"/>"##
+                r##"<pattern id="{id}-h" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path stroke="#8a3a0c" stroke-width="1.3" stroke-opacity="0.55" d="M0 0v7"/></pattern><path class="hatch" fill="url(#{id}-h)" shape-rendering="auto" d="{forbidden}"/>"##
             );
         }
         s.push_str("</g>");
@@ -183,13 +183,16 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
         draw_series(s, i, series, &points, column, on_heat);
     }
     s.push_str(r#"</g><g class="tf">"#);
+    // dark rules cannot be seen on the low end of a ramp
+    let on_map = p.heat.as_ref().is_some_and(|h| h.classes.is_empty() && !h.diverging);
     for r in &p.rules {
         let (a, c) = if r.vertical { (scene.x.place(r.at), 0.0) } else { (0.0, p.y.place(r.at)) };
         if a.is_finite() && c.is_finite() {
             let d = if r.vertical { format!("M{} {sy}v{sh}", px(x0 + a * w)) } else { format!("M{sx} {}h{sw}", px(y0 + (1.0 - c) * h)) };
             let _ = write!(
                 s,
-                r##"<path class="ru" stroke="#333333" stroke-width="1.1" stroke-dasharray="1.5 3" stroke-linecap="round" vector-effect="non-scaling-stroke" d="{d}"><title>{}</title></path>"##,
+                r##"<path {} stroke-width="1.1" stroke-dasharray="1.5 3" stroke-linecap="round" vector-effect="non-scaling-stroke" d="{d}"><title>{}</title></path>"##,
+                if on_map { r##"stroke="#ffffff" stroke-opacity="0.6""## } else { r##"class="ru" stroke="#333333""## },
                 escape(&r.label)
             );
         }
@@ -267,12 +270,17 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
     let stroke = if series.reference {
         1.0
     } else if series.colour == Colour::Muted {
-        1.2
+        0.9
     } else { 1.8 + NEST * series.below as f64
     };
     match series.kind {
         Kind::Solid | Kind::Dashed => {
-            let dash = if series.kind == Kind::Dashed { r#" stroke-dasharray="6 4""# } else { "" };
+            let dash = match series.kind {
+                Kind::Dashed => r#" stroke-dasharray="6 4""#,
+                // excitation lines differ from curves that lie close to them
+                _ if series.reference && series.colour == Colour::Slot(6) => r#" stroke-dasharray="9 3 2 3""#,
+                _ => "",
+            };
             let hex = if on_heat && series.colour == Colour::Slot(0) { "#000000" } else { &hex };
             let _ = write!(
                 s,

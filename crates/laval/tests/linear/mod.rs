@@ -10,6 +10,7 @@ mod modes;
 mod nonlinear_forces;
 mod one_speed;
 mod optimum;
+mod overview;
 mod parts_physics;
 mod pure_tilt;
 mod response;

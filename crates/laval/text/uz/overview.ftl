@@ -182,3 +182,4 @@ page-reset = Masshtabni tiklash
 page-yes = ha
 page-no = yo‘q
 vibration-unstable = barqaror tebranish yo‘q: mashina noturg‘un
+why-same = xuddi shu sababga ko‘ra mavjud emas

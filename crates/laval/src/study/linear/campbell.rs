@@ -18,6 +18,7 @@ use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use super::operating::operating;
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
@@ -146,8 +147,22 @@ pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64
     Ok((found, context.end(whole)))
 }
 
-/// Modes that have a name and a colour of their own in the figure, at most.
-const MOST_NAMED: usize = 8;
+/// Modes that the figure names at the ends of their curves, and the text beside it, at most.
+const MOST_NAMED: usize = 14;
+
+/// How the figure draws a mode: by its direction of whirl, or grey where it does not show as a resonance or is one of many waves.
+const MOTIONS: &[&str] = &[WHIRLS[0], WHIRLS[1], WHIRLS[2], WHIRLS[3], DAMPED, WAVES];
+const GREY: &[&str] = &[DAMPED, WAVES];
+/// Beyond [`HEAVY`].
+const DAMPED: &str = "damping ratio above 0.2";
+/// Amplification 2.5: API 684 counts such a mode as critically damped.
+const HEAVY: f64 = 0.2;
+const WAVES: &str = "waves of the liquid";
+/// Spread of frequency over speed, and of the speeds, up to which, and from which on, a mode follows the speed as a wave does.
+const FOLLOWS: f64 = 0.05;
+const SPREAD: f64 = 1.3;
+/// Orders that are drawn whether or not critical speeds are sought on them.
+const GUIDES: [f64; 2] = [1.0, 2.0];
 
 impl Study for Campbell {
     type Result = CampbellResult;
@@ -290,6 +305,25 @@ impl<'a> Shown<'a> {
         format!("{} {words}", k + 1)
     }
 
+    /// Its frequency is a fixed multiple of the speed: a wave of a liquid that turns with the rotor, which hardly moves the machine.
+    fn wave(&self, k: usize) -> bool {
+        let points = self.result.branches[k].points.iter().filter(|p| p.0 != 0.0);
+        let range = |f: &dyn Fn(&(f64, MachineMode)) -> f64| {
+            points.clone().map(f).fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)))
+        };
+        let (ratios, speeds) = (range(&|p| p.1.frequency() / p.0.abs()), range(&|p| p.0.abs()));
+        transcendental(self.system) && speeds.1 > SPREAD * speeds.0 && ratios.1 - ratios.0 < FOLLOWS * ratios.1
+    }
+
+    fn motion(&self, row: &Row, waves: &[bool]) -> &'static str {
+        let (k, w, m) = row;
+        match m.whirl.at(*w).word() {
+            _ if waves[*k] && self.within(m, self.study.threshold) => WAVES,
+            _ if m.frequency() > 0.0 && m.damping_ratio() > HEAVY => DAMPED,
+            whirl => whirl,
+        }
+    }
+
     fn within(&self, m: &MachineMode, limit: f64) -> bool {
         m.growth() <= limit + self.rounding.max(if m.error.is_nan() { 0.0 } else { m.error })
     }
@@ -337,6 +371,7 @@ impl<'a> Shown<'a> {
 
     fn modes_table(&self) -> Result<Table, Diagnostic> {
         let rows = &self.rows;
+        let waves: Vec<bool> = (0..self.result.branches.len()).map(|k| self.wave(k)).collect();
         let column = |f: fn(&MachineMode) -> f64| rows.iter().map(|r| f(r.2)).collect::<Vec<f64>>();
         Table::new("modes", "Modes followed over the spin speed")
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1).collect())
@@ -349,6 +384,11 @@ impl<'a> Shown<'a> {
                 "direction of whirl; none without oscillation across the axis, and at standstill",
                 rows.iter().map(|r| r.2.whirl.at(r.1).word().into()).collect(),
             )
+            .text(
+                "motion",
+                "direction of whirl, or that the mode is damped heavily or follows the speed as a wave",
+                rows.iter().map(|r| self.motion(r, &waves).into()).collect(),
+            )
             .flag("stable", "growth rate not above growth_threshold", rows.iter().map(|r| self.within(r.2, self.study.threshold)).collect())
             .build()
             .map_err(inconsistent)
@@ -358,10 +398,18 @@ impl<'a> Shown<'a> {
         let (from, to) = (self.study.speed.from, self.study.speed.to);
         let speeds = [from, 0f64.clamp(from, to), to];
         let mut lines = Table::new("excitation", "Excitation lines").float("speed", "rad/s", "spin speed", speeds.to_vec());
-        for k in &self.study.orders {
+        for k in &self.drawn_orders() {
             lines = lines.float(format!("{k}x"), "rad/s", "frequency of this order", speeds.map(|w| k * w.abs()).to_vec());
         }
         lines.build().map_err(inconsistent)
+    }
+
+    /// Those on which critical speeds are sought, and once and twice the speed.
+    fn drawn_orders(&self) -> Vec<f64> {
+        let mut orders = self.study.orders.clone();
+        orders.extend(GUIDES.into_iter().filter(|g| !self.study.orders.contains(g)));
+        orders.sort_by(f64::total_cmp);
+        orders
     }
 
     fn figure(&self) -> Figure {
@@ -370,17 +418,21 @@ impl<'a> Shown<'a> {
         let (top, outside) = shown(branches, highest * range.from.abs().max(range.to.abs()));
         let axis = Axis::new("frequency", "rad/s");
         let axis = if outside.is_empty() { axis } else { axis.range(0.0, top) };
-        // a legend of more lines is a wall: then the direction of whirl names and colours them
-        let line = |y: &str| {
-            let line = Line::new("modes", "speed", y).group("mode").solid_where("stable");
-            if branches.len() > MOST_NAMED { line.classes("whirl", WHIRLS) } else { line }
-        };
-        let mut frequency = Panel::new(axis).mark(line("frequency"));
-        for k in &self.study.orders {
+        let line = |y: &str| Line::new("modes", "speed", y).group("mode").solid_where("stable").classes("motion", MOTIONS).muted(GREY);
+        let named = (0..branches.len()).filter(|k| !branches[*k].points.is_empty() && !outside.contains(k) && !self.wave(*k));
+        let named: Vec<(String, String)> = named.map(|k| (self.label(k), format!("mode {}", k + 1))).collect();
+        let named = if named.len() > MOST_NAMED { Vec::new() } else { named };
+        let operating = operating(self.system, range.from, range.to);
+        let mut frequency = Panel::new(axis).height(1.5);
+        frequency = operating.iter().fold(frequency, |p, o| p.mark(o.margin()).mark(o.rule()));
+        frequency = frequency.mark(line("frequency").ends(named));
+        for k in &self.drawn_orders() {
             frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
         }
         frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
-        let growth = Panel::new(Axis::new("growth rate", "1/s")).mark(line("growth")).mark(Rule::y(self.threshold, "threshold"));
+        let growth = Panel::new(Axis::new("growth rate", "1/s"));
+        let growth = operating.iter().fold(growth, |p, o| p.mark(o.margin()).mark(o.rule()));
+        let growth = growth.mark(line("growth")).mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));
         let alt = format!(
             "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.{}",
             branches.len(),

@@ -11,12 +11,11 @@
 
 use super::campbell::{ORDERS, critical, critical_table, damping, follow, order, orders, special};
 use super::growing::{Follows, unstable};
-use super::modes::WHIRLS;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table};
+use crate::outcome::{Arg, End, Finding, Outcome, SpecialPoint, Table};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Curve, Extremum, above, curve, seeds};
@@ -116,9 +115,6 @@ margin = 0.15
             outcome = outcome.finding(f);
         }
         outcome = outcome.table(critical_table(&result.crossings)?).table(shown.peak_table()?);
-        if !result.crossings.is_empty() {
-            outcome = outcome.figure(shown.figure());
-        }
         outcome.checked().map_err(inconsistent)
     }
 }
@@ -288,17 +284,6 @@ impl Shown<'_> {
             .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))
             .build()
             .map_err(inconsistent)
-    }
-
-    fn figure(&self) -> Figure {
-        let mut panel = Panel::new(Axis::new("damping ratio", ""))
-            .mark(Points::new("critical_speeds", "speed", "damping_ratio").classes("whirl", WHIRLS));
-        if let Some(w) = self.system.machine.speed {
-            panel = panel.mark(Rule::x(w, "operating speed"));
-        }
-        let alt = format!("Damping ratio at each of {} critical speeds.", self.result.crossings.len());
-        let range = &self.study.speed;
-        Figure::new("critical_speeds", "Critical speeds", alt).x(Axis::new("spin speed", "rad/s").range(range.from, range.to)).panel(panel)
     }
 }
 

@@ -7,5 +7,6 @@ pub mod critical_speeds;
 pub mod forced_response;
 pub(in crate::study) mod growing;
 pub mod modes;
+pub(in crate::study) mod operating;
 pub mod stability_map;
 pub(in crate::study) mod whirl;

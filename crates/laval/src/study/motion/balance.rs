@@ -160,15 +160,15 @@ pub(in crate::study) fn slips(system: &System, trajectory: &Trajectory, t: f64, 
     inside.map(|(i, _)| (state(last)[i] - state(first)[i]).abs()).any(|turned| turned > TAU * ROUND)
 }
 
-/// Unwrapped angles of what moves in the rotor, against time.
+/// Angles of what moves in the rotor, against time.
 fn angles(system: &System) -> Option<Figure> {
     let inside: Vec<&str> =
         system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad").map(|c| c.name.as_str()).collect();
-    let mut panel = Panel::new(Axis::new("angle", "rad"));
+    let mut panel = Panel::new(Axis::new("angle in the rotor", "°").factor(360.0 / TAU).range(-180.0, 180.0));
     for name in &inside {
-        panel = panel.mark(Line::new("motion", "t", *name).name(*name));
+        panel = panel.mark(Line::new("motion", "t", *name).wrapped().name(*name));
     }
-    let text = "Angles inside the rotor against time, turns counted: balls from the node line, tilts of free rings.";
+    let text = "Angles inside the rotor against time, from -180 to 180 degrees: balls from the node line, tilts of free rings.";
     (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", text).x(Axis::new("time", "s")).panel(panel))
 }
 

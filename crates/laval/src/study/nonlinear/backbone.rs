@@ -12,7 +12,7 @@
 
 use super::free_motion::{
     FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,
-    trust_columns, unfinished,
+    VALID, trust_columns, unfinished,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -350,7 +350,7 @@ impl Shown<'_> {
     fn figure(&self) -> Figure {
         let most = self.found.amplitudes.1;
         let mut panel = Panel::new(Axis::new("amplitude of the deflection", "m").metres(most))
-            .mark(Line::new("backbone", "frequency", "amplitude").group("begins"));
+            .mark(Line::new("backbone", "frequency", "amplitude").group("begins").valid_where(VALID));
         let w = self.request.speed;
         let shown = self.found.families.iter().flat_map(|f| &f.motions).map(|m| m.frequency);
         let (least, highest) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));

@@ -163,6 +163,15 @@ pub(in crate::study) fn trust_columns(
             "largest use of a part's validity; above 1 is outside; NaN when it could not be had",
             measured.iter().map(|m| m.uses.as_ref().map_or(f64::NAN, |u| u.worst(system).0)).collect(),
         )
+        .flag(VALID, "every part is inside its validity", measured.iter().map(|m| valid(system, m)).collect())
+}
+
+/// Column of [`valid`].
+pub(in crate::study) const VALID: &str = "valid";
+
+/// Every part is inside its validity in a motion; not where that is not known.
+pub(in crate::study) fn valid(system: &System, m: &Measured) -> bool {
+    m.uses.as_ref().is_some_and(|u| u.worst(system).0 <= 1.0)
 }
 
 /// That automatic orders leave out more than was requested at the worst motion.

@@ -11,8 +11,8 @@
 //! Sources: `docs/theory/free-motions.md#limit-cycles`; J. E. Marsden, M. McCracken, The Hopf Bifurcation (1976).
 
 use super::free_motion::{
-    FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,
-    trust_columns, unfinished,
+    FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, VALID, body_columns, constant_speed, end, in_order, invalid, read,
+    short, trust_columns, unfinished, valid,
 };
 use super::nonlinear_response::{holder, unassessed};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -286,9 +286,15 @@ impl Shown<'_> {
                     continue;
                 }
                 let kind = self.kind();
-                let largest = self.measured[k][a..=b].iter().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
+                let (m, largest) = self.measured[k][a..=b].iter().map(|m| (m, self.reach(m, kind).1)).fold((None, 0.0), |best, (m, r)| {
+                    if r > best.1 { (Some(m), r) } else { best }
+                });
+                let finding = match m {
+                    Some(m) if !valid(self.system, m) => Finding::invalid("whirl_beside_rest", "limit-cycles-bistable-invalid"),
+                    _ => Finding::warning("whirl_beside_rest", "limit-cycles-bistable"),
+                };
                 out.push(
-                    Finding::warning("whirl_beside_rest", "limit-cycles-bistable")
+                    finding
                         .of(format!("family {}", k + 1))
                         .value(largest, kind.unit())
                         .arg("from", Arg::speed(lo))
@@ -305,11 +311,20 @@ impl Shown<'_> {
         let number = || Arg::count(k + 1);
         let stable = f.cycles.iter().zip(&self.measured[k]).filter(|(c, _)| c.stable());
         let kind = self.kind();
-        let largest = stable.map(|(c, m)| (c, self.reach(m, kind))).max_by(|a, b| a.1.1.total_cmp(&b.1.1));
-        if let Some((c, (body, r))) = largest {
+        let sizes: Vec<_> = stable.map(|(c, m)| (c, self.reach(m, kind), valid(self.system, m))).collect();
+        let most = |only_valid: bool| sizes.iter().filter(|s| s.2 || !only_valid).max_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        if let Some(&(c, (body, r), inside)) = most(false) {
+            let mut finding = match inside {
+                true => Finding::info("largest_whirl", "limit-cycles-largest"),
+                false => Finding::invalid("largest_whirl", "limit-cycles-largest-invalid"),
+            };
+            if let (false, Some((c, (_, r), _))) = (inside, most(true)) {
+                let note = Message::new("limit-cycles-largest-valid").arg("size", Arg::quantity(*r, kind.unit()));
+                finding.notes.push(note.arg("speed", Arg::speed(c.speed)));
+            }
             let trivial = f.cycles.iter().map(|c| c.trivial).fold(0.0, f64::max);
             out.push(
-                Finding::info("largest_whirl", "limit-cycles-largest")
+                finding
                     .of(&name)
                     .value(r, kind.unit())
                     .arg("family", number())
@@ -424,14 +439,20 @@ impl Shown<'_> {
     fn figure(&self) -> Figure {
         let found = self.found;
         let kind = self.kind();
-        let most = self.measured.iter().flatten().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
+        // sizes outside the validity of a part are no results: grey, beyond the axis
+        let inside = || self.measured.iter().flatten().any(|m| valid(self.system, m));
+        let seen = |m: &&Measured| !inside() || valid(self.system, m);
+        let most = self.measured.iter().flatten().filter(seen).map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
         // one family needs no number in the legend
         let grouped = |line: Line| if found.families.len() > 1 { line.group("family") } else { line.name("whirl") };
         let assessed = found.unassessed.is_none();
-        let marked = |line: Line| if assessed { line.solid_where("stable") } else { line };
+        let marked = |line: Line| {
+            let line = line.valid_where(VALID);
+            if assessed { line.solid_where("stable") } else { line }
+        };
         // families of very different size are seen together on a logarithmic axis
-        let largest = |m: &Vec<Measured>| m.iter().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
-        let least = self.measured.iter().map(largest).fold(f64::INFINITY, f64::min);
+        let largest = |m: &Vec<Measured>| m.iter().filter(seen).map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
+        let least = self.measured.iter().map(largest).filter(|l| *l > 0.0).fold(f64::INFINITY, f64::min);
         let (column, unit) = (kind.column(), if kind.is_tilt() { "mrad" } else { "m" });
         let axis = if most > 20.0 * least { Axis::log(column, unit) } else { Axis::new(column, unit) };
         let mut panel = Panel::new(if kind.is_tilt() { axis.factor(1e3) } else { axis.metres(most) });
@@ -448,6 +469,8 @@ impl Shown<'_> {
             found.families.len(),
             found.onsets.len()
         );
-        Figure::new("cycles", "Self-excited whirls", alt).x(Axis::new("spin speed", "rad/s")).panel(panel).panel(frequency)
+        let speeds = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.speed);
+        let (lo, hi) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)));
+        Figure::new("cycles", "Self-excited whirls", alt).x(Axis::new("spin speed", "rad/s").range(lo, hi)).panel(panel).panel(frequency)
     }
 }

@@ -14,7 +14,7 @@ const MOST_NAMED: usize = 3;
 
 /// All checks that apply to this machine.
 pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
-    let Some(speed) = facts.operating else { return Vec::new() };
+    let Some(speed) = facts.operating.map(f64::abs) else { return Vec::new() };
     if facts.balls {
         let mut out = vec![balanced(facts, speed), validity(facts)];
         out.extend(balls(facts));
@@ -93,6 +93,7 @@ fn balanced(facts: &Facts, speed: f64) -> Check {
     }
     let range = |id: &str| {
         let all = found.iter().filter(|f| f.id == id).filter_map(|f| Some((f.number("from")?, f.value?)));
+        let all = all.map(|(a, b)| (facts.sign * a, facts.sign * b)).map(|(a, b)| (a.min(b), a.max(b)));
         all.filter(|(from, to)| (from..=to).contains(&&speed)).max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
     };
     let of = |key: &str, (from, to): (f64, f64)| Message::new(key).arg("from", Arg::speed(from)).arg("to", Arg::speed(to));

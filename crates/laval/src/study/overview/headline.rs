@@ -8,7 +8,7 @@ use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Unstable, Verdict
 const MOST: usize = 3;
 
 pub(super) fn headline(facts: &Facts, page: &mut Overview) {
-    let Some(speed) = facts.operating else {
+    let Some(speed) = facts.operating.map(f64::abs) else {
         page.verdict = Verdict::NotComputed;
         page.headline = vec![Message::new("headline-no-speed")];
         page.next = vec![Message::new("next-speed")];

@@ -13,6 +13,7 @@ mod over_speed;
 mod shapes;
 
 use crate::diagnostic::Diagnostic;
+use crate::model::field::RangeValue;
 use crate::model::system::System;
 use crate::outcome::{Message, Outcome, Overview};
 use crate::study::linear::criterion::Criterion;
@@ -85,7 +86,10 @@ pub(super) struct Facts<'a> {
     modes: Option<(Modes, Known<ModesResult>)>,
     /// Response at the operating speed.
     response: Option<Known<ForcedResponseResult>>,
+    /// Range of the page, amounts of the speed.
     range: (f64, f64),
+    /// Direction of the rotation, 1 or -1.
+    sign: f64,
     stability: Known<StabilityMapResult>,
     criticals: Known<CriticalSpeedsResult>,
     /// Where critical speeds are not known: the response over the range.
@@ -97,15 +101,18 @@ pub(super) struct Facts<'a> {
 /// The first page. `speeds`: what the studies of the file cover.
 pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], context: &Context) -> Overview {
     let operating = system.machine.speed.filter(|w| *w != 0.0);
-    let range = range(operating, speeds);
-    let speed = crate::model::field::RangeValue { from: range.0, to: range.1, points: Some(POINTS) };
+    // of a rotor that turns the other way round the page shows the amounts of the speeds
+    let sign = operating.map_or(1.0, f64::signum);
+    let range = range(operating, sign, speeds);
+    let ends = [sign * range.0, sign * range.1];
+    let speed = RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(POINTS) };
     let wide = speed.clone();
     let modes = operating.map(|speed| {
         let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
         let known = within(&study, system, context);
         (study, known)
     });
-    let one = |w: f64| crate::model::field::RangeValue { from: w, to: w, points: Some(1) };
+    let one = |w: f64| RangeValue { from: w, to: w, points: Some(1) };
     let response = operating.map(|w| within(&ForcedResponse { speed: one(w) }, system, context));
     let map = StabilityMap {
         speed: speed.clone(),
@@ -126,9 +133,9 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     };
     let balls = system.slots().iter().any(|s| s.part.movable_masses().is_some());
     let facts =
-        Facts { system, operating, limits: limits::of(system), outcomes, modes, response, range, stability, criticals, forced, balls };
+        Facts { system, operating, limits: limits::of(system), outcomes, modes, response, range, sign, stability, criticals, forced, balls };
     let mut out = Overview {
-        operating,
+        operating: operating.map(f64::abs),
         over_speed: over_speed::over_speed(&facts),
         modes: shapes::modes(&facts),
         machine: machine::blocks(system),
@@ -140,8 +147,9 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
 }
 
 /// The range shown: that of the studies of the file, with the operating speed well inside.
-fn range(operating: Option<f64>, speeds: &[SpinSpeeds]) -> (f64, f64) {
-    let wide = speeds.iter().filter(|s| s.to > s.from && s.from >= 0.0);
+fn range(operating: Option<f64>, sign: f64, speeds: &[SpinSpeeds]) -> (f64, f64) {
+    let turned = speeds.iter().map(|s| SpinSpeeds::between(sign * s.from, sign * s.to));
+    let wide = turned.filter(|s| s.to > s.from && s.from >= 0.0);
     let (mut from, mut to) = wide.fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(s.from), b.max(s.to)));
     if let Some(w) = operating.map(f64::abs) {
         from = from.min(0.2 * w);

@@ -15,14 +15,14 @@ const SMALL: f64 = 0.02;
 pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
     if let Some(row) = facts.stability.get().and_then(|r| r.rows.first()) {
-        out.unstable = unstable(row, facts.range);
-        (out.growth_speed, out.growth) = row.samples.iter().map(|s| (s.speed, s.value.re)).unzip();
+        out.unstable = unstable(row, facts);
+        (out.growth_speed, out.growth) = row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).unzip();
     }
     let forced = facts.forced.as_ref().map(|f| &f.curve);
     if facts.criticals.get().is_some() || forced.is_some() {
         match facts.criticals.get().map_or(forced, |found| found.response.as_ref()) {
             Some(curve) => {
-                out.response_speed = curve.points.iter().map(|p| p.speed).collect();
+                out.response_speed = curve.points.iter().map(|p| facts.sign * p.speed).collect();
                 let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
                 let size = |p| curve.points.iter().map(|r| r.size(p)).collect();
                 out.amplitudes = bodies.map(|p| (p.name.clone(), size(p))).collect();
@@ -35,10 +35,16 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
                     .into_iter()
                     .flat_map(|found| &found.crossings)
                     .filter(|c| c.located() && damping(c).abs() < LIGHT);
-                out.resonances = light.map(|c: &Critical| Resonance { speed: c.speed, amplitude: None }).collect();
+                out.resonances = light.map(|c: &Critical| Resonance { speed: facts.sign * c.speed, amplitude: None }).collect();
             }
         }
         out.resonances.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    }
+    if facts.sign < 0.0 {
+        out.growth_speed.reverse();
+        out.growth.reverse();
+        out.response_speed.reverse();
+        out.amplitudes.iter_mut().for_each(|a| a.1.reverse());
     }
     let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty());
     known.then_some(out)
@@ -54,34 +60,38 @@ fn peaks(facts: &Facts, curve: &crate::solve::extrema::Curve) -> Vec<Resonance> 
     let mut sorted = maxima.clone();
     sorted.sort_by(|a, b| size(b).total_cmp(&size(a)));
     for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest) {
-        if out.iter().any(|r| (r.speed - e.speed).abs() < 0.02 * e.speed.abs()) {
+        if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < 0.02 * e.speed.abs()) {
             continue;
         }
         let amplitude =
             (!probes[e.probe].is_tilt()).then(|| (probes[e.probe].name.clone(), if e.unbounded { f64::INFINITY } else { e.value }));
-        out.push(Resonance { speed: e.speed, amplitude });
+        out.push(Resonance { speed: facts.sign * e.speed, amplitude });
     }
     out
 }
 
 /// Ranges above the threshold, with what grows most in each.
-fn unstable(row: &Row, range: (f64, f64)) -> Vec<Unstable> {
+fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
+    let sign = facts.sign;
     let one = |(from, to): (f64, f64)| {
         let samples = row.samples.iter().filter(|s| (from..=to).contains(&s.speed)).map(|s| s.value);
         let peaks = row.peaks.iter().filter(|p| (from..=to).contains(&p.speed)).map(|p| p.value);
         let edges = row.edges.iter().filter(|e| e.speed == from || e.speed == to).map(|e| e.value);
         let worst = samples.chain(peaks).chain(edges).max_by(|a, b| a.re.total_cmp(&b.re))?;
-        let open = (from <= range.0, to >= range.1 && !row.stopped);
-        Some(Unstable { from, to, open, growth: worst.re, frequency: worst.im.abs() })
+        let (low, high) = if sign > 0.0 { (from, to) } else { (-to, -from) };
+        let open = (low <= facts.range.0, high >= facts.range.1 && !row.stopped);
+        Some(Unstable { from: low, to: high, open, growth: worst.re, frequency: worst.im.abs() })
     };
-    row.unstable_ranges(0.0).into_iter().filter_map(one).collect()
+    let mut out: Vec<Unstable> = row.unstable_ranges(0.0).into_iter().filter_map(one).collect();
+    out.sort_by(|a, b| a.from.total_cmp(&b.from));
+    out
 }
 
 /// Speeds of the jumps that a nonlinear response of the file found.
 fn jumps(facts: &Facts) -> Vec<f64> {
     let responses = facts.outcomes.iter().filter(|o| o.kind == "nonlinear_response");
     let found = responses.flat_map(|o| &o.findings).filter(|f| f.id == "jump_up" || f.id == "jump_down");
-    let mut out: Vec<f64> = found.filter_map(|f| f.value).collect();
+    let mut out: Vec<f64> = found.filter_map(|f| f.value).map(|w| facts.sign * w).filter(|w| *w > 0.0).collect();
     out.sort_by(f64::total_cmp);
     out
 }

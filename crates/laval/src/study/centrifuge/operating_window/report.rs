@@ -68,7 +68,7 @@ impl<'a> Shown<'a> {
             }
         }
         let mut build = || -> Built<()> {
-            let mut made = out.clone().table(self.margins_table()?).table(self.points_table()?).table(self.intervals_table()?);
+            let mut made = out.clone().table(self.margins_table()?).table(self.bars_table()?).table(self.points_table()?).table(self.intervals_table()?);
             if let Some(t) = self.trade_table()? {
                 made = made.table(t);
             }

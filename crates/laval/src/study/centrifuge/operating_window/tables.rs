@@ -29,6 +29,55 @@ impl Shown<'_> {
             .build()
     }
 
+    /// Requirements evaluated, in the order they are shown.
+    pub fn required(&self) -> Vec<usize> {
+        let points = &self.found.main.points;
+        (0..NAMES.len()).filter(|k| points.iter().any(|p| p.margins.iter().any(|m| m.name == *k))).collect()
+    }
+
+    /// Ranges of speed in which each requirement is kept, and in which it is not: bars of the figure.
+    pub fn bars_table(&self) -> Built<Table> {
+        let required = self.required();
+        let (mut speed, mut names) = (Vec::new(), Vec::new());
+        let mut sides: [Vec<f64>; 4] = Default::default();
+        for (k, &name) in required.iter().enumerate() {
+            let value = |p: &Point| p.margins.iter().find(|m| m.name == name).map_or(f64::NAN, |m| m.value);
+            let points: Vec<(f64, f64)> = self.found.main.points.iter().map(|p| (p.speed, value(p))).collect();
+            let place = (required.len() - k) as f64;
+            let mut from = points.first().map_or(f64::NAN, |p| p.0);
+            let mut rest = &points[..];
+            while let Some(first) = rest.first() {
+                let kept = first.1 >= 0.0;
+                let run = rest.iter().take_while(|p| (p.1 >= 0.0) == kept).count();
+                let to = match (rest[run - 1], rest.get(run)) {
+                    (a, None) => a.0,
+                    // where the margin is zero between two speeds, or half way to one without a margin
+                    (a, Some(b)) if a.1.is_finite() && b.1.is_finite() => a.0 + (b.0 - a.0) * a.1 / (a.1 - b.1),
+                    (a, Some(b)) => 0.5 * (a.0 + b.0),
+                };
+                let half = if kept { 0.34 } else { 0.2 };
+                for w in [from, to, f64::NAN] {
+                    speed.push(w);
+                    names.push(NAMES[name].to_string());
+                    let own = [place - half, place + half];
+                    let none = [f64::NAN; 2];
+                    let [good, bad] = if kept { [own, none] } else { [none, own] };
+                    sides.iter_mut().zip([good[0], good[1], bad[0], bad[1]]).for_each(|(s, v)| s.push(v));
+                }
+                (from, rest) = (to, &rest[run..]);
+            }
+        }
+        let [good_low, good_high, bad_low, bad_high] = sides;
+        Table::new("requirements", "Ranges of speed in which each requirement is kept: bars of the figure")
+            .float("speed", "rad/s", "ends of a range; NaN between ranges", speed)
+            .text("requirement", "name of the requirement", names)
+            .float("kept low", "", "lower side of the bar where it is kept", good_low)
+            .float("kept high", "", "upper side", good_high)
+            .float("broken low", "", "lower side of the bar where it is not kept", bad_low)
+            .float("broken high", "", "upper side", bad_high)
+            .build()
+    }
+
     pub fn points_table(&self) -> Built<Table> {
         let p = &self.found.main.points;
         let column = |f: &dyn Fn(&Point) -> f64| p.iter().map(|x| finite(f(x))).collect::<Vec<f64>>();

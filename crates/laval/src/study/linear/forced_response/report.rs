@@ -4,14 +4,20 @@ use super::{ForcedResponse, ForcedResponseResult, largest};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity, significant};
 use crate::solve::extrema::Extremum;
 use crate::solve::linear_response::Response;
 use crate::solve::pencil::time_forms;
 use crate::study::Study;
 use crate::study::linear::growing::{Follows, unstable};
+use crate::study::linear::operating::operating;
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
+
+/// Peaks that the figure labels, at most; bodies peak at one speed within this share of it; a factor of amplification beyond this says that nothing damps.
+const LABELLED: usize = 4;
+const ONE_PEAK: f64 = 0.02;
+const SHARPEST: f64 = 1e4;
 
 pub(super) struct Shown<'a> {
     study: &'a ForcedResponse,
@@ -241,8 +247,65 @@ impl<'a> Shown<'a> {
             .float("speed", "rad/s", "spin speed", extrema.iter().map(|e| e.speed).collect())
             .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
             .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))
+            .float(
+                "amplification",
+                "",
+                "speed of a resonance over the width of its peak at 0.707 of its height (API 684); NaN where the response does not fall so far on both sides",
+                extrema.iter().map(|e| self.amplification(e)).collect(),
+            )
+            .float_if_any(
+                "separation",
+                "",
+                "distance of a resonance from the operating speed, over the operating speed; NaN of an antiresonance",
+                extrema.iter().map(|e| self.separation(e)).collect(),
+            )
             .build()
             .map_err(inconsistent)
+    }
+
+    /// Speed of a peak over its width at half power.
+    fn amplification(&self, e: &Extremum) -> f64 {
+        if !e.maximum || e.unbounded || !e.value.is_finite() {
+            return f64::NAN;
+        }
+        let (probe, points) = (&self.probes()[e.probe], self.points());
+        let level = e.value / std::f64::consts::SQRT_2;
+        let beyond = points.partition_point(|r| r.speed <= e.speed);
+        // the speed at which the amplitude has fallen to the level, from the peak outwards
+        let falls = |side: &mut dyn Iterator<Item = &Response>| {
+            let mut before = (e.speed, e.value);
+            for r in side {
+                let here = (r.speed, r.size(probe));
+                if here.1 <= level {
+                    return before.0 + (here.0 - before.0) * (before.1 - level) / (before.1 - here.1);
+                }
+                before = if here.1.is_finite() { here } else { return f64::NAN };
+            }
+            f64::NAN
+        };
+        let (low, high) = (falls(&mut points[..beyond].iter().rev()), falls(&mut points[beyond..].iter()));
+        e.speed.abs() / (high - low).abs()
+    }
+
+    /// Distance of a peak from the operating speed, over it.
+    fn separation(&self, e: &Extremum) -> f64 {
+        let operating = self.system.machine.speed.filter(|w| *w != 0.0 && e.maximum);
+        operating.map_or(f64::NAN, |w| (e.speed - w).abs() / w.abs())
+    }
+
+    /// The highest peaks at different speeds, with their factors of amplification.
+    fn peaks(&self) -> Vec<(f64, String)> {
+        let mut found: Vec<&Extremum> =
+            self.result.curve.extrema.iter().filter(|e| e.maximum && !e.unbounded && !self.probes()[e.probe].is_tilt()).collect();
+        found.sort_by(|a, b| b.value.total_cmp(&a.value));
+        let mut out: Vec<(f64, String)> = Vec::new();
+        for e in found {
+            let factor = self.amplification(e);
+            if factor.is_finite() && factor < SHARPEST && out.len() < LABELLED && out.iter().all(|o| (o.0 / e.speed - 1.0).abs() > ONE_PEAK) {
+                out.push((e.speed, format!("AF {}", significant(factor, 2))));
+            }
+        }
+        out
     }
 
     fn figure(&self) -> Figure {
@@ -258,11 +321,16 @@ impl<'a> Shown<'a> {
             } else {
                 let name = probe_name(p);
                 amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{name}")).name(name.clone()));
-                phase = phase.mark(Line::new("response", "speed", format!("phase.{name}")).name(name));
+                phase = phase.mark(Line::new("response", "speed", format!("phase.{name}")).name(name).cyclic(std::f64::consts::TAU));
             }
         }
-        amplitude = amplitude.mark(Points::new("extrema", "speed", "amplitude").group("kind"));
-        tilt = tilt.mark(Points::new("extrema", "speed", "tilt").group("kind"));
+        amplitude = self.peaks().into_iter().fold(amplitude, |p, (speed, label)| p.mark(Rule::x(speed, label)));
+        let extrema = |y: &str| Points::new("extrema", "speed", y).classes("kind", &["resonance", "antiresonance"]).muted(&["antiresonance"]);
+        amplitude = amplitude.mark(extrema("amplitude"));
+        tilt = tilt.mark(extrema("tilt"));
+        if let Some(o) = operating(self.system, self.study.speed.from, self.study.speed.to) {
+            [&mut amplitude, &mut phase, &mut tilt].into_iter().for_each(|p| *p = p.clone().mark(o.margin()).mark(o.rule()));
+        }
         let bodies = self.system.bodies().len();
         let [moved, tilted] = self.largest;
         let alt = match moved.or(tilted) {

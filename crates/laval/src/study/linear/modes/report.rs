@@ -47,7 +47,9 @@ impl<'a> Shown<'a> {
         if let Some(roots) = &self.result.roots {
             out = out.table(region::areas(roots)?);
         }
-        out.figure(self.figure()).checked().map_err(inconsistent)
+        // a table tells few modes better
+        out = if self.modes().len() < FEW { out } else { out.figure(self.figure()) };
+        out.checked().map_err(inconsistent)
     }
 
     pub fn modes(&self) -> &'a [MachineMode] {
@@ -76,6 +78,7 @@ impl<'a> Shown<'a> {
             .float("frequency", "rad/s", "whirl frequency", column(MachineMode::frequency))
             .float("frequency_hz", "Hz", "whirl frequency", column(|m| hertz(m.frequency())))
             .float("damping_ratio", "", "-growth over the modulus of the eigenvalue", column(MachineMode::damping_ratio))
+            .float("log_decrement", "", "logarithmic decrement; NaN without oscillation", column(log_decrement))
             .text(
                 "whirl",
                 "direction of whirl with respect to the spin; none without oscillation across the axis, and at standstill",
@@ -143,6 +146,9 @@ fn shape(mode: &MachineMode, probes: &[Probe]) -> (Vec<f64>, f64) {
     (relative, if moved > 0.0 { tilted / moved } else { f64::NAN })
 }
 
+/// Modes from which on they are drawn.
+const FEW: usize = 8;
+
 /// Share of the loudest that is rounding in the shape of a mode.
 const SHAPE_ROUNDING: f64 = 1e-10;
 
@@ -173,6 +179,11 @@ fn tilt_share(mass: &Mat, tilts: &[bool], mode: &MachineMode) -> f64 {
     let share = energy(&own, &tilt) / total;
     // of an inertia that is none there are no shares
     if total > 0.0 && (-ROUNDING.sqrt()..=1.0 + ROUNDING.sqrt()).contains(&share) { share.clamp(0.0, 1.0) } else { f64::NAN }
+}
+
+/// Logarithm of the ratio of amplitudes one period apart.
+fn log_decrement(m: &MachineMode) -> f64 {
+    if m.frequency() > 0.0 { -std::f64::consts::TAU * m.growth() / m.frequency() } else { f64::NAN }
 }
 
 fn worst_in_words(modes: &[MachineMode]) -> String {

@@ -9,6 +9,7 @@ use crate::outcome::{
 use crate::solve::roots::transcendental;
 use crate::solve::stability::{Edge, Peak, Row, Sample};
 use crate::study::Study;
+use crate::study::linear::operating::operating;
 use crate::study::shared::support::inconsistent;
 
 /// A point of the map: its row, what is known there, and whether it is a point of the boundary.
@@ -35,6 +36,11 @@ pub(super) struct Shown<'a> {
     pub edges: Vec<(usize, &'a Edge)>,
     pub peaks: Vec<(usize, &'a Peak)>,
 }
+
+/// A growth rate so many times as large hides another on a linear axis.
+const HIDES: f64 = 12.0;
+/// Linear part of an axis of growth, over its end, at least.
+const SMALLEST: f64 = 1e-4;
 
 /// The root that crosses a boundary, there.
 fn at_boundary(e: &Edge) -> Sample {
@@ -208,36 +214,70 @@ impl<'a> Shown<'a> {
             .map_err(inconsistent)
     }
 
+    /// Largest growth rate at a speed, between the speeds of the map; NaN where it is not known.
+    fn growth_at(&self, speed: f64) -> f64 {
+        let known: Vec<(f64, f64)> = self.cells.iter().filter(|c| !self.unknown(c)).map(|c| (c.sample.speed, c.sample.value.re)).collect();
+        let between = known.windows(2).find(|w| (w[0].0..=w[1].0).contains(&speed));
+        between.map_or(f64::NAN, |w| {
+            let share = if w[1].0 > w[0].0 { (speed - w[0].0) / (w[1].0 - w[0].0) } else { 0.0 };
+            w[0].1 + share * (w[1].1 - w[0].1)
+        })
+    }
+
+    /// Axis of the growth rate: where the largest hides the reserve, or the value at the operating speed, logarithmic on both sides of zero.
+    fn growth_axis(&self, operating: f64) -> Axis {
+        let axis = Axis::new("growth rate", "1/s");
+        let known = self.cells.iter().filter(|c| !self.unknown(c)).map(|c| c.sample.value.re).filter(|g| g.is_finite());
+        let (lo, hi) = known.fold((0.0f64, 0.0f64), |(a, b), g| (a.min(g), b.max(g)));
+        let largest = hi.max(-lo);
+        let small = [-lo, hi, operating.abs()].into_iter().filter(|v| *v > 0.0).fold(largest, f64::min);
+        if !(largest > HIDES * small) {
+            return axis;
+        }
+        let knee = 10f64.powf(small.log10().floor()).max(SMALLEST * largest);
+        Axis { label: "growth rate, logarithmic on both sides of zero".into(), ..axis }.knee(knee)
+    }
+
     fn figure(&self, whirls: bool) -> Figure {
         let (name, unit, threshold) = (self.name.clone(), self.unit, self.threshold);
         let speed_axis = Axis::new("spin speed", "rad/s");
+        let operating = operating(self.system, self.study.speed.from, self.study.speed.to);
         if self.study.speed.is_one() {
             let growth = Panel::new(Axis::new("growth rate", "1/s"))
                 .mark(Line::new("map", name.clone(), "growth").name("largest growth rate"))
                 .mark(Rule::y(threshold, "threshold"));
             let at = quantity(self.study.speed.from, "rad/s");
-            return Figure::new("stability", "Largest growth rate", format!("Largest growth rate over {name} at {at}."))
-                .x(Axis::new(name, unit))
-                .panel(growth);
+            let figure = Figure::new("stability", "Largest growth rate", format!("Largest growth rate over {name} at {at}."));
+            return figure.x(Axis::parameter(&name, unit)).panel(growth);
         }
         if self.two() {
             let heat = Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(threshold);
-            let factor = if unit == "m" { 1e3 } else { 1.0 };
-            let shown = if unit == "m" { "mm" } else { unit };
             let alt = format!("Largest growth rate over spin speed and {name}, with the boundary of stability.");
-            let panel = Panel::new(Axis::new(name.clone(), shown).factor(factor)).mark(heat);
-            let boundary = Points::new("boundary", "speed", name).name("boundary");
+            let mut panel = Panel::new(Axis::parameter(&name, unit)).mark(heat);
+            if let Some(o) = &operating {
+                panel = panel.mark(o.rule());
+            }
+            let own = self.system.param(&name).and_then(|i| self.system.params().get(*i.first()?).copied());
+            let range = self.study.parameter.as_ref().map(|p| &p.1);
+            if let Some(value) = own.filter(|v| range.is_some_and(|r| (r.from.min(r.to)..=r.from.max(r.to)).contains(v))) {
+                panel = panel.mark(Rule::y(value, "machine"));
+            }
+            let boundary = Points::new("boundary", "speed", name).small().name("boundary, located");
             return Figure::new("stability", "Stability map", alt).x(speed_axis).panel(panel.mark(boundary));
         }
-        let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
+        let here = operating.as_ref().map(|o| (o, self.growth_at(o.speed())));
+        let mut growth = Panel::new(self.growth_axis(here.as_ref().map_or(f64::NAN, |h| h.1)));
+        if let Some((o, value)) = &here {
+            let label = if value.is_finite() { format!("operating speed: {} 1/s", significant(*value, 3)) } else { "operating speed".into() };
+            growth = growth.mark(Rule::x(o.speed(), label));
+        }
         for (from, to) in self.rows()[0].unstable_ranges(threshold) {
             growth = growth.mark(Band::x(from, to).name("unstable").strip());
-            let ends = format!("unstable {} to {}", significant(from, 4), significant(to, 4));
-            growth = growth.mark(Rule::x(from, ends));
+            growth = growth.mark(Rule::x(from, "unstable").between(from, to));
         }
         growth = growth
             .mark(Line::new("map", "speed", "growth").name("largest growth rate"))
-            .mark(Rule::y(threshold, "threshold"))
+            .mark(Rule::y(threshold, if threshold == 0.0 { "unstable above" } else { "threshold" }))
             .mark(Points::new("peaks", "speed", "growth").name("peak"))
             .mark(Points::new("boundary", "speed", "growth").name("boundary"));
         let frequency = Line::new("map", "speed", "frequency").name("its frequency").begins_where("other_mode");

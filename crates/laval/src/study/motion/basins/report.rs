@@ -9,7 +9,7 @@ use super::{Basins, BasinsResult, MotionBasins};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, End, Figure, Finding, Heat, Message, Outcome, Panel, Points, Table, quantity};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Heat, Message, Outcome, Panel, Points, Table, quantity, quantity_to};
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
@@ -85,6 +85,21 @@ impl<'a> Map<'a> {
 
     fn name(&self, k: usize) -> String {
         if self.found.attractors[k].period.is_some() { format!("attractor {}", k + 1) } else { "does not repeat".into() }
+    }
+
+    /// An attractor by its size, as figures name it.
+    fn sized(&self, k: usize) -> String {
+        let a = &self.found.attractors[k];
+        let size = self.probes.get(self.lead).map(|p| (self.peak(a, self.lead), p)).filter(|s| s.0.is_finite());
+        match (a.period, size) {
+            (Some(_), Some((size, p))) => format!("{} {} ({})", p.name, quantity_to(size, p.unit(), 3), self.name(k)),
+            _ => self.name(k),
+        }
+    }
+
+    /// What a row ends in, as figures name it.
+    fn shown(&self, row: usize) -> String {
+        self.found.of[row].map_or_else(|| self.word(row), |k| self.sized(k))
     }
 
     /// A pair of initial values.
@@ -321,6 +336,7 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
             rows.clone().map(number).collect(),
         )
         .text("end", "what the cell ends in", rows.clone().map(|r| map.word(r)).collect())
+        .text("motion", "the same with its largest displacement or tilt", rows.clone().map(|r| map.shown(r)).collect())
         .float(
             "period",
             "",
@@ -437,10 +453,10 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
     };
     // words that every map may have first: they have the same colours in all
     let mut classes: Vec<String> = ["not settled", "failed", "does not repeat"].map(String::from).to_vec();
-    let names = (0..map.found.attractors.len()).map(|k| map.name(k));
-    classes.extend(names.filter(|n| n.starts_with("attractor")));
+    let repeating = (0..map.found.attractors.len()).filter(|&k| map.found.attractors[k].period.is_some());
+    classes.extend(repeating.map(|k| map.sized(k)));
     let colours = Axis::new("ends in", "");
-    let mut panel = Panel::new(drawn(1)).mark(Heat::new("cells", PLACE[0], PLACE[1], "end", colours).of_classes(classes));
+    let mut panel = Panel::new(drawn(1)).mark(Heat::new("cells", PLACE[0], PLACE[1], "motion", colours).of_classes(classes));
     let start = map.place[0];
     if axes[0].holds(start[0]) && axes[1].holds(start[1]) {
         panel = panel.mark(Points::new("undisturbed", PLACE[0], PLACE[1]).name("undisturbed start"));

@@ -136,15 +136,23 @@ pub(in crate::study) fn findings(record: &MotionRecord) -> Vec<Finding> {
 /// A table that contradicts itself.
 pub(in crate::study) fn shown(record: &MotionRecord, outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let Some(energy) = &record.energy else { return Ok(outcome) };
-    Ok(outcome.table(energy.table(&record.times)?).figure(figure()))
+    let outcome = outcome.table(energy.table(&record.times)?);
+    // a balance that closes has nothing to show
+    let closes = energy.largest_missing <= CLOSES * energy.exchanged;
+    Ok(if closes { outcome } else { outcome.figure(figure(energy)) })
 }
 
-fn figure() -> Figure {
+/// Missing energy over that exchanged up to which the balance is not drawn.
+const CLOSES: f64 = 1e-6;
+
+fn figure(energy: &EnergyAccount) -> Figure {
     let line = |column: &str| Line::new("energy", "t", column).name(column);
     let mut panel = Panel::new(Axis::new("energy", "J"));
     // the energy of the spin would dwarf all others
     panel = panel.mark(line("change").name("change of the stored energy"));
-    for column in ["dissipated", "supplied", "drive", "weight"] {
+    let flows =
+        [("dissipated", &energy.dissipated), ("supplied", &energy.supplied), ("drive", &energy.drive), ("weight", &energy.weight)];
+    for (column, _) in flows.into_iter().filter(|f| f.1.iter().any(|e| *e != 0.0)) {
         panel = panel.mark(line(column));
     }
     let text =

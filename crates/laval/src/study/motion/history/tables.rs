@@ -62,8 +62,20 @@ fn observed_table(record: &MotionRecord) -> Result<Option<Table>, Diagnostic> {
     c.table("observed", "Forces and other quantities the parts show, against time").map(Some)
 }
 
+/// Values of a coordinate in a list of them.
+fn values<'s>(all: &'s [Series], name: &str) -> &'s [f64] {
+    all.iter().find(|s| s.name == name).map_or(&[], |s| &s.values)
+}
+
+fn most(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max)
+}
+
+/// Largest over last displacement from which an envelope is drawn on a logarithmic axis.
+const DECAYS: f64 = 10.0;
+
 /// Appends figures of the bodies against time and as orbits. Where the outputs do not resolve the motion the envelope stands for it, and the orbits are those of
-/// the last turns.
+/// the last turns. An envelope also shows a decay.
 fn motion_figures(
     system: &System,
     record: &MotionRecord,
@@ -74,57 +86,71 @@ fn motion_figures(
     if bodies.is_empty() {
         return Ok(outcome);
     }
-    let mm = |label: &str| Axis::new(label, "mm").factor(1e3);
     let coarse = turns::coarse(&record.spin);
-    let (title, alt) = match coarse {
-        true => ("Envelope against time", "Largest displacement of each body from rest within a turn, against time."),
-        false => ("Lateral motion of the bodies", "x and y of each body against time."),
+    let seen = drawn_envelope.map(|law| sizes(record, law));
+    let decays =
+        |sizes: &[f64]| sizes.last().is_some_and(|last| *last > 0.0 && most(sizes.iter().copied()) > DECAYS * last) && sizes.len() > 2;
+    if let Some(seen) = &seen
+        && (coarse || seen.iter().any(|s| decays(s)))
+    {
+        outcome = outcome.table(envelope_table(system, record, seen)?);
+        let alt = "Largest displacement of each body from rest within a turn, against time.";
+        let mut figure = Figure::new("envelope", "Envelope against time", alt).x(Axis::new("time", "s"));
+        for (b, sizes) in bodies.iter().zip(seen) {
+            let axis = if decays(sizes) { Axis::log(&b.name, "m") } else { Axis::new(&b.name, "m") };
+            let panel = Panel::new(axis.metres(most(sizes.iter().copied())));
+            figure = figure.panel(panel.mark(Line::new("envelope", "t", format!("{} amplitude", b.name))));
+        }
+        outcome = outcome.figure(figure);
+    }
+    let (path, shown) = match (&record.last_turns, coarse) {
+        (Some(last), true) => ("last turns", &last.coordinates),
+        _ => ("motion", &record.coordinates),
     };
-    let mut lateral = Figure::new("lateral", title, alt).x(Axis::new("time", "s"));
-    let mut orbit = Figure::new("orbit", "Orbits of the bodies", "Path of each body in the plane, to scale.").x(mm("x")).equal();
-    let path = if coarse { "last turns" } else { "motion" };
-    let mut plane = Panel::new(mm("y"));
+    let names = |x: usize| [&system.coordinates()[x].name, &system.coordinates()[x + 1].name];
+    let mut lateral = Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
+    let reach = most(bodies.iter().flat_map(|b| names(b.x)).flat_map(|name| values(shown, name)).copied());
+    let mut plane = Panel::new(Axis::new("y", "m").metres(reach));
     for b in &bodies {
-        let (x, y) = (&system.coordinates()[b.x].name, &system.coordinates()[b.x + 1].name);
+        let own = names(b.x);
+        let size = most(own.iter().flat_map(|name| values(&record.coordinates, name)).copied());
         let line = |column: &String| Line::new("motion", "t", column).name(column);
-        lateral = lateral.panel(match coarse {
-            true => Panel::new(mm(&b.name)).mark(Line::new("envelope", "t", format!("{} amplitude", b.name)).name("envelope")),
-            false => Panel::new(mm(&b.name)).mark(line(x)).mark(line(y)),
-        });
-        plane = plane.mark(Line::new(path, x, y).name(&b.name));
+        lateral = lateral.panel(Panel::new(Axis::new(&b.name, "m").metres(size)).mark(line(own[0])).mark(line(own[1])));
+        plane = plane.mark(Line::new(path, own[0], own[1]).name(&b.name).path());
     }
-    orbit = orbit.panel(plane);
-    if coarse && let Some(law) = drawn_envelope {
-        outcome = outcome.table(envelope_table(system, record, law)?);
-    }
-    if !coarse || drawn_envelope.is_some() {
+    if !coarse {
         outcome = outcome.figure(lateral);
     }
+    let title = if coarse { "Orbits of the bodies over the last turns" } else { "Orbits of the bodies" };
+    let alt = "Path of each body in the plane, to scale; a dot at its start, an arrow in its direction.";
+    let orbit = Figure::new("orbit", format!("{title} (dot: start)"), alt).x(Axis::new("x", "m").metres(reach)).equal().panel(plane);
     Ok(match (&record.last_turns, coarse) {
-        (Some(last), true) => {
-            orbit.title = "Orbits of the bodies over the last turns".into();
-            outcome.table(turns::table(last)?).figure(orbit)
-        }
+        (Some(last), true) => outcome.table(turns::table(last)?).figure(orbit),
         (None, true) => outcome,
         (_, false) => outcome.figure(orbit),
     })
 }
 
-/// The largest displacements in successive windows.
-fn envelope_table(system: &System, record: &MotionRecord, law: &SpinLaw) -> Result<Table, Diagnostic> {
-    let sizes = |windows: &Vec<Window>| -> Vec<f64> {
+/// The largest displacements of each body in successive windows.
+fn sizes(record: &MotionRecord, law: &SpinLaw) -> Vec<Vec<f64>> {
+    let of = |windows: &Vec<Window>| -> Vec<f64> {
         let seen = match law {
             SpinLaw::Programme(p) => envelope(windows, &|t| p.at(t)),
             SpinLaw::Free => windows.iter().map(|w| w.peak).take_while(|p| p.amplitude.is_finite()).collect(),
         };
         seen.iter().map(|p| p.amplitude).collect()
     };
-    let sizes: Vec<Vec<f64>> = record.windows.iter().map(sizes).collect();
+    let sizes: Vec<Vec<f64>> = record.windows.iter().map(of).collect();
     let count = sizes.iter().map(Vec::len).min().unwrap_or(0);
+    sizes.into_iter().map(|s| s[..count].to_vec()).collect()
+}
+
+fn envelope_table(system: &System, record: &MotionRecord, sizes: &[Vec<f64>]) -> Result<Table, Diagnostic> {
+    let count = sizes.first().map_or(0, Vec::len);
     let mut c = Columns::default();
     c.add("t", "s", "end of the window", record.windows.first().map_or(vec![], |w| w[..count].iter().map(|w| w.last).collect()));
     for (b, sizes) in system.bodies().iter().zip(sizes) {
-        c.add(format!("{} amplitude", b.name), "m", "largest distance from rest in the window", sizes[..count].to_vec());
+        c.add(format!("{} amplitude", b.name), "m", "largest distance from rest in the window", sizes.clone());
     }
     c.table("envelope", "Envelope of the motion against time")
 }

@@ -3,7 +3,7 @@
 use super::{BodyPassages, Nature, Passage, RunUp, RunUpResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status};
+use crate::outcome::{Arg, Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, SpecialPoint, Status};
 use crate::study::Study;
 use crate::study::motion::history::{self, Columns, ProbeMotion};
 use crate::study::motion::passages::envelope;
@@ -98,7 +98,7 @@ fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Resul
     columns.add("acceleration", "rad/s^2", "spin acceleration", spins.iter().map(|s| s.accel).collect());
     columns.add("torque", "N m", "torque the drive must bring", torque.clone());
     columns.add("power", "W", "power the drive must bring", power);
-    let line = |column: &str| Line::new("drive", "t", column).name(column);
+    let line = |column: &str| Line::new("drive", "t", column);
     let figure = Figure::new("drive", "Drive", "Spin speed, torque and power of the drive against time.")
         .x(Axis::new("time", "s"))
         .panel(Panel::new(Axis::new("speed", "rad/s")).mark(line("speed")))
@@ -134,12 +134,28 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
         "Largest displacement of each body from rest within a turn, against the spin speed.",
     )
     .x(Axis::new("speed", "rad/s"));
+    let natures = result.passages.iter().flat_map(|p| &p.passages).map(|p| p.nature);
+    let mut unstable: Vec<(f64, f64)> = Vec::new();
+    for nature in natures {
+        if let Nature::Unstable(Range { speeds: [a, b], .. }) = nature
+            && !unstable.contains(&(a.min(b), a.max(b)))
+        {
+            unstable.push((a.min(b), a.max(b)));
+        }
+    }
     for (k, b) in bodies.iter().enumerate() {
         let amplitude = |i: usize| seen[k][i].amplitude;
         let doc = "largest distance from rest in the window and within half a turn of it";
         columns.add(format!("{} amplitude", b.name), "m", doc, (0..count).map(amplitude).collect());
-        let mut panel = Panel::new(Axis::new(&b.name, "mm").factor(1e3))
+        let mut panel = Panel::new(Axis::new(&b.name, "m").metres(seen[k].iter().map(|p| p.amplitude).fold(0.0, f64::max)))
             .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
+        let own = result.passages.iter().filter(|p| p.body == b.name && !p.tilt).flat_map(|p| &p.passages);
+        for p in own.filter(|p| p.nature == Nature::Resonance) {
+            panel = panel.mark(Rule::x(p.speed, "resonance"));
+        }
+        for &(from, to) in &unstable {
+            panel = panel.mark(Band::x(from, to).name("unstable").strip());
+        }
         if let Some(linear) = &result.linear {
             let name = format!("{} linear", b.name);
             columns.add(

@@ -3,13 +3,13 @@
 use super::Spectra;
 use super::analyse::{Part, Window};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Message, Outcome, Panel, Table};
+use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Line, Message, Outcome, Panel, Rule, Table};
 use crate::study::shared::support::inconsistent;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Lowest amplitude drawn over the highest.
-const DEPTH: f64 = 1e-4;
+const DEPTH: f64 = 1e-3;
 /// Parts are distinguished from this share of the highest line on, unless a threshold is given.
 const SHARE: f64 = 0.01;
 /// Largest denominator of an order that is called by its fraction.
@@ -110,7 +110,28 @@ pub(super) fn report(spectra: &Spectra, windows: &[Window], mut outcome: Outcome
             .map_err(inconsistent)?;
         outcome = outcome.table(table).figure(figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1)));
     }
+    if outcome.find_table("waterfall").is_some() {
+        outcome = outcome.table(spin_orders(spectra, windows)?);
+    }
     Ok(outcome)
+}
+
+/// Orders of the spin that are drawn in a waterfall.
+fn drawn_orders(spectra: &Spectra) -> impl Iterator<Item = i32> {
+    let highest = spectra.highest;
+    [-1, 1, 2, 3].into_iter().filter(move |k| f64::from(*k) <= highest)
+}
+
+/// Frequencies of the orders of the spin, window by window.
+fn spin_orders(spectra: &Spectra, windows: &[Window]) -> Result<Table, Diagnostic> {
+    let mut t = Table::new("spin_orders", "Frequencies of whole orders of the spin speed")
+        .float("t", "s", "time at the middle of the window", windows.iter().map(|w| w.t).collect())
+        .float("speed", "rad/s", "spin speed there", windows.iter().map(|w| w.speed).collect());
+    for k in drawn_orders(spectra) {
+        let doc = "order times spin speed; negative turns against the rotor";
+        t = t.float(format!("order {k}"), "rad/s", doc, windows.iter().map(|w| f64::from(k) * w.speed).collect());
+    }
+    t.build().map_err(inconsistent)
 }
 
 fn frequency_lines(w: &Window) -> &[(f64, f64)] {
@@ -133,7 +154,15 @@ fn figure(spectra: &Spectra, name: &str, y: &str, along_speed: bool, amplitudes:
         spectra.body.name,
         if along_speed { "spin speed" } else { "time" }
     );
-    Figure::new(name, title, alt).x(label).panel(Panel::new(axis).mark(Heat::new(name, x, y, "amplitude", colours)))
+    let mut panel = Panel::new(axis).mark(Heat::new(name, x, y, "amplitude", colours));
+    for k in drawn_orders(spectra) {
+        let word = format!("{k}×").replace('-', "−");
+        panel = match y {
+            "order" => panel.mark(Rule::y(f64::from(k), word)),
+            _ => panel.mark(Line::new("spin_orders", x, format!("order {k}")).name(word).reference()),
+        };
+    }
+    Figure::new(name, title, alt).x(label).panel(panel)
 }
 
 fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {

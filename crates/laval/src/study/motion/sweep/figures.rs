@@ -10,7 +10,7 @@ const WAYS: &[&str] = &["rest", "up", "down"];
 /// Panels of a figure.
 const MOST_BODIES: usize = 4;
 /// Lowest amplitude of a waterfall over its highest.
-const DEPTH: f64 = 1e-6;
+const DEPTH: f64 = 1e-3;
 
 pub(super) fn figures(shown: &Shown, paths: &[Path], any: bool, mut outcome: Outcome) -> Outcome {
     if !any {
@@ -44,7 +44,6 @@ pub(super) fn figures(shown: &Shown, paths: &[Path], any: bool, mut outcome: Out
             .and_then(|t| t.column("amplitude"))
             .map_or(0.0, |c| (0..c.data.len()).filter_map(|i| c.number(i)).filter(|x| x.is_finite()).fold(0.0, f64::max));
         let top = 1e6 * if tallest > 0.0 { tallest } else { 1e-6 };
-        // what lies further below is what the integration tolerates
         let colours = Axis::log("amplitude", "µm").factor(1e6).range(DEPTH * top, top);
         let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
         let alt = format!(
@@ -52,8 +51,8 @@ pub(super) fn figures(shown: &Shown, paths: &[Path], any: bool, mut outcome: Out
             shown.bodies[b].name,
             study.ways[0].word()
         );
-        outcome =
-            outcome.figure(Figure::new("waterfall", "Order spectra", alt).x(speed()).panel(Panel::new(Axis::new("order", "")).mark(heat)));
+        let panel = Panel::new(Axis::new("order", "")).mark(heat).mark(Rule::y(1.0, "1×"));
+        outcome = outcome.figure(Figure::new("waterfall", "Order spectra", alt).x(speed()).panel(panel));
     }
     if study.lyapunov.is_some() {
         let alt = format!("Largest Lyapunov exponent over spin speed (start: {ways}).");

@@ -69,13 +69,22 @@ impl Shown<'_> {
                 *first = first.clone().mark(Rule::x(f.speed, words));
             }
         }
+        let shown = |b: &&Traced| !all || matches!(b.origin, Origin::Low | Origin::High);
+        let unstable = match assessed {
+            true => unstable_throughout(&response.branches.iter().filter(shown).collect::<Vec<_>>()),
+            false => Vec::new(),
+        };
+        for panel in &mut panels {
+            for &(from, to) in &unstable {
+                *panel = panel.clone().mark(Band::x(from, to).name("unstable").strip());
+            }
+        }
         let alt = self.alt(response);
         let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s"));
         figure = panels.into_iter().fold(figure, Figure::panel);
         if assessed {
             let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
-            let shown = |b: &&Traced| !all || matches!(b.origin, Origin::Low | Origin::High);
-            for (from, to) in unstable_throughout(&response.branches.iter().filter(shown).collect::<Vec<_>>()) {
+            for &(from, to) in &unstable {
                 growth = growth.mark(Band::x(from, to).name("unstable").strip());
             }
             let name = if all { "" } else { "largest growth rate" };

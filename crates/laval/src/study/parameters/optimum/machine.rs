@@ -24,7 +24,7 @@ pub struct Vary {
 const DECADE: f64 = 10.0;
 
 impl Vary {
-    fn logarithmic(&self) -> bool {
+    pub(super) fn logarithmic(&self) -> bool {
         self.from > 0.0 && self.to >= DECADE * self.from
     }
     /// Value at a place between 0 and 1; the bounds themselves at the ends.

@@ -4,7 +4,7 @@ use super::Optimum;
 use super::result::{Found, Run, Stray};
 use super::search::{KEPT, TEST};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, Table, significant};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, Table, TableBuilder, parameter_name, significant};
 use crate::study::Study;
 use crate::study::shared::support::inconsistent;
 use laval_num::optimise::Ended;
@@ -282,15 +282,20 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
         )
         .float("value", "", "of the parameter, in its unit", rows.iter().map(|r| study.vary[r.0].value(r.1.place[r.0])).collect())
         .float("number", &found.unit, "the number; NaN where the study does not find it", rows.iter().map(|r| r.1.value).collect())
-        .flag("kept", "all limits are kept", rows.iter().map(|r| r.1.kept(&study.limits)).collect())
-        .build()
-        .map_err(inconsistent)?;
-    let marks = Table::new("best", "The optimum in the figure of profiles")
+        .flag("kept", "all limits are kept", rows.iter().map(|r| r.1.kept(&study.limits)).collect());
+    let marks = Table::new("best", "The optimum in the figures of profiles")
         .text("parameter", "path", study.vary.iter().map(|v| v.path.clone()).collect())
         .float("place", "", "place between the bounds", best.place.clone())
-        .float("number", &found.unit, "the number", vec![best.value; study.vary.len()])
-        .build()
-        .map_err(inconsistent)?;
+        .float("number", &found.unit, "the number", vec![best.value; study.vary.len()]);
+    // each figure has its own parameter along x
+    let own = |k: usize| format!("along {}", study.vary[k].path);
+    let along = |table: TableBuilder, of: &dyn Fn(usize) -> Vec<f64>| {
+        let column = |t: TableBuilder, k: usize| t.float(own(k), study.vary[k].unit, "value of this parameter; NaN in rows of others", of(k));
+        (0..study.vary.len()).fold(table, column)
+    };
+    let value = |k: usize, of: usize, u: f64| if of == k { study.vary[k].value(u) } else { f64::NAN };
+    let table = along(table, &|k| rows.iter().map(|r| value(k, r.0, r.1.place[k])).collect()).build().map_err(inconsistent)?;
+    let marks = along(marks, &|k| (0..study.vary.len()).map(|j| value(k, j, best.place[k])).collect()).build().map_err(inconsistent)?;
     let sign = if study.aim.large { -1.0 } else { 1.0 };
     let allowed = best.value + sign * study.tolerance * best.value.abs();
     // far from the optimum the number may be far larger: what matters lies near it
@@ -300,14 +305,21 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     if !study.aim.large && best.value > 0.0 && most > 20.0 * best.value {
         axis = Axis { scale: crate::outcome::Scale::Log, ..axis };
     }
-    let line = Line::new("profiles", "place", "number").group("parameter").solid_where("kept").meaning("limits kept", "a limit broken");
-    let panel = Panel::new(axis)
-        .mark(line)
-        .mark(Points::new("best", "place", "number").name("optimum"))
-        .mark(Rule::y(allowed, format!("{} % worse", significant(100.0 * study.tolerance, 3))));
-    let alt = format!("{} along each of {} parameters through the optimum.", study.aim.name, study.vary.len());
     out = out.table(table).table(marks);
-    Ok(out.figure(
-        Figure::new("profiles", "Around the optimum", alt).x(Axis::new("place between the bounds", "").range(0.0, 1.0)).panel(panel),
-    ))
+    for (k, v) in study.vary.iter().enumerate() {
+        let line = Line::new("profiles", own(k), "number").solid_where("kept").meaning("limits kept", "a limit broken");
+        let panel = Panel::new(axis.clone())
+            .mark(line.name(study.aim.name.replace('_', " ")))
+            .mark(Points::new("best", own(k), "number").name("optimum"))
+            .mark(Rule::x(v.now, "as it is"))
+            .mark(Rule::y(allowed, format!("{} % worse", significant(100.0 * study.tolerance, 3))));
+        let name = parameter_name(&v.path);
+        let alt = format!("{} over {name} through the optimum, the other parameters at their best.", study.aim.name);
+        let x = Axis::parameter(&v.path, v.unit);
+        let x = if v.logarithmic() { Axis { scale: crate::outcome::Scale::Log, ..x } } else { x };
+        let (from, to) = (v.from.min(v.to) * x.factor, v.from.max(v.to) * x.factor);
+        let figure = Figure::new(format!("profiles-{}", k + 1), format!("Around the optimum: {name}"), alt);
+        out = out.figure(figure.x(x.range(from, to)).panel(panel));
+    }
+    Ok(out)
 }

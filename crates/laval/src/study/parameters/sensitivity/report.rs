@@ -3,7 +3,7 @@
 use super::Sensitivity;
 use super::places::{Derivatives, Kind, Place, Without};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, Axis, Band, End, Figure, Finding, Message, Outcome, Panel, Rule, SpecialPoint, Table, significant};
+use crate::outcome::{Arg, Axis, Band, End, Figure, Finding, Message, Outcome, Panel, Rule, SpecialPoint, Table, parameter_name, significant};
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
@@ -253,10 +253,8 @@ fn tornado(mut out: Outcome, found: &Derivatives, i: usize, bars: usize) -> Resu
         return Ok(out);
     }
     let count = shown.len();
-    let mut panel = Panel::new(Axis::new("", "").range(0.4, count as f64 + 0.6).bare());
-    for (row, &k) in shown.iter().enumerate() {
-        panel = panel.mark(Rule::y((count - row) as f64, &found.parameters[k].path));
-    }
+    let names = shown.iter().enumerate().map(|(row, &k)| ((count - row) as f64, parameter_name(&found.parameters[k].path))).collect();
+    let mut panel = Panel::new(Axis::new("parameter", "").range(0.4, count as f64 + 0.6).names(names));
     for (side, name) in [(1, probes::quality(&place.probe)), (0, "speed")] {
         let (mut x, mut low, mut high) = (Vec::new(), Vec::new(), Vec::new());
         for (row, &k) in shown.iter().enumerate() {
@@ -272,7 +270,8 @@ fn tornado(mut out: Outcome, found: &Derivatives, i: usize, bars: usize) -> Resu
             .float("high", "", "upper side", high)
             .build()
             .map_err(inconsistent)?;
-        panel = panel.mark(Band::between(&table, "x", "low", "high").name(name));
+        let band = Band::between(&table, "x", "low", "high").name(name).bar();
+        panel = panel.mark(if side == 1 { band.neutral() } else { band.good() });
         out = out.table(shape);
     }
     let title = format!("What moves the {}", place.name());

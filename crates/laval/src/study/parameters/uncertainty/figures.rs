@@ -3,13 +3,17 @@
 use super::result::{Samples, Shares, Spread};
 use super::{Interval, Uncertainty};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table};
+use crate::outcome::{Arg, Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table, parameter_name, quantity};
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::morris::Effects;
 use std::collections::BTreeMap;
 
 /// Numbers drawn unless some are named.
 const SHOWN: usize = 4;
+/// Correlation from which on two numbers have the same picture.
+const SAME_SHAPE: f64 = 0.999;
+/// Samples below which indices of Sobol are rough.
+const ROUGH: usize = 1000;
 /// Points of a distribution curve.
 const CURVE: usize = 500;
 
@@ -31,7 +35,8 @@ pub fn distributions(
         let finding = Finding::warning("nothing_shown", "uncertainty-nothing-shown").arg("show", Arg::name(&study.show));
         outcome = outcome.finding(finding.arg("quantities", Arg::names(samples.names.iter().map(|n| n.0.as_str()))));
     }
-    for i in chosen {
+    let mut drawn: Vec<usize> = Vec::new();
+    for &i in &chosen {
         let ((name, unit), s) = (&samples.names[i], &spreads[i]);
         let (low, high) = (s.smallest, s.largest);
         if !(high > low) {
@@ -58,28 +63,60 @@ pub fn distributions(
             .float("share", "", "share of the samples at or below it", picked.iter().map(|&j| (j + 1) as f64 / n as f64).collect())
             .build()
             .map_err(inconsistent)?;
-        let mut above = Panel::new(Axis::new("density", ""))
-            .mark(Band::between(&bars, "value", "zero", "density"))
-            .mark(Line::new(&bars, "value", "density"));
-        let mut below = Panel::new(Axis::new("share below", "").range(0.0, 1.0)).mark(Line::new(&curve, "value", "share"));
-        if let Some(x) = own.get(name.as_str()) {
-            above = above.mark(Rule::x(*x, "machine"));
-            below = below.mark(Rule::x(*x, ""));
+        outcome = outcome.table(table).table(steps);
+        // a number that rises or falls in a straight line with one that is drawn has the same picture
+        if study.show.is_empty() && drawn.iter().any(|&j| proportional(&samples.values[i], &samples.values[j])) {
+            continue;
         }
-        let alt = format!("Histogram and distribution of {name} over {n} samples, from {low:.4e} to {high:.4e} {unit}.");
-        let figure = Figure::new(format!("distribution-{name}"), format!("Distribution of {name}"), alt).x(Axis::new(name, unit));
-        outcome = outcome.table(table).table(steps).figure(figure.panel(above).panel(below));
+        drawn.push(i);
+        let mut panel = Panel::new(Axis::new("share of the samples per unit", "").bare())
+            .mark(Band::between(&bars, "value", "zero", "density").neutral())
+            .mark(Line::new(&bars, "value", "density"));
+        for (share, label) in [(0.05, "5 %"), (0.5, "median"), (0.95, "95 %")] {
+            panel = panel.mark(Rule::x(sorted[((share * n as f64) as usize).min(n - 1)], label));
+        }
+        if let Some(x) = own.get(name.as_str()) {
+            panel = panel.mark(Rule::x(*x, "machine"));
+        }
+        let alike = chosen.iter().filter(|&&j| j > i && study.show.is_empty() && proportional(&samples.values[i], &samples.values[j]));
+        let same = match alike.count() {
+            0 => String::new(),
+            1 => ", another number has the same shape".into(),
+            n => format!(", {n} other numbers have the same shape"),
+        };
+        let alt = format!("Histogram of {name} over {n} samples, from {} to {}.", quantity(low, unit), quantity(high, unit));
+        let room = 0.06 * (high - low);
+        let x = Axis::new(readable(name), unit).range(low - room, high + room);
+        let title = format!("Distribution of {} ({n} samples{same})", readable(name));
+        outcome = outcome.figure(Figure::new(format!("distribution-{name}"), title, alt).x(x).panel(panel));
     }
     Ok(outcome)
 }
 
-/// Edges and densities of a histogram: width by Freedman and Diaconis (1981), 5 to 60 bars.
+/// A number in words: `critical speed order 1 forward`.
+fn readable(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+/// Both rise and fall together in a straight line, as far as a picture shows.
+fn proportional(a: &[f64], b: &[f64]) -> bool {
+    let both = || a.iter().zip(b).filter(|(x, y)| x.is_finite() && y.is_finite());
+    let n = both().count() as f64;
+    let mean = both().fold((0.0, 0.0), |m, (x, y)| (m.0 + x / n, m.1 + y / n));
+    let sums = both().fold((0.0, 0.0, 0.0), |s, (x, y)| {
+        let (u, v) = (x - mean.0, y - mean.1);
+        (s.0 + u * v, s.1 + u * u, s.2 + v * v)
+    });
+    n > 2.0 && sums.0.abs() > SAME_SHAPE * (sums.1 * sums.2).sqrt() && sums.1 > 0.0 && sums.2 > 0.0
+}
+
+/// Edges and densities of a histogram: width by Freedman and Diaconis (1981), 9 to 60 bars.
 fn histogram(sorted: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let n = sorted.len();
     let (low, high) = (sorted[0], sorted[n - 1]);
     let quartiles = sorted[(3 * n / 4).min(n - 1)] - sorted[n / 4];
     let wanted = (high - low) / (2.0 * quartiles) * (n as f64).cbrt();
-    let bars = if wanted.is_finite() { (wanted.ceil() as usize).clamp(5, 60) } else { 5 };
+    let bars = if wanted.is_finite() { (wanted.ceil() as usize).clamp(9, 60) } else { 9 };
     let width = (high - low) / bars as f64;
     let mut count = vec![0usize; bars];
     for x in sorted {
@@ -100,15 +137,17 @@ struct Bars<'a> {
 fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars: Bars) -> Result<Outcome, Diagnostic> {
     let k = study.parameters.len();
     let each = 0.8 / bars.kinds.len() as f64;
-    let mut panel = Panel::new(Axis::new("parameter", "").range(0.4, k as f64 + 0.6));
-    for (p, parameter) in study.parameters.iter().enumerate() {
-        panel = panel.mark(Rule::y((k - p) as f64, &parameter.path));
-    }
+    // of most influence on top
+    let mut order: Vec<usize> = (0..k).collect();
+    let size = |p: usize| bars.kinds[0].1[p].value;
+    order.sort_by(|&a, &b| size(b).partial_cmp(&size(a)).unwrap_or_else(|| size(a).is_nan().cmp(&size(b).is_nan())));
+    let names = order.iter().enumerate().map(|(row, &p)| ((k - row) as f64, parameter_name(&study.parameters[p].path))).collect();
+    let mut panel = Panel::new(Axis::new("parameter", "").range(0.4, k as f64 + 0.6).names(names));
     for (j, (kind, values)) in bars.kinds.iter().enumerate() {
         let (mut x, mut low, mut high) = (Vec::new(), Vec::new(), Vec::new());
         let (mut at, mut centre) = (Vec::new(), Vec::new());
-        for (p, v) in values.iter().enumerate() {
-            let top = (k - p) as f64 + 0.4 - j as f64 * each;
+        for (row, v) in order.iter().map(|&p| &values[p]).enumerate() {
+            let top = (k - row) as f64 + 0.4 - j as f64 * each;
             x.extend([0.0, v.value, f64::NAN]);
             low.extend([top - each; 3]);
             high.extend([top; 3]);
@@ -124,22 +163,31 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
             .float("centre", "", "middle of the bar", centre)
             .build()
             .map_err(inconsistent)?;
+        let band = Band::between(&table, "x", "low", "high").name(*kind).bar();
         panel = panel
-            .mark(Band::between(&table, "x", "low", "high").name(*kind))
-            .mark(Line::new(&table, "interval", "centre").name("95 % interval"));
+            .mark(if j == 0 { band.neutral() } else { band.good() })
+            .mark(Line::new(&table, "interval", "centre").name("95 % interval").ink());
         outcome = outcome.table(shape);
     }
     let alt = format!("{} of {name}: one bar for each of {k} parameters.", bars.title);
-    let figure = Figure::new(format!("{what}-{name}"), format!("{} of {name}", bars.title), alt).x(bars.axis).panel(panel);
+    let figure = Figure::new(format!("{what}-{name}"), format!("{} of {}", bars.title, readable(name)), alt).x(bars.axis).panel(panel);
     Ok(outcome.figure(figure))
 }
 
 pub fn indices(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Option<Shares>]) -> Result<Outcome, Diagnostic> {
+    let mut drawn: Vec<usize> = Vec::new();
     for i in shown(study, samples) {
         let Some(Shares { each: list, .. }) = &found[i] else { continue };
+        if study.show.is_empty() && drawn.iter().any(|&j| proportional(&samples.values[i], &samples.values[j])) {
+            continue;
+        }
+        drawn.push(i);
         let kinds =
             vec![("total", list.iter().map(|x| x.total).collect()), ("first order", list.iter().map(|x| x.first).collect::<Vec<_>>())];
-        let shape = Bars { title: "Sensitivity", axis: Axis::new("share of the variance", ""), kinds };
+        let n = study.sorted(&samples.values[i]).len();
+        let rough = if n < ROUGH { ": a rough estimate" } else { "" };
+        let axis = Axis::new(format!("share of the variance, from {n} samples{rough}"), "").range(0.0, 1.0);
+        let shape = Bars { title: "Sensitivity", axis, kinds };
         outcome = bars(outcome, study, &samples.names[i].0, "indices", shape)?;
     }
     Ok(outcome)

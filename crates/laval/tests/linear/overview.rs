@@ -1,0 +1,146 @@
+//! The first page against closed forms: a disc on springs has its critical speed at sqrt(k/m) and moves by e r^2/|1 - r^2| (docs/theory/linear-vibration.md).
+
+use crate::common::files::load;
+use laval::outcome::{Arg, Check, Message, Overview, Verdict};
+use laval::report::{Report, Style, Terminal, Units, summary};
+use laval::study::{Context, overview};
+
+const MASS: f64 = 4.0;
+const STIFFNESS: f64 = 4e4;
+const ECCENTRICITY: f64 = 2e-5;
+
+/// A disc with critical speed 100 rad/s, at this speed, with this damping, and more blocks.
+fn jeffcott(speed: &str, damping: f64, more: &str) -> String {
+    format!(
+        "[machine]\nname = \"rotor\"\n{speed}\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = {MASS}\neccentricity = {ECCENTRICITY}\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"spring\"\nbetween = [\"disc\", \"ground\"]\nstiffness = {STIFFNESS}\ndamping = {damping}\n{more}"
+    )
+}
+
+fn page(text: &str) -> Overview {
+    let loaded = load(text);
+    let outcomes: Vec<_> =
+        loaded.studies.iter().map(|s| s.study.run(&loaded.system, &Context::quiet("study")).unwrap_or_else(|d| panic!("{d:?}"))).collect();
+    let speeds: Vec<_> = loaded.studies.iter().flat_map(|s| s.study.speeds(&loaded.system)).collect();
+    overview(&loaded.system, &speeds, &outcomes, &Context::quiet("summary"))
+}
+
+fn check<'p>(page: &'p Overview, name: &str) -> &'p Check {
+    page.checks.iter().find(|c| c.what.key == name).unwrap_or_else(|| panic!("no {name} in {:?}", page.checks))
+}
+
+fn number(m: &Message, name: &str) -> f64 {
+    match m.args.iter().find(|a| a.0 == name).map(|a| &a.1) {
+        Some(Arg::Quantity(q)) => q.value,
+        Some(Arg::List(all)) => match &all[0] {
+            Arg::Phrase(item) => number(item, "value"),
+            Arg::Quantity(q) => q.value,
+            other => panic!("{other:?}"),
+        },
+        other => panic!("{name}: {other:?}"),
+    }
+}
+
+#[test]
+fn below_the_critical_speed_the_margin_and_the_amplitude_are_those_of_the_closed_form() {
+    let (speed, damping) = (95.0, 0.4);
+    let p = page(&jeffcott("speed = 95.0", damping, ""));
+    assert_eq!(check(&p, "check-stability").verdict, Verdict::Passed);
+    // both modes decay at c/2m
+    assert!((number(&check(&p, "check-stability").result, "decay") - damping / (2.0 * MASS)).abs() < 1e-9);
+    let r = speed / (STIFFNESS / MASS).sqrt();
+    let zeta = damping / (2.0 * (STIFFNESS * MASS).sqrt());
+    let amplitude = ECCENTRICITY * r * r / ((1.0 - r * r).powi(2) + (2.0 * zeta * r).powi(2)).sqrt();
+    assert!((number(&check(&p, "check-vibration").result, "sizes") / amplitude - 1.0).abs() < 1e-9);
+    let near = check(&p, "check-resonance");
+    // the peak lies at 1/sqrt(1 - 2 zeta^2) of the critical speed
+    let peak = (STIFFNESS / MASS).sqrt() / (1.0 - 2.0 * zeta * zeta).sqrt();
+    assert_eq!(near.verdict, Verdict::Attention);
+    assert!((near.margin.unwrap() - (peak - speed) / speed).abs() < 1e-6, "{near:?}");
+    assert_eq!((p.verdict, p.headline[1].key.as_str()), (Verdict::Attention, "headline-resonance"));
+    assert_eq!(check(&p, "check-run-up").verdict, Verdict::Passed);
+}
+
+#[test]
+fn above_the_critical_speed_a_run_up_crosses_it() {
+    let p = page(&jeffcott("speed = 200.0", 4.0, ""));
+    assert_eq!(p.verdict, Verdict::Passed);
+    let run = check(&p, "check-run-up");
+    assert!(run.verdict == Verdict::NotComputed && run.result.key == "run-up-resonances");
+    assert!((number(&run.result, "resonances") - 100.0).abs() < 0.1);
+    assert!(p.next.iter().any(|m| m.key == "next-run-up"));
+    // the direction of the rotation changes nothing
+    let back = page(&jeffcott("speed = -200.0", 4.0, ""));
+    assert_eq!(check(&back, "check-stability").verdict, Verdict::Passed);
+    let (a, b) = (number(&check(&p, "check-vibration").result, "sizes"), number(&check(&back, "check-vibration").result, "sizes"));
+    assert!((a / b - 1.0).abs() < 1e-9);
+    assert_ne!(check(&back, "check-resonance").result.key, "distance-no-resonance", "{:?}", check(&back, "check-resonance"));
+}
+
+#[test]
+fn limits_are_kept_or_broken() {
+    let of = |limits: &str| page(&jeffcott("speed = 200.0", 4.0, &format!("[limits]\n{limits}\n")));
+    // e r^2/(r^2 - 1) at r = 2 is 26.7 um, and moves at 5.3 mm/s
+    for (limits, verdict) in [
+        ("displacement = 2.6e-5", Verdict::Failed),
+        ("displacement = 2.7e-5", Verdict::Passed),
+        ("velocity = 5.2e-3", Verdict::Failed),
+        ("velocity = 5.4e-3", Verdict::Passed),
+        ("displacement = 2.7e-5\nvelocity = 5.2e-3", Verdict::Failed),
+    ] {
+        let p = of(limits);
+        assert_eq!(check(&p, "check-vibration").verdict, verdict, "{limits}");
+        assert_eq!(p.verdict, verdict, "{limits}");
+    }
+    // decay is c/2m = 0.5 1/s
+    assert_eq!(check(&of("growth_margin = 0.49"), "check-stability").verdict, Verdict::Passed);
+    assert_eq!(check(&of("growth_margin = 0.51"), "check-stability").verdict, Verdict::Failed);
+    // the resonance is 50 % away
+    assert_eq!(check(&of("clearance = 0.49"), "check-resonance").verdict, Verdict::Passed);
+    assert_eq!(check(&of("clearance = 0.51"), "check-resonance").verdict, Verdict::Attention);
+    // force of the spring and damper: |k + i c w| times the amplitude, 1.07 N
+    assert_eq!(check(&of("force = 1.06"), "check-forces").verdict, Verdict::Failed);
+    assert_eq!(check(&of("force = 1.08"), "check-forces").verdict, Verdict::Passed);
+}
+
+#[test]
+fn an_undamped_machine_is_neither_stable_nor_unstable() {
+    let p = page(&jeffcott("speed = 200.0", 0.0, ""));
+    assert_eq!(check(&p, "check-stability").verdict, Verdict::Attention);
+    assert_ne!(p.verdict, Verdict::Passed);
+    let on = page(&jeffcott("speed = 100.0", 0.0, ""));
+    assert_ne!(on.verdict, Verdict::Passed, "{:?}", on.headline);
+    assert_eq!(check(&on, "check-resonance").margin.map(|m| m < 1e-6), Some(true), "{:?}", on.checks);
+}
+
+/// Rotating damping c_i above the critical speed: unstable above w (1 + c_a/c_i).
+#[test]
+fn the_limit_of_rotating_damping_is_crossed_below_the_operating_speed() {
+    let more = "[[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\ndamping = 2.0\naxes = \"rotating\"\n";
+    let text = |speed: f64| jeffcott(&format!("speed = {speed:?}"), 2.0, more);
+    let p = page(&text(190.0));
+    assert_eq!(check(&p, "check-stability").verdict, Verdict::Passed, "{:?}", p.checks);
+    let near = check(&p, "check-instability");
+    assert!((near.margin.unwrap() - 10.0 / 190.0).abs() < 1e-3, "{near:?}");
+    let p = page(&text(210.0));
+    assert_eq!((p.verdict, p.headline[0].key.as_str()), (Verdict::Failed, "headline-unstable"));
+    assert_eq!(check(&p, "check-instability").verdict, Verdict::Failed);
+    assert_eq!(check(&p, "check-vibration").result.key, "vibration-unstable");
+}
+
+#[test]
+fn without_an_operating_speed_nothing_is_assessed() {
+    let p = page(&jeffcott("", 4.0, ""));
+    assert_eq!((p.verdict, p.checks.len(), p.headline[0].key.as_str()), (Verdict::NotComputed, 0, "headline-no-speed"));
+}
+
+/// The summary has the units of the file, and no sentence lacks an argument.
+#[test]
+fn the_summary_is_in_the_units_of_the_file() {
+    let text = jeffcott("speed = \"1910 rpm\"", 4.0, "[limits]\ndisplacement = \"1 mm\"\n");
+    let units = Units::new(laval::file::written_units(&text));
+    let report = Report { machine: "rotor".into(), overview: Some(page(&text)), style: Style { units, ..Style::default() }, ..Report::default() };
+    let out = summary(&report, Terminal::default());
+    assert!(out.contains("1910 rpm") && out.contains("955") && !out.contains("rad/s") && !out.contains("{$"), "{out}");
+    assert!(out.lines().all(|l| l.chars().count() <= 80), "{out}");
+}
