@@ -72,8 +72,9 @@ fn invalid_parts_are_grey_and_off_the_axis_angles_wrap_and_paths_are_smooth_with
         .float("sin", "m", "", (0..rows).map(|i| turn(i).sin()).collect())
         .build()
         .unwrap();
-    let drawn =
-        |y: Axis, line: Line| draw(&Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(y).mark(line)), &[t.clone()]).unwrap();
+    let drawn = |y: Axis, line: Line| {
+        draw(&Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(y).mark(line)), std::slice::from_ref(&t)).unwrap()
+    };
     let svg = drawn(Axis::new("y", "N"), Line::new("t", "x", "y").valid_where("valid"));
     assert!(svg.contains("outside validity") && !svg.contains(">1000<") && paths(&svg, "cm").len() == 2, "{svg}");
     let degrees = Axis::new("angle", "deg").factor(180.0 / std::f64::consts::PI);

@@ -90,7 +90,7 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
         s.push_str("</tbody></table></section>\n");
     }
     if !page.machine.is_empty() {
-        let _ = write!(s, "<figure class=\"mach\"><figcaption>{}</figcaption>\n", title("page-machine"));
+        let _ = writeln!(s, "<figure class=\"mach\"><figcaption>{}</figcaption>", title("page-machine"));
         s.push_str(&drawing::drawing(page, style));
         s.push_str("</figure>\n");
     }

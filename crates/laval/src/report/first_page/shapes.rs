@@ -3,7 +3,7 @@
 use super::super::text::{escape, px};
 use super::super::words::Style;
 use crate::outcome::{Arg, Message, Mode, Overview};
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use std::fmt::Write;
 
 /// Half of the drawing.
@@ -63,7 +63,7 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
     // the direction, as an arrow on the outermost orbit
     if let ("forward" | "backward", Some((_, a, b))) = (m.whirl, m.orbits.iter().max_by(|x, y| x.1.total_cmp(&y.1))) {
         let up = if m.whirl == "forward" { -1.0 } else { 1.0 };
-        let (c, d) = (0.7071 * LARGEST * a, 0.7071 * LARGEST * b);
+        let (c, d) = (FRAC_1_SQRT_2 * LARGEST * a, FRAC_1_SQRT_2 * LARGEST * b);
         // the arrow points along the tangent at 45 degrees
         let (tx, ty) = (-c, up * d);
         let size = tx.hypot(ty).max(1e-9);

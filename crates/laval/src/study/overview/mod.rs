@@ -115,7 +115,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let range = range(operating, sign, speeds);
     let ends = [sign * range.0, sign * range.1];
     let speed = RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(POINTS) };
-    let wide = speed.clone();
+    let wide = speed;
     let modes = operating.map(|speed| {
         let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
         let known = within(&study, system, context);
@@ -123,14 +123,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     });
     let one = |w: f64| RangeValue { from: w, to: w, points: Some(1) };
     let response = operating.map(|w| within(&ForcedResponse { speed: one(w) }, system, context));
-    let map = StabilityMap {
-        speed: speed.clone(),
-        parameter: None,
-        about: About::Rest,
-        criterion: Criterion::Growth,
-        threshold: 0.0,
-        frequency: None,
-    };
+    let map = StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
     let stability = within(&map, system, context);
     let limits = limits::of(system);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);

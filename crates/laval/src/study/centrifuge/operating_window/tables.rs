@@ -71,10 +71,10 @@ impl Shown<'_> {
         Table::new("requirements", "Ranges of speed in which each requirement is kept: bars of the figure")
             .float("speed", "rad/s", "ends of a range; NaN between ranges", speed)
             .text("requirement", "name of the requirement", names)
-            .float("kept low", "", "lower side of the bar where it is kept", good_low)
-            .float("kept high", "", "upper side", good_high)
-            .float("broken low", "", "lower side of the bar where it is not kept", bad_low)
-            .float("broken high", "", "upper side", bad_high)
+            .float("kept low", "", "lower side of the bar where it is kept; NaN where it is not", good_low)
+            .float("kept high", "", "upper side; NaN where it is not kept", good_high)
+            .float("broken low", "", "lower side of the bar where it is not kept; NaN where it is", bad_low)
+            .float("broken high", "", "upper side; NaN where it is kept", bad_high)
             .build()
     }
 
