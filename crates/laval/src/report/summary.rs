@@ -1,4 +1,4 @@
-//! The answer in the terminal: verdict, checks, a strip over the speed, at most three remarks, what to do next, in 25 lines of 80 columns.
+//! The answer in the terminal: verdict, checks, a strip over the speed, at most three remarks, what to do next, in some 30 lines of 80 columns.
 
 use super::Report;
 use super::first_page::{required, sentence, verdict};
