@@ -258,7 +258,7 @@ term-without-spin-nothing-holds-the-layer-on-the-wall = айналусыз қа�
 term-no-path-in-space = кеңістіктік траектория жоқ
 term-no-place-of-the-liquid-is-found-where-a-path-begins = сұйықтықта траектория басталатын орын табылмады
 
-# Numbers by which a separation is judged, and their meaning.
+# Numbers that show whether a separation is within validity, and their meaning.
 term-reynolds = Рейнольдс саны
 term-inertia = инерция көрсеткіші
 term-dilute = көлемдік үлес

@@ -7,7 +7,11 @@ use crate::model::probe::Probe;
 use crate::outcome::{Arg, Check, Data, End, Level, Message, Outcome, OverSpeed, Verdict};
 use crate::solve::linear_response::Response;
 use crate::study::Study;
+use crate::study::centrifuge::operating_window::OperatingWindow;
+use crate::study::motion::run_up::RunUp;
+use crate::study::nonlinear::stationary::Stationary;
 use crate::study::shared::limits::Limit;
+use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
 
 /// Bodies and parts named in one result.
@@ -60,7 +64,7 @@ pub(super) fn grows(stability: &Check) -> bool {
 
 /// The operating speed against the windows that a study of the file found.
 fn window(facts: &Facts, speed: f64) -> Option<Check> {
-    let study = facts.outcomes.iter().find(|o| o.kind == "operating_window" && o.end.is_complete())?;
+    let study = facts.outcomes.iter().find(|o| o.kind == OperatingWindow::KIND && o.end.is_complete())?;
     let windows: Vec<(f64, f64)> =
         study.findings.iter().filter(|f| f.id == "window").filter_map(|f| Some((f.number("from")?, f.value?))).collect();
     let range = |(from, to): &(f64, f64)| Arg::from(Message::new("speed-span").arg("from", Arg::speed(*from)).arg("to", Arg::speed(*to)));
@@ -131,7 +135,7 @@ fn stability(facts: &Facts) -> Check {
     } else if facts.limits.growth > 0.0 && !(-least.growth() >= facts.limits.growth) {
         (named("stability-stable"), Verdict::Failed)
     } else if outcome.findings.iter().any(|f| f.id == "stable" && f.value == Some(0.0)) {
-        return of(named("stability-neutral"), Verdict::Attention);
+        (named("stability-neutral"), Verdict::Attention)
     } else {
         (named("stability-stable"), Verdict::Passed)
     };
@@ -150,7 +154,7 @@ fn stability(facts: &Facts) -> Check {
 
 /// Whether a state of the balls is stable at the speed, of a study of stationary states.
 fn balanced(facts: &Facts, speed: f64) -> Check {
-    let found: Vec<_> = facts.outcomes.iter().filter(|o| o.kind == "stationary").flat_map(|o| &o.findings).collect();
+    let found: Vec<_> = facts.outcomes.iter().filter(|o| o.kind == Stationary::KIND).flat_map(|o| &o.findings).collect();
     if found.is_empty() {
         return Check::new("check-stability", Message::new("stability-needs-stationary"), Verdict::NotComputed);
     }
@@ -160,7 +164,7 @@ fn balanced(facts: &Facts, speed: f64) -> Check {
         all.filter(|(from, to)| (from..=to).contains(&&speed)).max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
     };
     let of = |key: &str, (from, to): (f64, f64)| Message::new(key).arg("from", Arg::speed(from)).arg("to", Arg::speed(to));
-    let covered: Vec<f64> = facts.outcomes.iter().filter(|o| o.kind == "stationary").flat_map(speeds).map(|w| facts.sign * w).collect();
+    let covered: Vec<f64> = facts.outcomes.iter().filter(|o| o.kind == Stationary::KIND).flat_map(speeds).map(|w| facts.sign * w).collect();
     if !covered.iter().any(|w| *w >= speed * (1.0 - 1e-9)) || !covered.iter().any(|w| *w <= speed * (1.0 + 1e-9)) {
         return Check::new("check-stability", Message::new("stability-outside-study"), Verdict::NotComputed);
     }
@@ -311,15 +315,15 @@ fn forces(facts: &Facts) -> Option<Check> {
     let result = facts.response.as_ref()?.get()?;
     let mut all: Vec<(&str, f64)> = Vec::new();
     for q in result.observed.quantities.iter().filter(|q| q.unit == "N") {
-        let Some(x) = q.values.first().copied().filter(|x| x.is_finite()) else { continue };
+        let Some(x) = q.values.first().copied() else { continue };
         match all.iter_mut().find(|a| a.0 == q.part) {
-            Some(a) => a.1 = a.1.max(x),
+            Some(a) => a.1 = larger(a.1, x),
             None => all.push((&q.part, x)),
         }
     }
     // a linear response has no force of a nonlinear part
     if let Some(s) = &facts.steady {
-        for (part, x) in s.forces.iter().filter(|f| f.1.is_finite()) {
+        for (part, x) in &s.forces {
             match all.iter_mut().find(|a| a.0 == part) {
                 Some(a) => a.1 = *x,
                 None => all.push((part, *x)),
@@ -327,7 +331,8 @@ fn forces(facts: &Facts) -> Option<Check> {
         }
     }
     let largest = all.iter().map(|a| a.1).fold(0.0, f64::max);
-    all.retain(|a| a.1 > 1e-9 * largest);
+    // what is no number stays, and keeps no limit
+    all.retain(|a| !(a.1 <= 1e-9 * largest));
     let nonlinear =
         facts.system.slots().iter().filter(|s| !s.is_linear() && s.layout.ports.iter().any(|p| matches!(p.link, Link::Between(..))));
     let missing: Vec<&str> = nonlinear.map(|s| s.name.as_str()).filter(|n| !all.iter().any(|a| a.0 == *n)).collect();
@@ -372,7 +377,7 @@ fn validity(facts: &Facts) -> Check {
 
 /// What balls leave of the unbalance, of a study of stationary states.
 fn balls(facts: &Facts) -> Option<Check> {
-    let found = facts.outcomes.iter().filter(|o| o.kind == "stationary").flat_map(|o| &o.findings);
+    let found = facts.outcomes.iter().filter(|o| o.kind == Stationary::KIND).flat_map(|o| &o.findings);
     let left = found.clone().find(|f| f.id == "residual_unbalance");
     let Some((left, value)) = left.and_then(|f| Some((f, f.value?))) else {
         return Some(Check::new("check-balls", Message::new("balls-no-study"), Verdict::NotComputed));
@@ -398,7 +403,7 @@ fn simulated(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<(Str
         let largest = o.findings.iter().filter(|f| f.id == "largest_displacement").filter_map(|f| Some((f.subject.clone(), f.value?)));
         largest.filter(|_| whole).max_by(|a, b| a.1.total_cmp(&b.1))
     };
-    let all = facts.outcomes.iter().filter(|o| o.kind == "run_up").filter_map(one);
+    let all = facts.outcomes.iter().filter(|o| o.kind == RunUp::KIND).filter_map(one);
     all.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 

@@ -2,6 +2,9 @@
 
 use super::Facts;
 use crate::outcome::{Data, Table};
+use crate::study::Study;
+use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+use crate::study::shared::support::largest;
 
 /// What is known at the operating speed.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,7 +23,7 @@ const LARGEST: &str = " largest displacement";
 
 /// The steady responses at this amount of the speed; none where no study covers it.
 pub(super) fn steady(facts: &Facts, speed: f64) -> Option<Steady> {
-    let studies = facts.outcomes.iter().filter(|o| o.kind == "nonlinear_response");
+    let studies = facts.outcomes.iter().filter(|o| o.kind == NonlinearResponse::KIND);
     studies.filter_map(|o| at(o.find_table("response")?, facts.sign * speed)).max_by_key(|s| s.states)
 }
 
@@ -58,15 +61,43 @@ fn at(t: &Table, speed: f64) -> Option<Steady> {
     out.stable = known.then(|| pieces.iter().filter(|(k, _)| both(stable, *k)).count());
     // where no response is stable the amplitudes are those of motions that do not last
     let kept: Vec<(usize, f64)> = pieces.into_iter().filter(|(k, _)| both(open, *k)).collect();
-    let largest = |v: &[f64]| kept.iter().map(|&(k, x)| v[k] + x * (v[k + 1] - v[k])).fold(0.0, f64::max);
+    // a size that is no number stays none, and keeps no limit
+    let size = |v: &[f64]| largest(kept.iter().map(|&(k, x)| v[k] + x * (v[k + 1] - v[k])));
     for c in t.columns() {
         let Data::Float(v) = &c.data else { continue };
         if let Some(body) = c.name.strip_suffix(LARGEST) {
-            out.sizes.push((body.to_string(), largest(v)));
+            out.sizes.push((body.to_string(), size(v)));
         } else if c.unit == "N" && c.doc == "largest value over a period" {
             let part = c.name.strip_suffix(" force").unwrap_or(&c.name);
-            out.forces.push((part.to_string(), largest(v)));
+            out.forces.push((part.to_string(), size(v)));
         }
     }
     Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(amplitude: Vec<f64>, stable: Vec<bool>) -> Table {
+        let rows = amplitude.len();
+        Table::new("response", "")
+            .int("branch", "", "", vec![1; rows])
+            .float("speed", "rad/s", "", (0..rows).map(|k| 10.0 * k as f64).collect())
+            .float("disc largest displacement", "m", "", amplitude)
+            .flag("stable", "", stable.clone())
+            .flag("not unstable", "", stable)
+            .build()
+            .unwrap()
+    }
+
+    #[test]
+    fn sizes_are_interpolated_and_what_is_no_number_stays_none() {
+        let known = at(&table(vec![1.0, 2.0, 4.0], vec![true; 3]), 15.0).unwrap();
+        assert_eq!((known.states, known.stable, known.sizes[0].1), (1, Some(1), 3.0));
+        let unknown = at(&table(vec![1.0, 2.0, f64::NAN], vec![true; 3]), 15.0).unwrap();
+        assert!(unknown.sizes[0].1.is_nan());
+        assert_eq!(at(&table(vec![1.0, 2.0], vec![false; 2]), 5.0).unwrap().stable, Some(0));
+        assert_eq!(at(&table(vec![1.0, 2.0], vec![true; 2]), 15.0), None);
+    }
 }

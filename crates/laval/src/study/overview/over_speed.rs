@@ -5,7 +5,9 @@ use crate::outcome::{OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
 use crate::solve::pencil::Whirl;
 use crate::solve::stability::Row;
+use crate::study::Study;
 use crate::study::linear::campbell::damping;
+use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
 
 /// A critical speed with more damping than this does not show as a resonance.
 const LIGHT: f64 = 0.1;
@@ -120,7 +122,7 @@ fn ranges(row: &Row, threshold: f64) -> Vec<(f64, f64)> {
 
 /// Speeds of the jumps that a nonlinear response of the file found.
 fn jumps(facts: &Facts) -> Vec<f64> {
-    let responses = facts.outcomes.iter().filter(|o| o.kind == "nonlinear_response");
+    let responses = facts.outcomes.iter().filter(|o| o.kind == NonlinearResponse::KIND);
     let found = responses.flat_map(|o| &o.findings).filter(|f| f.id == "jump_up" || f.id == "jump_down");
     let mut out: Vec<f64> = found.filter_map(|f| f.value).map(|w| facts.sign * w).filter(|w| *w > 0.0).collect();
     out.sort_by(f64::total_cmp);
