@@ -12,7 +12,7 @@ use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
 use laval::report::{self, Format, Language, Provenance, Report, Style, Units, WriteError};
 use laval::store::Keep;
-use laval::study::{self, Cancel, Context};
+use laval::study::{self, Cancel, Context, presentation};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::Ordering;
@@ -63,10 +63,19 @@ fn steps(text: &str) -> Result<u64, String> {
     }
 }
 
-/// The language requested, else that of the environment.
-fn language(requested: Option<Language>) -> Language {
+/// Language and units: those requested, else those of the file, else the language of the environment and the units that the file writes.
+fn style(requested: Option<Language>, input: &Input, loaded: &Loaded) -> Style {
+    let own = presentation::among(&loaded.system.machine.extras);
     let environment = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|name| std::env::var(name).ok()).find(|v| !v.is_empty());
-    requested.or_else(|| environment?.parse().ok()).unwrap_or_default()
+    let chosen = requested.or_else(|| own.language.as_ref()?.parse().ok());
+    let language = chosen.or_else(|| environment?.parse().ok()).unwrap_or_default();
+    let written = || file::written_units(&input.text());
+    let units = match own.units.as_deref() {
+        None | Some("file") => Units::new(written()),
+        Some("si") => Units::default(),
+        Some(list) => Units::chosen(presentation::listed(list), written()),
+    };
+    Style { language, units }
 }
 
 static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);
@@ -177,7 +186,7 @@ impl<'a> Run<'a> {
             studies: loaded.spec.studies.iter().map(|b| b.name.clone()).collect(),
             outcomes: Vec::new(),
             overview: None,
-            style: Style { language: language(args.lang), units: Units::new(file::written_units(&input.text())) },
+            style: style(args.lang, input, loaded),
         };
         Run {
             args,

@@ -7,6 +7,7 @@ use crate::model::field::{Extra, Value};
 use crate::model::part::{At, Rows};
 use crate::model::system::{self, Machine, System, Workspace};
 use crate::parts;
+use crate::study::operation;
 use crate::study::support::turns_alike;
 use crate::study::{self, Context, ErasedStudy};
 
@@ -225,9 +226,11 @@ fn incomplete(code: &'static str, block: &Block, diagnostics: &mut Diagnostics) 
 
 /// The machine as a whole.
 pub(super) fn machine(block: &MachineBlock, extras: Vec<Extra>) -> Machine {
+    // operating speeds stand for the speed of a machine that gives none
+    let operating = operation::among(&extras).speed.map(|(from, to)| if to.abs() > from.abs() { to } else { from });
     Machine {
         name: block.name.clone(),
-        speed: block.speed,
+        speed: block.speed.or(operating),
         axis: match block.axis {
             RotorAxis::Vertical => system::Axis::Vertical,
             RotorAxis::Horizontal => system::Axis::Horizontal,

@@ -7,6 +7,8 @@ use super::message::{Arg, Message};
 pub struct Overview {
     /// Operating speed, rad/s.
     pub operating: Option<f64>,
+    /// First and last operating speed, where there is a range of them, rad/s.
+    pub operating_range: Option<(f64, f64)>,
     /// How the headline is to be taken.
     pub verdict: Verdict,
     /// One or two sentences: the answer.

@@ -131,6 +131,12 @@ fn strip(out: &mut String, page: &Overview, over: &OverSpeed, style: &Style, wid
     for u in &over.unstable {
         line[place(u.from)..=place(u.to)].fill('█');
     }
+    if let Some((a, b)) = page.operating_range {
+        line[place(a)..=place(b)].iter_mut().filter(|c| **c == '─').for_each(|c| *c = '━');
+        for w in [a, b] {
+            line[place(w)] = '┃';
+        }
+    }
     if let Some(w) = page.operating.filter(|w| (from..=to).contains(w)) {
         line[place(w)] = '┃';
     }

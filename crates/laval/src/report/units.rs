@@ -72,6 +72,20 @@ impl Units {
         out
     }
 
+    /// The units of a list, whatever their size, then those that a machine file writes.
+    pub fn chosen<'u>(list: impl IntoIterator<Item = &'u str>, written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
+        let chosen: Vec<_> = crate::file::si_units(list.into_iter().map(String::from)).collect();
+        let own: Vec<String> = chosen.iter().map(|c| c.2.clone()).collect();
+        let mut out = Units::new(written);
+        out.preferred.retain(|p| !own.contains(&p.0));
+        for (name, size, si) in chosen {
+            if out.of(&si).is_none() {
+                out.preferred.push((si, Rung { name: if name == "deg" { "°".into() } else { name }, size }));
+            }
+        }
+        out
+    }
+
     /// Speeds in rpm, displacements in mm, unbalance in g mm: where no machine file says otherwise.
     pub fn everyday() -> Units {
         Units::new([("rpm".into(), TAU / 60.0, "rad/s".into())])

@@ -1,7 +1,7 @@
 //! Blocks of a file beside parts and studies.
 
 use super::centrifuge::cups;
-use super::shared::limits;
+use super::shared::{limits, operation, presentation};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo};
 use crate::model::part::Part;
@@ -43,6 +43,18 @@ pub fn blocks() -> Vec<BlockKind> {
             check: limits::check,
             part: none,
             points: limits::points,
+        },
+        BlockKind {
+            info: one("operation", operation::DOC, operation::EXAMPLE, operation::FIELDS),
+            check: operation::check,
+            part: none,
+            points: nowhere,
+        },
+        BlockKind {
+            info: one("report", presentation::DOC, presentation::EXAMPLE, presentation::FIELDS),
+            check: presentation::check,
+            part: none,
+            points: nowhere,
         },
     ]
 }

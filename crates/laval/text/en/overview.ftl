@@ -66,12 +66,14 @@ check-run-up = Run-up
 check-window = Operating window
 check-speed = Highest speed
 check-others = Other limits
+check-damping = Damping
 
 required-decay = { $margin ->
         [none] decaying
        *[other] decay ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-above = ≥ { $limit }
 required-validity = inside
 required-less-unbalance = less than without
 
@@ -89,6 +91,8 @@ stability-needs-stationary = balls move in the rotor: needs a study "stationary"
 stability-no-steady = no steady response is stable at this speed (nonlinear response)
 stability-several = { $count } stable steady responses at this speed (nonlinear response)
 stability-outside-study = the study "stationary" does not cover this speed
+stability-unstable-range = unstable at operating speeds: { $range }
+damping-least = logarithmic decrement { $decrement } at { $frequency }
 stability-mode = at { $frequency }, logarithmic decrement { $decrement }
 stability-no-mode = the machine has no mode
 distance-both = { $below } below, { $above } above
@@ -96,6 +100,7 @@ distance-below = { $below } below, none above up to { $to }
 distance-above = none below, { $above } above
 distance-stable-throughout = none found from { $from } to { $to }
 distance-inside-unstable = the operating speed is in an unstable range
+distance-inside = among the operating speeds: { $places }
 distance-no-resonance = none found from { $from } to { $to }
 item = { $name } { $value }
 vibration-sizes = { $sizes }
@@ -122,6 +127,7 @@ balls-no-study = needs a study "stationary" or "transient"
 balls-left = { $left } left of { $without }
 run-up-computed = largest displacement { $value } ("{ $body }")
 run-up-unknown = what lies below { $speed } is not known
+run-up-grows = in unstable ranges a disturbance grows up to { $factor } times
 run-up-diverges = the motion diverges
 run-up-free = crosses no resonance and no unstable range
 run-up-resonances = { $count ->
@@ -175,6 +181,7 @@ axis-growth = growth rate
 strip-unstable = unstable
 axis-speed-plain = speed
 axis-operating = operating speed
+axis-operating-range = operating speeds
 strip-stable-limit = stable below
 caption-both = Amplitude of the linear unbalance response, and growth rate of the least stable mode.
 caption-amplitude = Amplitude of the linear unbalance response.

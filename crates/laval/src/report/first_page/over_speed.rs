@@ -34,6 +34,9 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed, style: &St
         for u in &over.unstable {
             panel = panel.mark(Band::x(u.from, u.to).strip().name(say("strip-unstable")));
         }
+        if let Some((a, b)) = page.operating_range {
+            panel = panel.mark(Band::x(a, b).name(say("axis-operating-range")).neutral());
+        }
         if let Some(w) = page.operating.filter(|w| (from..=to).contains(w)) {
             panel = panel.mark(Rule::x(w, say("axis-operating")));
         }

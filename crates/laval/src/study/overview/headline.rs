@@ -2,23 +2,24 @@
 
 use super::checks;
 use super::margins;
-use super::{Facts, MARGIN};
+use super::operating::Operating;
+use super::{Facts, Known, MARGIN};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Unstable, Verdict};
 
 /// Remarks of one heading.
 const MOST: usize = 3;
 
 pub(super) fn headline(facts: &Facts, page: &mut Overview) {
-    let Some(speed) = facts.operating.map(f64::abs) else {
+    let Some(speed) = facts.operating else {
         page.verdict = Verdict::NotComputed;
         page.headline = vec![Message::new("headline-no-speed")];
         page.next = vec![Message::new("next-speed")];
         return;
     };
-    let at = |key: &str| Message::new(key).arg("speed", Arg::speed(speed));
+    let at = |key: &str| Message::new(key).arg("speed", speed.arg());
     let check = |name: &str| page.checks.iter().find(|c| c.what.key == name);
     let over = page.over_speed.as_ref();
-    let crossed: Vec<&Unstable> = over.iter().flat_map(|o| &o.unstable).filter(|u| u.to < speed).collect();
+    let crossed: Vec<&Unstable> = over.iter().flat_map(|o| &o.unstable).filter(|u| u.to < speed.low).collect();
     let unstable = check("check-stability").is_some_and(checks::grows);
     let stability = match check("check-stability").map_or(Verdict::NotComputed, |c| c.verdict) {
         Verdict::Failed if !unstable => Verdict::Passed,
@@ -47,9 +48,7 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             Some(Message::new("headline-several"))
         } else if let (Some(m), Some(o), true) = (near("check-resonance"), over, closer) {
             verdict = verdict.max(Verdict::Attention);
-            let n = margins::resonance(o, speed);
-            let place = [n.below, n.above].into_iter().flatten().min_by(|a, b| (a - speed).abs().total_cmp(&(b - speed).abs()));
-            place.map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
+            margins::resonance(o, speed).place(speed).map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
         } else if let Some(m) = near("check-instability") {
             verdict = verdict.max(Verdict::Attention);
             Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m)))
@@ -69,12 +68,12 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
 }
 
 /// At the operating speed.
-fn here(page: &Overview, speed: f64) -> Option<(Message, Vec<Message>)> {
+fn here(page: &Overview, speed: Operating) -> Option<(Message, Vec<Message>)> {
     let names = [("check-stability", "remark-stability"), ("check-vibration", "remark-vibration"), ("check-forces", "remark-forces")];
     let of = |name: &str| page.checks.iter().find(|c| c.what.key == name && c.verdict != Verdict::NotComputed);
     let texts: Vec<Message> =
         names.iter().filter_map(|(name, key)| Some(Message::new(*key).arg("text", of(name)?.result.clone()))).collect();
-    (!texts.is_empty()).then(|| (Message::new("remark-here").arg("speed", Arg::speed(speed)), texts))
+    (!texts.is_empty()).then(|| (Message::new("remark-here").arg("speed", speed.arg()), texts))
 }
 
 fn span(key: &str, u: &Unstable) -> Message {
@@ -88,13 +87,13 @@ fn span(key: &str, u: &Unstable) -> Message {
 }
 
 /// On the way up.
-fn below(over: Option<&OverSpeed>, speed: f64) -> Option<(Message, Vec<Message>)> {
+fn below(over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Message>)> {
     let over = over?;
-    let mut out: Vec<Message> = over.unstable.iter().filter(|u| u.to < speed).map(|u| span("remark-unstable", u)).collect();
-    for r in over.resonances.iter().filter(|r| r.speed < speed) {
+    let mut out: Vec<Message> = over.unstable.iter().filter(|u| u.to < speed.low).map(|u| span("remark-unstable", u)).collect();
+    for r in over.resonances.iter().filter(|r| r.speed < speed.low) {
         out.push(resonance(r));
     }
-    let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w <= speed).collect();
+    let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w <= speed.high).collect();
     if !jumps.is_empty() {
         out.push(jump(&jumps));
     }
@@ -117,12 +116,12 @@ fn resonance(r: &crate::outcome::Resonance) -> Message {
 }
 
 /// Above the operating speed.
-fn above(over: Option<&OverSpeed>, speed: f64) -> Option<(Message, Vec<Message>)> {
+fn above(over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Message>)> {
     let over = over?;
     let mut out: Vec<(f64, Message)> =
-        over.unstable.iter().filter(|u| u.from > speed).map(|u| (u.from, span("remark-unstable", u))).collect();
-    out.extend(over.resonances.iter().filter(|r| r.speed > speed).map(|r| (r.speed, resonance(r))));
-    let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w > speed).collect();
+        over.unstable.iter().filter(|u| u.from > speed.high).map(|u| (u.from, span("remark-unstable", u))).collect();
+    out.extend(over.resonances.iter().filter(|r| r.speed > speed.high).map(|r| (r.speed, resonance(r))));
+    let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w > speed.high).collect();
     out.extend(jumps.first().map(|w| (*w, jump(&jumps))));
     out.sort_by(|a, b| a.0.total_cmp(&b.0));
     out.truncate(MOST);
@@ -130,7 +129,7 @@ fn above(over: Option<&OverSpeed>, speed: f64) -> Option<(Message, Vec<Message>)
 }
 
 /// What to do next: from what is missing or not met.
-fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: f64) -> Vec<Message> {
+fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: Operating) -> Vec<Message> {
     let mut out = Vec::new();
     let verdict = |name: &str| checks.iter().find(|c| c.what.key == name).map(|c| c.verdict);
     let runs = |kind: &str| facts.outcomes.iter().any(|o| o.kind == kind);
@@ -138,14 +137,14 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: f64) -
     if checks.iter().any(|c| c.what.key == "check-stability" && checks::grows(c)) {
         out.push(Message::new(if runs("stability_map") { "next-unstable" } else { "next-stability-map" }));
     }
-    if verdict("check-resonance") == Some(Verdict::Attention) {
-        out.push(Message::new("next-resonance").arg("margin", Arg::percent(facts.limits.clearance.unwrap_or(MARGIN))));
+    if matches!(verdict("check-resonance"), Some(Verdict::Attention | Verdict::Failed)) {
+        out.push(Message::new("next-resonance").arg("margin", Arg::percent(facts.resonance_margin().unwrap_or(MARGIN))));
     }
     if verdict("check-balls") == Some(Verdict::NotComputed) {
         out.push(Message::new("next-balls"));
     }
-    let crosses = over.is_some_and(|o| o.unstable.iter().any(|u| u.to < speed) || o.resonances.iter().any(|r| r.speed < speed));
-    if crosses && !runs("run_up") {
+    let crosses = over.is_some_and(|o| o.unstable.iter().any(|u| u.to < speed.low) || o.resonances.iter().any(|r| r.speed < speed.low));
+    if crosses && !runs("run_up") && facts.run_up.as_ref().and_then(Known::get).is_none() {
         out.push(Message::new("next-run-up"));
     }
     if nonlinear && !runs("nonlinear_response") && verdict("check-balls").is_none() {

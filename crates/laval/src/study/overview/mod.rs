@@ -10,6 +10,7 @@ mod headline;
 mod machine;
 mod margins;
 mod nonlinear;
+mod operating;
 mod over_speed;
 mod shapes;
 
@@ -25,9 +26,12 @@ use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult
 use crate::study::linear::modes::{Modes, ModesResult};
 use crate::study::linear::stability_map::{StabilityMap, StabilityMapResult};
 use crate::study::shared::limits::{self, Limits};
+pub(super) use crate::study::shared::operation::MARGIN;
+use crate::study::shared::operation::{self, Operation};
 use crate::study::shared::speed_range::{self, SpinSpeeds};
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
+use operating::Operating;
 use laval_num::work::watched;
 
 /// Most units of work of one check, about a second.
@@ -36,8 +40,12 @@ const SECOND: u64 = 1_000_000_000;
 const POINTS: usize = 120;
 /// The lowest speed computed, over the highest.
 const SLOWEST: f64 = 1e-3;
-/// Distance from resonances and instability, over the operating speed, where `[limits]` gives none.
-pub(super) const MARGIN: f64 = 0.15;
+/// Speeds computed about the operating speeds, where a narrow unstable range matters most.
+const NEAR: usize = 60;
+/// Width of that on both sides, over the speed.
+const ABOUT: f64 = 0.2;
+/// Speeds of a range of operating speeds, at least.
+const OPERATING: usize = 40;
 
 /// What a computation within a second gave.
 pub(super) enum Known<R> {
@@ -83,19 +91,22 @@ fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::R
 /// All that the first page rests on.
 pub(super) struct Facts<'a> {
     system: &'a System,
-    /// Operating speed, not 0.
-    operating: Option<f64>,
+    /// Operating speeds, none at standstill.
+    operating: Option<Operating>,
+    operation: Operation,
     limits: Limits,
     /// Results of the studies of the file.
     outcomes: &'a [Outcome],
     modes: Option<(Modes, Known<ModesResult>)>,
-    /// Response at the operating speed.
+    /// Response at the operating speeds.
     response: Option<Known<ForcedResponseResult>>,
     /// Range of the page, amounts of the speed.
     range: (f64, f64),
     /// Direction of the rotation, 1 or -1.
     sign: f64,
     stability: Known<StabilityMapResult>,
+    /// The same about the operating speeds, in smaller steps.
+    near: Option<StabilityMapResult>,
     /// Growth from which on a mode counts as unstable over the range, 1/s.
     threshold: f64,
     /// Steady responses of the nonlinear machine at the operating speed.
@@ -103,28 +114,51 @@ pub(super) struct Facts<'a> {
     criticals: Known<CriticalSpeedsResult>,
     /// Where critical speeds are not known: the response over the range.
     forced: Option<ForcedResponseResult>,
+    /// The run-up in the time of `[operation]`.
+    run_up: Option<Known<Outcome>>,
     /// Masses move in the rotor: no linear study answers, and a study of stationary states does.
     balls: bool,
 }
 
+impl Facts<'_> {
+    /// The distance from resonances that the file requires.
+    fn resonance_margin(&self) -> Option<f64> {
+        self.operation.resonance_margin.or(self.limits.clearance)
+    }
+}
+
 /// The first page. `speeds`: what the studies of the file cover.
 pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], context: &Context) -> Overview {
-    let operating = system.machine.speed.filter(|w| *w != 0.0);
+    let rated = system.machine.speed.filter(|w| *w != 0.0);
+    let operation = operation::among(&system.machine.extras);
+    let operating = Operating::of(system, &operation);
     // of a rotor that turns the other way round the page shows the amounts of the speeds
-    let sign = operating.map_or(1.0, f64::signum);
+    let sign = rated.map_or(1.0, f64::signum);
     let range = range(operating, sign, speeds);
     let ends = [sign * range.0, sign * range.1];
     let speed = RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(POINTS) };
-    let wide = speed;
-    let modes = operating.map(|speed| {
+    let modes = rated.map(|speed| {
         let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
         let known = within(&study, system, context);
         (study, known)
     });
-    let one = |w: f64| RangeValue { from: w, to: w, points: Some(1) };
-    let response = operating.map(|w| within(&ForcedResponse { speed: one(w) }, system, context));
-    let map = StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
-    let stability = within(&map, system, context);
+    let ordered = |low: f64, high: f64, points: usize| {
+        let ends = [sign * low, sign * high];
+        RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(points) }
+    };
+    let response = operating.map(|o| {
+        let speed = ordered(o.low, o.high, if o.is_one() { 1 } else { OPERATING });
+        within(&ForcedResponse { speed }, system, context)
+    });
+    let map = |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
+    let stability = within(&map(speed), system, context);
+    let near = operating.filter(|_| stability.get().is_some()).and_then(|o| {
+        let about = map(ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR));
+        match within(&about, system, context) {
+            Known::Yes(r) => Some(r),
+            _ => None,
+        }
+    });
     let limits = limits::of(system);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
     // slower waves of a liquid that nothing inside it damps are within rounding
@@ -132,15 +166,20 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let threshold = if system.domains(fastest).iter().any(Domain::undamped) { LEAST * fastest } else { 0.0 };
     let forced = match criticals {
         Known::Yes(_) => None,
-        _ => match within(&ForcedResponse { speed: wide }, system, context) {
+        _ => match within(&ForcedResponse { speed }, system, context) {
             Known::Yes(r) => Some(r),
             _ => None,
         },
     };
     let balls = system.slots().iter().any(|s| s.part.movable_masses().is_some());
+    let run_up = rated.zip(operation.run_up_time).map(|(_, time)| {
+        let top = operating.map_or(0.0, |o| sign * o.high);
+        checks::simulate(system, top, time, context)
+    });
     let mut facts = Facts {
         system,
         operating,
+        operation,
         limits,
         outcomes,
         modes,
@@ -148,15 +187,18 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         range,
         sign,
         stability,
+        near,
         threshold,
         steady: None,
         criticals,
         forced,
+        run_up,
         balls,
     };
-    facts.steady = operating.and_then(|w| nonlinear::steady(&facts, w.abs()));
+    facts.steady = operating.and_then(|o| nonlinear::steady(&facts, o));
     let mut out = Overview {
-        operating: operating.map(f64::abs),
+        operating: rated.map(f64::abs),
+        operating_range: operating.filter(|o| !o.is_one()).map(|o| (o.low, o.high)),
         over_speed: over_speed::over_speed(&facts),
         modes: shapes::modes(&facts),
         machine: machine::blocks(system),
@@ -168,13 +210,13 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
 }
 
 /// The range shown: that of the studies of the file, with the operating speed well inside.
-fn range(operating: Option<f64>, sign: f64, speeds: &[SpinSpeeds]) -> (f64, f64) {
+fn range(operating: Option<Operating>, sign: f64, speeds: &[SpinSpeeds]) -> (f64, f64) {
     let turned = speeds.iter().map(|s| SpinSpeeds::between(sign * s.from, sign * s.to));
     let wide = turned.filter(|s| s.to > s.from && s.from >= 0.0);
     let (mut from, mut to) = wide.fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(s.from), b.max(s.to)));
-    if let Some(w) = operating.map(f64::abs) {
-        from = from.min(0.2 * w);
-        to = to.max(1.5 * w);
+    if let Some(o) = operating {
+        from = from.min(0.2 * o.low);
+        to = to.max(1.5 * o.high);
     }
     if !(from.is_finite() && to > 0.0) {
         (from, to) = (10.0, 1000.0);

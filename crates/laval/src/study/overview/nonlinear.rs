@@ -1,10 +1,11 @@
 //! Steady responses at the operating speed that a `nonlinear_response` of the file found.
 
 use super::Facts;
-use crate::outcome::{Data, Table};
+use super::operating::Operating;
+use crate::outcome::{Data, Outcome, Table};
 use crate::study::Study;
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
-use crate::study::shared::support::largest;
+use crate::study::shared::support::{larger, largest};
 
 /// What is known at the operating speed.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,10 +22,39 @@ pub(super) struct Steady {
 
 const LARGEST: &str = " largest displacement";
 
-/// The steady responses at this amount of the speed; none where no study covers it.
-pub(super) fn steady(facts: &Facts, speed: f64) -> Option<Steady> {
+/// The steady responses at the operating speeds, the worst of each; none where no study covers them.
+pub(super) fn steady(facts: &Facts, operating: Operating) -> Option<Steady> {
     let studies = facts.outcomes.iter().filter(|o| o.kind == NonlinearResponse::KIND);
-    studies.filter_map(|o| at(o.find_table("response")?, facts.sign * speed)).max_by_key(|s| s.states)
+    let of = |o: &Outcome| {
+        let t = o.find_table("response")?;
+        let ends = [operating.low, operating.high].map(|w| facts.sign * w);
+        let between = floats(t, "speed")?.iter().copied().filter(|w| operating.contains(facts.sign * w));
+        let all = ends.into_iter().map(|w| at(t, w)).collect::<Option<Vec<Steady>>>()?;
+        let more = between.filter(|_| !operating.is_one()).filter_map(|w| at(t, w));
+        all.into_iter().chain(more).reduce(Steady::worse)
+    };
+    studies.filter_map(of).max_by_key(|s| s.states)
+}
+
+impl Steady {
+    /// The worse of two speeds in everything: a speed without stable response before one with several.
+    fn worse(self, other: Steady) -> Steady {
+        let stable = match (self.stable, other.stable) {
+            (Some(0), _) | (_, Some(0)) => Some(0),
+            (Some(a), Some(b)) => Some(a.max(b)),
+            _ => None,
+        };
+        let larger_of = |mut a: Vec<(String, f64)>, b: Vec<(String, f64)>| {
+            a.iter_mut().zip(b).for_each(|(a, b)| a.1 = larger(a.1, b.1));
+            a
+        };
+        Steady {
+            states: self.states.max(other.states),
+            stable,
+            sizes: larger_of(self.sizes, other.sizes),
+            forces: larger_of(self.forces, other.forces),
+        }
+    }
 }
 
 fn floats<'t>(t: &'t Table, name: &str) -> Option<&'t [f64]> {

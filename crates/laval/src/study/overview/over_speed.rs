@@ -21,6 +21,11 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
     if let Some(row) = facts.stability.get().and_then(|r| r.rows.first()) {
         out.unstable = unstable(row, facts);
+        // ranges narrower than the steps over the whole range
+        let near = facts.near.iter().flat_map(|r| r.rows.first()).flat_map(|row| unstable(row, facts));
+        let found: Vec<Unstable> = near.filter(|u| !out.unstable.iter().any(|k| k.from <= u.to && u.from <= k.to)).collect();
+        out.unstable.extend(found);
+        out.unstable.sort_by(|a, b| a.from.total_cmp(&b.from));
         (out.growth_speed, out.growth) = row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).unzip();
     }
     let forced = facts.forced.as_ref().map(|f| &f.curve);
@@ -61,7 +66,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
 /// From well below the lowest event or the operating speed on.
 fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
     let events = over.unstable.iter().map(|u| u.from).chain(over.resonances.iter().map(|r| r.speed)).chain(over.jumps.iter().copied());
-    let lowest = events.chain(facts.operating.map(f64::abs)).fold(f64::INFINITY, f64::min);
+    let lowest = events.chain(facts.operating.map(|o| o.low)).fold(f64::INFINITY, f64::min);
     let from = if lowest.is_finite() { SHOWN * lowest } else { 0.0 };
     (from.max(over.range.0), over.range.1)
 }

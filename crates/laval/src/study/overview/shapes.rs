@@ -17,7 +17,7 @@ pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
     all.sort_by(|a, b| b.damping_ratio().total_cmp(&a.damping_ratio()).reverse());
     all.truncate(MOST);
     all.sort_by(|a, b| a.frequency().total_cmp(&b.frequency()));
-    let speed = facts.operating.unwrap_or(0.0);
+    let speed = facts.system.machine.speed.unwrap_or(0.0);
     all.into_iter().map(|m| mode(facts, m, speed)).collect()
 }
 

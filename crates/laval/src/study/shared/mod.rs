@@ -1,6 +1,8 @@
 //! Code that studies of several rooms use.
 
 pub mod limits;
+pub mod operation;
+pub mod presentation;
 pub(in crate::study) mod probes;
 pub(in crate::study) mod region;
 pub(in crate::study) mod size;

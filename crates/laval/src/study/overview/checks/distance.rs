@@ -1,0 +1,63 @@
+//! Distances from instability and resonance.
+
+use super::super::margins::{self, Nearest};
+use super::super::operating::Operating;
+use super::super::{Facts, MARGIN};
+use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
+
+/// A distance in speed with its requirement.
+fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operating, required: f64, within: (f64, f64)) -> Check {
+    let places = |key: &str| {
+        let mut m = Message::new(key).arg("from", Arg::speed(within.0)).arg("to", Arg::speed(within.1));
+        for (name, place) in [("below", nearest.below), ("above", nearest.above)] {
+            m = m.arg(name, place.map_or(Arg::word("none"), Arg::speed));
+        }
+        m
+    };
+    let margin = nearest.margin(speed);
+    let inside = || Message::new("distance-inside").arg("places", Arg::List(nearest.inside.iter().map(|w| Arg::speed(*w)).collect()));
+    let result = match (nearest.below, nearest.above) {
+        _ if !nearest.inside.is_empty() => inside(),
+        (None, None) => places(none),
+        (Some(_), None) => places("distance-below"),
+        (None, Some(_)) => places("distance-above"),
+        (Some(_), Some(_)) => places("distance-both"),
+    };
+    let verdict = match margin {
+        Some(m) if !(m >= required) || !nearest.inside.is_empty() => Verdict::Attention,
+        _ => Verdict::Passed,
+    };
+    Check { required: Some(Arg::percent(required)), margin, ..Check::new(what, result, verdict) }
+}
+
+pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, unstable: bool) -> Option<Check> {
+    let Some(over) = over.filter(|o| !o.growth.is_empty()) else {
+        return Some(Check::new("check-instability", facts.stability.why(), Verdict::NotComputed));
+    };
+    let required = facts.operation.instability_margin.unwrap_or(MARGIN);
+    let nearest = margins::instability(over, speed);
+    let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, required, over.range);
+    // a band may be narrower than the steps over the range
+    if unstable || nearest.margin(speed) == Some(0.0) {
+        check.verdict = Verdict::Failed;
+        check.margin = None;
+        check.result = Message::new("distance-inside-unstable");
+    } else if check.verdict == Verdict::Attention && facts.operation.instability_margin.is_some() {
+        check.verdict = Verdict::Failed;
+    }
+    Some(check)
+}
+
+pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
+    let set = facts.resonance_margin();
+    let Some(over) = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some()) else {
+        return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
+    };
+    let nearest = margins::resonance(over, speed);
+    let mut check = distance("check-resonance", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), over.range);
+    if check.verdict == Verdict::Attention && set.is_some() {
+        check.verdict = Verdict::Failed;
+    }
+    Some(check)
+}
+

@@ -1,0 +1,125 @@
+//! Requirements at the operating speed, and how they are met.
+
+mod distance;
+mod response;
+mod run_up;
+mod stability;
+
+pub(super) use run_up::simulate;
+pub(super) use stability::grows;
+
+use super::Facts;
+use super::operating::{Operating, span};
+use crate::outcome::{Arg, Check, Data, Message, Outcome, OverSpeed, Verdict};
+use crate::study::Study;
+use crate::study::centrifuge::operating_window::OperatingWindow;
+use distance::{instability, resonance};
+use response::{forces, validity, vibration};
+use run_up::run_up;
+use stability::{balanced, balls, damping, stability};
+
+/// Bodies and parts named in one result.
+const MOST_NAMED: usize = 3;
+
+/// All checks that apply to this machine.
+pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
+    let Some(speed) = facts.operating else { return Vec::new() };
+    if facts.balls {
+        let mut out = vec![balanced(facts, speed), validity(facts)];
+        out.extend(balls(facts));
+        out.extend(run_up(facts, over, speed));
+        out.extend(window(facts, speed));
+        out.extend(highest(facts, speed));
+        out.extend(left_out(facts, true));
+        return out;
+    }
+    let mut out = vec![stability(facts, over, speed)];
+    out.extend(damping(facts));
+    let unstable = grows(&out[0]);
+    out.extend(instability(facts, over, speed, unstable));
+    out.extend(resonance(facts, over, speed));
+    if unstable {
+        // the response exists, and no machine stays on it
+        out.push(Check::new("check-vibration", Message::new("vibration-unstable"), Verdict::NotComputed));
+    } else {
+        out.extend(vibration(facts));
+        out.extend(forces(facts));
+    }
+    out.push(validity(facts));
+    out.extend(run_up(facts, over, speed));
+    out.extend(window(facts, speed));
+    out.extend(highest(facts, speed));
+    out.extend(left_out(facts, false));
+    // a reason that holds for several stands once
+    let mut reasons: Vec<Message> = Vec::new();
+    for c in out.iter_mut().filter(|c| c.result.key == "why-refused") {
+        if reasons.contains(&c.result) {
+            c.result = Message::new("why-same");
+        } else {
+            reasons.push(c.result.clone());
+        }
+    }
+    out
+}
+
+/// The operating speed against the windows that a study of the file found.
+fn window(facts: &Facts, speed: Operating) -> Option<Check> {
+    let study = facts.outcomes.iter().find(|o| o.kind == OperatingWindow::KIND && o.end.is_complete())?;
+    let windows: Vec<(f64, f64)> =
+        study.findings.iter().filter(|f| f.id == "window").filter_map(|f| Some((f.number("from")?, f.value?))).collect();
+    let range = |(from, to): &(f64, f64)| span(*from, *to);
+    let (result, verdict) = match windows.iter().any(|(from, to)| *from <= speed.low && speed.high <= *to) {
+        _ if windows.is_empty() => (Message::new("window-none"), Verdict::Failed),
+        inside => {
+            let result = Message::new("window-ranges").arg("ranges", Arg::List(windows.iter().map(range).collect()));
+            (result, if inside { Verdict::Passed } else { Verdict::Failed })
+        }
+    };
+    Some(Check { required: Some(Message::new("required-validity").into()), ..Check::new("check-window", result, verdict) })
+}
+
+/// The highest speed allowed.
+fn highest(facts: &Facts, speed: Operating) -> Option<Check> {
+    let limit = facts.limits.speed?;
+    let (required, verdict) = against(Some(((limit, speed.high), "rad/s")));
+    Some(Check { required, ..Check::new("check-speed", Message::new("speed-is").arg("speed", Arg::speed(speed.high)), verdict) })
+}
+
+/// Limits that this page does not assess.
+fn left_out(facts: &Facts, balls: bool) -> Option<Check> {
+    let l = &facts.limits;
+    let mut names = Vec::new();
+    let mut add = |given: bool, name: &'static str| names.extend(given.then_some(name));
+    add(!l.tilt.is_empty(), "tilt");
+    add(!l.moment.is_empty(), "moment");
+    add(l.torque.is_some(), "drive_torque");
+    add(l.self_centring.is_some(), "self_centring");
+    add(balls && !l.displacement.is_empty(), "displacement");
+    add(balls && !l.velocity.is_empty(), "velocity");
+    add(balls && !l.force.is_empty(), "force");
+    add(balls && l.clearance.is_some(), "clearance");
+    add(balls && l.growth > 0.0, "growth_margin");
+    let result = Message::new("limits-left-out").arg("names", Arg::names(names.iter().copied()));
+    (!names.is_empty()).then(|| Check::new("check-others", result, Verdict::NotComputed))
+}
+
+/// A limit with its unit, and whether a value keeps it.
+fn against(worst: Option<((f64, f64), &'static str)>) -> (Option<Arg>, Verdict) {
+    match worst {
+        Some(((limit, x), unit)) => {
+            let verdict = if x <= limit { Verdict::Passed } else { Verdict::Failed };
+            (Some(Message::new("required-below").arg("limit", Arg::quantity(limit, unit)).into()), verdict)
+        }
+        None => (None, Verdict::NoLimit),
+    }
+}
+
+/// Speeds that a study covers: those of all its tables.
+fn speeds(o: &Outcome) -> Vec<f64> {
+    let columns = o.tables.iter().filter_map(|t| t.column("speed"));
+    let floats = columns.filter_map(|c| match &c.data {
+        Data::Float(v) => Some(v),
+        _ => None,
+    });
+    floats.flatten().copied().filter(|w| w.is_finite()).collect()
+}

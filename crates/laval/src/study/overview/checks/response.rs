@@ -1,0 +1,144 @@
+//! Vibration, forces and validity at the operating speeds.
+
+use super::super::{Facts, Known};
+use super::{MOST_NAMED, against};
+use crate::model::part::Link;
+use crate::model::probe::Probe;
+use crate::outcome::{Arg, Check, Level, Message, Verdict};
+use crate::solve::extrema::Curve;
+use crate::study::shared::limits::Limit;
+use crate::study::shared::support::{larger, largest};
+
+/// The response at the operating speeds.
+fn response<'f>(facts: &'f Facts) -> Result<&'f Curve, Message> {
+    let Some(known) = &facts.response else { return Err(Message::new("why-no-speed")) };
+    let Some(result) = known.get() else { return Err(known.why()) };
+    let curve = &result.curve;
+    let bounded = curve.points.iter().all(|r| r.x.iter().all(|x| x.is_finite())) && curve.extrema.iter().all(|e| !e.unbounded);
+    if bounded && !curve.points.is_empty() && curve.singular.is_empty() { Ok(curve) } else { Err(Message::new("vibration-unbounded")) }
+}
+
+/// Largest displacement of a point over the operating speeds, m, and largest velocity, m/s.
+fn sizes(curve: &Curve, probes: &[Probe], probe: &Probe) -> (f64, f64) {
+    let points = curve.points.iter().map(|r| (r.speed.abs(), r.size(probe)));
+    let peaks = curve.extrema.iter().filter(|e| e.maximum && probes[e.probe] == *probe).map(|e| (e.speed.abs(), e.value));
+    let all: Vec<(f64, f64)> = points.chain(peaks).collect();
+    (largest(all.iter().map(|a| a.1)), largest(all.iter().map(|a| a.0 * a.1)))
+}
+
+/// Displacements of bodies against their limits.
+pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
+    let curve = match response(facts) {
+        Ok(curve) => curve,
+        Err(why) => {
+            let verdict = if why.key == "vibration-unbounded" { Verdict::Failed } else { Verdict::NotComputed };
+            return vec![Check::new("check-vibration", why, verdict)];
+        }
+    };
+    // what a nonlinear study found counts before the linear response
+    let nonlinear = facts.steady.as_ref().filter(|s| !s.sizes.is_empty());
+    let probes = facts.system.probes();
+    let known = |p: &Probe| nonlinear.and_then(|s| s.sizes.iter().find(|x| p.is_reference() && x.0 == p.name)).map(|x| x.1);
+    let fastest = facts.operating.map_or(0.0, |o| o.high);
+    let size = |p: &Probe| known(p).unwrap_or_else(|| sizes(curve, probes, p).0);
+    let velocity = |p: &Probe| known(p).map_or_else(|| sizes(curve, probes, p).1, |x| x * fastest);
+    let mut named: Vec<(&Probe, f64)> = probes.iter().filter(|p| p.is_reference()).map(|p| (p, size(p))).collect();
+    named.sort_by(|a, b| b.1.total_cmp(&a.1));
+    named.truncate(MOST_NAMED);
+    let item =
+        |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", Arg::name(&p.name)).arg("value", Arg::quantity(*x, "m")));
+    let result = Message::new("vibration-sizes").arg("sizes", Arg::List(named.iter().map(item).collect()));
+    let detail = named
+        .first()
+        .map(|(p, _)| Message::new("vibration-velocity").arg("name", Arg::name(&p.name)).arg("peak", Arg::quantity(velocity(p), "m/s")));
+    let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
+        let of = |l: &&Limit| {
+            probes.iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body })
+        };
+        limits
+            .iter()
+            .filter_map(|l| Some((l, size(of(&l)?))))
+            .max_by(|a, b| (a.1 / a.0.value).total_cmp(&(b.1 / b.0.value)))
+            .map(|(l, x)| (l.value, x))
+    };
+    let worst = [(kept(&facts.limits.displacement, &size), "m"), (kept(&facts.limits.velocity, &velocity), "m/s")];
+    let worst = worst.into_iter().filter_map(|(w, unit)| Some((w?, unit))).max_by(|a, b| (a.0.1 / a.0.0).total_cmp(&(b.0.1 / b.0.0)));
+    let (required, verdict) = against(worst);
+    let closes: Vec<&str> =
+        facts.response.as_ref().and_then(Known::get).map_or(Vec::new(), |r| r.observed.closed.iter().map(|c| c.part.as_str()).collect());
+    let (detail, verdict) = if nonlinear.is_some() {
+        (Some(Message::new("vibration-nonlinear")), verdict)
+    } else if !closes.is_empty() {
+        // the linear response passes through a part that would hold it
+        (Some(Message::new("vibration-contact").arg("parts", Arg::names(closes))), Verdict::Attention)
+    } else {
+        (detail, verdict)
+    };
+    vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }]
+}
+
+/// Forces of the parts against their limits.
+pub(super) fn forces(facts: &Facts) -> Option<Check> {
+    let result = facts.response.as_ref()?.get()?;
+    let mut all: Vec<(&str, f64)> = Vec::new();
+    for q in result.observed.quantities.iter().filter(|q| q.unit == "N") {
+        let x = largest(q.values.iter().copied());
+        match all.iter_mut().find(|a| a.0 == q.part) {
+            Some(a) => a.1 = larger(a.1, x),
+            None => all.push((&q.part, x)),
+        }
+    }
+    // a linear response has no force of a nonlinear part
+    if let Some(s) = &facts.steady {
+        for (part, x) in &s.forces {
+            match all.iter_mut().find(|a| a.0 == part) {
+                Some(a) => a.1 = *x,
+                None => all.push((part, *x)),
+            }
+        }
+    }
+    let most = all.iter().map(|a| a.1).fold(0.0, f64::max);
+    // what is no number stays, and keeps no limit
+    all.retain(|a| !(a.1 <= 1e-9 * most));
+    let nonlinear =
+        facts.system.slots().iter().filter(|s| !s.is_linear() && s.layout.ports.iter().any(|p| matches!(p.link, Link::Between(..))));
+    let missing: Vec<&str> = nonlinear.map(|s| s.name.as_str()).filter(|n| !all.iter().any(|a| a.0 == *n)).collect();
+    if all.is_empty() && missing.is_empty() {
+        return None;
+    }
+    let limit = |part: &str| facts.limits.force.iter().find(|l| l.body == part).map(|l| l.value);
+    let worst = all.iter().filter_map(|(p, x)| Some((limit(p)?, *x))).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)));
+    let (required, verdict) = against(worst.map(|w| (w, "N")));
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all.truncate(MOST_NAMED);
+    let item = |(name, x): &(&str, f64)| Arg::from(Message::new("item").arg("name", Arg::name(*name)).arg("value", Arg::quantity(*x, "N")));
+    let result = Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect()));
+    let limited = missing.iter().any(|n| facts.limits.force.iter().any(|l| l.body == *n));
+    let verdict = if limited && verdict != Verdict::Failed { Verdict::Attention } else { verdict };
+    let detail = (!missing.is_empty()).then(|| Message::new("forces-without").arg("parts", Arg::names(missing)));
+    Some(Check { detail, required, ..Check::new("check-forces", result, verdict) })
+}
+
+/// Validity of the parts at the operating speed, and what the studies of the file found outside.
+pub(super) fn validity(facts: &Facts) -> Check {
+    let outside: Vec<&str> = facts
+        .outcomes
+        .iter()
+        .flat_map(|o| &o.findings)
+        .filter(|f| f.level == Level::Invalid)
+        .map(|f| if f.subject.is_empty() { f.id.as_str() } else { f.subject.as_str() })
+        .collect();
+    let here = facts.response.as_ref().and_then(Known::get).filter(|r| !r.observed.validity.is_empty()).map(|r| largest(r.observed.validity.iter().copied()));
+    let required = Some(Arg::from(Message::new("required-validity")));
+    let (result, verdict) = match here {
+        Some(x) if !(x <= 1.0) => (Message::new("validity-outside-here").arg("ratio", Arg::number(x)), Verdict::Failed),
+        Some(0.0) if outside.is_empty() => (Message::new("validity-none"), Verdict::NoLimit),
+        Some(x) if x.is_nan() => (Message::new("validity-nothing"), Verdict::NotComputed),
+        Some(x) if outside.is_empty() => (Message::new("validity-inside").arg("share", Arg::percent(x)), Verdict::Passed),
+        Some(x) => (Message::new("validity-elsewhere").arg("share", Arg::percent(x)), Verdict::Passed),
+        None if outside.is_empty() => (Message::new("validity-nothing"), Verdict::NotComputed),
+        None => (Message::new("validity-studies").arg("count", Arg::count(outside.len())), Verdict::Attention),
+    };
+    Check { required, ..Check::new("check-validity", result, verdict) }
+}
+

@@ -1,0 +1,96 @@
+//! What lies on the way to the operating speeds.
+
+use super::super::operating::{Operating, span};
+use super::super::{Facts, Known, within};
+use super::{against, speeds};
+use crate::diagnostic::Diagnostics;
+use crate::model::field::{Value, Values};
+use crate::model::system::System;
+use crate::outcome::{Arg, Check, End, Message, Outcome, OverSpeed, Verdict};
+use crate::study::motion::run_up::RunUp;
+use crate::study::{Context, Study};
+
+/// Rows of the motion kept: the page needs the largest displacement alone.
+const ROWS: i64 = 100;
+
+/// The run-up from standstill to this speed in this time, s.
+pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context: &Context) -> Known<Outcome> {
+    let mut values = Values::default();
+    values.set("to", Value::Number(speed), None);
+    values.set("duration", Value::Number(time), None);
+    values.set("points", Value::Integer(ROWS), None);
+    let mut wrong = Diagnostics::default();
+    let Some(study) = RunUp::build(&values, system, &mut wrong) else { return Known::Refused(wrong.into_error()) };
+    match within(&study, system, context) {
+        Known::Yes(result) => study.report(system, &result, RunUp::KIND).map_or(Known::TooLong, Known::Yes),
+        Known::Refused(d) => Known::Refused(d),
+        Known::TooLong => Known::TooLong,
+    }
+}
+
+/// The largest displacement of the run-ups of the file that begin below what is crossed and reach the operating speed, with its body; infinite where one of
+/// them diverges.
+fn simulated(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(String, f64)> {
+    let events = over.into_iter().flat_map(|o| o.resonances.iter().map(|r| r.speed).chain(o.unstable.iter().map(|u| u.from)));
+    let lowest = events.fold(0.2 * speed.low, f64::min);
+    let one = |o: &Outcome| {
+        if matches!(o.end, End::Unbounded { .. }) {
+            return Some((String::new(), f64::INFINITY));
+        }
+        let covered: Vec<f64> = speeds(o).into_iter().map(|w| facts.sign * w).collect();
+        let whole = o.end.is_complete() && covered.iter().any(|w| *w >= 0.999 * speed.high) && covered.first().is_some_and(|w| *w <= lowest);
+        let largest = o.findings.iter().filter(|f| f.id == "largest_displacement").filter_map(|f| Some((f.subject.clone(), f.value?)));
+        largest.filter(|_| whole).max_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    let all = facts.outcomes.iter().filter(|o| o.kind == RunUp::KIND).chain(facts.run_up.as_ref().and_then(Known::get)).filter_map(one);
+    all.max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// What a run-up to the operating speed crosses.
+pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
+    let largest = simulated(facts, over, speed);
+    let known = over.is_some_and(|o| !o.growth.is_empty() && (!o.response_speed.is_empty() || facts.criticals.get().is_some()));
+    if !known && largest.is_none() {
+        let result = Message::new("run-up-unknown").arg("speed", Arg::speed(speed.low));
+        return Some(Check::new("check-run-up", result, Verdict::NotComputed));
+    }
+    let below = |o: &OverSpeed| {
+        let resonances: Vec<Arg> = o.resonances.iter().filter(|r| r.speed < speed.low).map(|r| Arg::speed(r.speed)).collect();
+        let unstable = o.unstable.iter().filter(|u| u.from < speed.low);
+        (resonances, unstable.map(|u| span(u.from, u.to.min(speed.low))).collect::<Vec<Arg>>())
+    };
+    let (resonances, ranges) = over.map(below).unwrap_or_default();
+    let limit = facts.limits.passage.iter().map(|l| l.value).reduce(f64::min);
+    let (result, required, verdict) = match (largest, resonances.is_empty() && ranges.is_empty()) {
+        (Some((_, x)), _) if !x.is_finite() => (Message::new("run-up-diverges"), None, Verdict::Failed),
+        (Some((body, x)), _) => {
+            let result = Message::new("run-up-computed").arg("body", Arg::name(body)).arg("value", Arg::quantity(x, "m"));
+            let (required, verdict) = against(limit.map(|l| ((l, x), "m")));
+            (result, required, verdict)
+        }
+        (None, true) => {
+            let verdict = if facts.limits.passage.is_empty() { Verdict::Passed } else { Verdict::NotComputed };
+            (Message::new("run-up-free"), None, verdict)
+        }
+        (None, false) => {
+            let key = match (resonances.is_empty(), ranges.is_empty()) {
+                (false, true) => "run-up-resonances",
+                (true, _) => "run-up-unstable",
+                (false, false) => "run-up-both",
+            };
+            let m = Message::new(key).arg("count", Arg::count(resonances.len())).arg("resonances", Arg::List(resonances));
+            (m.arg("ranges", Arg::List(ranges)), None, Verdict::NotComputed)
+        }
+    };
+    Some(Check { required, detail: factor(facts, over, speed), ..Check::new("check-run-up", result, verdict) })
+}
+
+/// By what factor a disturbance grows at most on the way through unstable ranges in the time of the run-up: exp of the growth rate over that time, as in
+/// every slow passage.
+fn factor(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Message> {
+    let (time, over) = (facts.operation.run_up_time?, over?);
+    let samples: Vec<(f64, f64)> = over.growth_speed.iter().copied().zip(over.growth.iter().copied()).filter(|s| s.0 < speed.low).collect();
+    let area: f64 = samples.windows(2).map(|w| 0.5 * (w[0].1.max(0.0) + w[1].1.max(0.0)) * (w[1].0 - w[0].0)).sum();
+    let exponent = area * time / speed.high;
+    (exponent > 0.0).then(|| Message::new("run-up-grows").arg("factor", Arg::number(exponent.exp())))
+}
