@@ -60,7 +60,7 @@ enum Command {
     /// List the units a value may have
     Units,
     /// Print the JSON Schema of machine files, for editors that complete and check
-    Schema,
+    Schema(show::SchemaArgs),
     /// Run the validation cases, write their gallery, fail when a verdict has changed
     Validate(validate::Args),
 }
@@ -83,7 +83,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Parts(args) => show::parts(args),
         Command::Studies(args) => show::studies(args),
         Command::Units => show::units(),
-        Command::Schema => show::schema(),
+        Command::Schema(args) => show::schema(args),
         Command::Validate(args) => validate::validate(args),
     })
     .unwrap_or(FAILED);

@@ -3,6 +3,7 @@
 use crate::{DONE, WRONG, input, terminal};
 use laval::diagnostic::{Diagnostic, nearest};
 use laval::file::{catalog, docs, schema};
+use laval::report::RESULTS_SCHEMA;
 use laval::model::field::{BlockInfo, KindInfo};
 
 /// What may be said to `parts` and `studies`.
@@ -48,9 +49,20 @@ pub fn units() -> u8 {
     DONE
 }
 
+/// What may be said to `schema`.
+#[derive(clap::Args)]
+pub struct SchemaArgs {
+    /// The schema of results.json instead
+    #[arg(long)]
+    results: bool,
+}
+
 /// `laval schema`.
-pub fn schema() -> u8 {
-    terminal::print(&format!("{:#}\n", schema::schema(&catalog())));
+pub fn schema(args: &SchemaArgs) -> u8 {
+    match args.results {
+        true => terminal::print(RESULTS_SCHEMA),
+        false => terminal::print(&format!("{:#}\n", schema::schema(&catalog()))),
+    };
     DONE
 }
 

@@ -1,6 +1,7 @@
 //! The program from outside: what it prints, writes and returns.
 
 mod launcher;
+mod results_schema;
 
 use launcher::{Dir, Said};
 use std::fs;
@@ -251,6 +252,12 @@ fn reports_speak_the_language_requested() {
     let page = dir.read("ru/report.html");
     assert!(page.contains("<html lang=\"ru\">") && page.contains("об/мин"));
     assert_eq!(dir.read("ru/results.json"), dir.read("en/results.json"));
+    // the file comes after the request
+    dir.file("own.toml", &format!("{SMALL}[report]\nlanguage = \"ru\"\nunits = \"Hz\"\n"));
+    let own = dir.laval(["run", "own.toml", "--out", "own"]).done().to_string();
+    assert!(own.contains("Гц") && !own.contains("об/мин"), "{own}");
+    let asked = dir.laval(["run", "own.toml", "--out", "own", "--lang", "en"]).done().to_string();
+    assert!(asked.contains("Hz") && !asked.contains("Гц"), "{asked}");
     dir.laval(["run", "pump.toml", "--lang", "xx"]).refused(&["xx", "en, ru, kk, uz"]);
 }
 
@@ -398,6 +405,7 @@ fn ctrl_c_keeps_what_was_done() {
 fn templates_are_sound_and_never_overwrite() {
     let dir = Dir::new("templates");
     let list = dir.laval(["new"]);
+    let schema = serde_json::from_str(dir.laval(["schema", "--results"]).done()).unwrap();
     for name in TEMPLATES {
         assert!(list.done().contains(name));
         assert_eq!(dir.laval(["new", name]).done(), format!("{name}.toml\n"));
@@ -407,6 +415,7 @@ fn templates_are_sound_and_never_overwrite() {
         dir.laval(["run", &file, "--quiet"]).done();
         assert!(dir.0.join("out").join(name).join("report.html").exists());
         let results = json(&dir.0.join("out").join(name).join("results.json"));
+        assert_eq!(results_schema::mistakes(&schema, &results), [""; 0], "{name}");
         for study in results["studies"].as_array().unwrap() {
             assert_eq!(study["end"]["kind"], "reached");
         }

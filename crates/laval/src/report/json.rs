@@ -9,11 +9,10 @@ use serde_json::{Map, Value, json};
 /// Version of the layout of `results.json`; changes when a reader would have to.
 pub const SCHEMA: u32 = 2;
 
-/// The text of `results.json`. Keys stand in a fixed order; numbers that are not finite are `null`.
-///
-/// Top level: `schema`, `machine`, `provenance { program, version, build, processor, input, input_hash, seed, settings }`, `overview { operating_speed, verdict, headline, checks }`, `studies`. Each study:
-/// `kind`, `name`, `end { kind, at, residual, text }`, `parameter`, `findings [{ id, level, subject, message, args, notes, value, unit, evidence }]`,
-/// `special_points`, `tables [{ name, doc, file, rows, columns }]` (`file` without its extension), `figures`, `work`.
+/// The JSON schema of `results.json`.
+pub const RESULTS_SCHEMA: &str = include_str!("results.schema.json");
+
+/// The text of `results.json`; its layout is [`RESULTS_SCHEMA`]. Keys stand in a fixed order; numbers that are not finite are `null`.
 pub fn json(report: &Report) -> String {
     let names = Names::new(report);
     let p = &report.provenance;
@@ -53,6 +52,7 @@ fn overview(page: &Overview) -> Value {
     };
     json!({
         "operating_speed": page.operating.map(number),
+        "operating_range": page.operating_range.map(|(from, to)| [number(from), number(to)]),
         "verdict": page.verdict.word(),
         "headline": page.headline.iter().map(message).collect::<Vec<_>>(),
         "checks": page.checks.iter().map(check).collect::<Vec<_>>(),

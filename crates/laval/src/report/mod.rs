@@ -44,7 +44,7 @@ mod write;
 
 pub use csv::csv;
 pub use html::html;
-pub use json::{SCHEMA, json};
+pub use json::{RESULTS_SCHEMA, SCHEMA, json};
 pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;

@@ -208,6 +208,16 @@ mod tests {
     }
 
     #[test]
+    fn chosen_units_come_before_those_of_the_file() {
+        let written = || [("rpm".into(), TAU / 60.0, "rad/s".into()), ("N/mm".into(), 1e3, "N/m".into())];
+        let units = Units::chosen(["Hz", "mm", "furlong"], written());
+        assert_eq!(shown(&units, 314.159265, "rad/s", Role::Plain), "50 Hz");
+        assert_eq!(shown(&units, 2e-5, "m", Role::Plain), "0.02 mm");
+        assert_eq!(shown(&units, 3.26e5, "N/m", Role::Plain), "326 N/mm");
+        assert_eq!(units.column("amplitude", "m").map(|r| r.name), Some("mm".into()));
+    }
+
+    #[test]
     fn without_a_preference_units_are_si() {
         let si = Units::default();
         assert_eq!(shown(&si, 314.159265, "rad/s", Role::Plain), "314.2 rad/s");

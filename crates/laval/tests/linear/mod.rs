@@ -9,6 +9,7 @@ mod model_planar;
 mod modes;
 mod nonlinear_forces;
 mod one_speed;
+mod operation;
 mod optimum;
 mod overview;
 mod parts_physics;

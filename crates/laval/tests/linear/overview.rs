@@ -5,19 +5,19 @@ use laval::outcome::{Arg, Check, Message, Overview, Verdict};
 use laval::report::{Report, Style, Terminal, Units, summary};
 use laval::study::{Context, overview};
 
-const MASS: f64 = 4.0;
-const STIFFNESS: f64 = 4e4;
-const ECCENTRICITY: f64 = 2e-5;
+pub const MASS: f64 = 4.0;
+pub const STIFFNESS: f64 = 4e4;
+pub const ECCENTRICITY: f64 = 2e-5;
 
 /// A disc with critical speed 100 rad/s, at this speed, with this damping, and more blocks.
-fn jeffcott(speed: &str, damping: f64, more: &str) -> String {
+pub fn jeffcott(speed: &str, damping: f64, more: &str) -> String {
     format!(
         "[machine]\nname = \"rotor\"\n{speed}\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = {MASS}\neccentricity = {ECCENTRICITY}\n\
          [[part]]\nkind = \"bearing_linear\"\nname = \"spring\"\nbetween = [\"disc\", \"ground\"]\nstiffness = {STIFFNESS}\ndamping = {damping}\n{more}"
     )
 }
 
-fn page(text: &str) -> Overview {
+pub fn page(text: &str) -> Overview {
     let loaded = load(text);
     let outcomes: Vec<_> =
         loaded.studies.iter().map(|s| s.study.run(&loaded.system, &Context::quiet("study")).unwrap_or_else(|d| panic!("{d:?}"))).collect();
@@ -25,11 +25,11 @@ fn page(text: &str) -> Overview {
     overview(&loaded.system, &speeds, &outcomes, &Context::quiet("summary"))
 }
 
-fn check<'p>(page: &'p Overview, name: &str) -> &'p Check {
+pub fn check<'p>(page: &'p Overview, name: &str) -> &'p Check {
     page.checks.iter().find(|c| c.what.key == name).unwrap_or_else(|| panic!("no {name} in {:?}", page.checks))
 }
 
-fn number(m: &Message, name: &str) -> f64 {
+pub fn number(m: &Message, name: &str) -> f64 {
     match m.args.iter().find(|a| a.0 == name).map(|a| &a.1) {
         Some(Arg::Quantity(q)) => q.value,
         Some(Arg::List(all)) => match &all[0] {

@@ -1,0 +1,129 @@
+//! The block `[operation]` against closed forms of a disc on springs (docs/theory/linear-vibration.md): its range, its margins, its run-up.
+
+use super::overview::{ECCENTRICITY, MASS, STIFFNESS, check, jeffcott, number, page};
+use crate::common::files::load;
+use laval::file::load as read;
+use laval::outcome::{Overview, Verdict};
+use laval::study::presentation;
+use std::f64::consts::TAU;
+
+fn of(operation: &str, damping: f64) -> Overview {
+    page(&jeffcott("", damping, &format!("[operation]\n{operation}\n")))
+}
+
+/// Amplitude at a speed.
+fn amplitude(speed: f64, damping: f64) -> f64 {
+    let r = speed / (STIFFNESS / MASS).sqrt();
+    let zeta = damping / (2.0 * (STIFFNESS * MASS).sqrt());
+    ECCENTRICITY * r * r / ((1.0 - r * r).powi(2) + (2.0 * zeta * r).powi(2)).sqrt()
+}
+
+/// Peak of the response: speed and amplitude.
+fn peak(damping: f64) -> (f64, f64) {
+    let zeta = damping / (2.0 * (STIFFNESS * MASS).sqrt());
+    let speed = (STIFFNESS / MASS).sqrt() / (1.0 - 2.0 * zeta * zeta).sqrt();
+    (speed, ECCENTRICITY / (2.0 * zeta * (1.0 - zeta * zeta).sqrt()))
+}
+
+#[test]
+fn a_range_counts_from_its_nearer_end_and_by_its_worst_speed() {
+    for text in ["speed = { from = 150.0, to = 200.0 }", "speed = { from = -200.0, to = -150.0 }"] {
+        let p = of(text, 4.0);
+        assert_eq!((p.operating, p.operating_range), (Some(200.0), Some((150.0, 200.0))), "{text}");
+        assert_eq!(p.verdict, Verdict::Passed, "{:?}", p.headline);
+        let near = check(&p, "check-resonance").margin.unwrap();
+        assert!((near - (150.0 - peak(4.0).0) / 150.0).abs() < 1e-4, "{near}");
+        // largest at the lower end, above the critical speed
+        let found = number(&check(&p, "check-vibration").result, "sizes");
+        assert!((found / amplitude(150.0, 4.0) - 1.0).abs() < 1e-9, "{found}");
+        assert_eq!(check(&p, "check-run-up").result.key, "run-up-resonances");
+    }
+}
+
+#[test]
+fn a_resonance_among_the_operating_speeds_has_no_margin() {
+    let p = of("speed = { from = 80.0, to = 120.0 }", 4.0);
+    let near = check(&p, "check-resonance");
+    assert_eq!((near.margin, near.verdict, near.result.key.as_str()), (Some(0.0), Verdict::Attention, "distance-inside"));
+    let found = number(&check(&p, "check-vibration").result, "sizes");
+    assert!((found / peak(4.0).1 - 1.0).abs() < 1e-6, "{found} is not the peak {}", peak(4.0).1);
+    // the velocity there is the amplitude times the speed
+    let velocity = number(check(&p, "check-vibration").detail.as_ref().unwrap(), "peak");
+    assert!(velocity >= peak(4.0).0 * peak(4.0).1 && velocity < 1.01 * peak(4.0).0 * peak(4.0).1, "{velocity}");
+    for margin in ["0.1", "0.0"] {
+        let p = of(&format!("speed = {{ from = 80.0, to = 120.0 }}\nresonance_margin = {margin}"), 4.0);
+        assert_eq!(p.verdict, Verdict::Failed, "{margin}");
+    }
+}
+
+#[test]
+fn margins_of_the_block_come_before_those_of_the_standard() {
+    let at = |more: &str| of(&format!("speed = 200.0\n{more}"), 4.0);
+    assert_eq!(check(&at("resonance_margin = 0.49"), "check-resonance").verdict, Verdict::Passed);
+    assert_eq!(check(&at("resonance_margin = 0.51"), "check-resonance").verdict, Verdict::Failed);
+    // decrement 2 pi zeta / sqrt(1 - zeta^2)
+    let zeta = 4.0 / (2.0 * (STIFFNESS * MASS).sqrt());
+    let decrement = TAU * zeta / (1.0 - zeta * zeta).sqrt();
+    for (factor, verdict) in [(0.99, Verdict::Passed), (1.01, Verdict::Failed)] {
+        let p = at(&format!("decrement = {:?}", factor * decrement));
+        let damping = check(&p, "check-damping");
+        assert_eq!((damping.verdict, p.verdict == Verdict::Failed), (verdict, verdict == Verdict::Failed));
+        assert!((number(&damping.result, "decrement") / decrement - 1.0).abs() < 1e-9);
+    }
+    assert!(at("").checks.iter().all(|c| c.what.key != "check-damping"));
+}
+
+/// Rotating damping c_i destabilises above w (1 + c_a/c_i) = 200 rad/s.
+#[test]
+fn an_unstable_part_of_the_range_is_not_met() {
+    let inner = "[[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\ndamping = 2.0\naxes = \"rotating\"\n";
+    let of = |operation: &str| page(&jeffcott("speed = 150.0", 2.0, &format!("{inner}[operation]\n{operation}\n")));
+    let p = of("speed = { from = 140.0, to = 210.0 }");
+    let stability = check(&p, "check-stability");
+    assert_eq!((stability.verdict, stability.result.key.as_str()), (Verdict::Failed, "stability-unstable-range"));
+    assert_eq!((p.verdict, check(&p, "check-vibration").result.key.as_str()), (Verdict::Failed, "vibration-unstable"));
+    let p = of("speed = { from = 140.0, to = 190.0 }\ninstability_margin = 0.05");
+    let near = check(&p, "check-instability");
+    assert!((near.margin.unwrap() - 10.0 / 190.0).abs() < 1e-3 && near.verdict == Verdict::Passed, "{near:?}");
+    assert_eq!(check(&of("speed = { from = 140.0, to = 190.0 }\ninstability_margin = 0.06"), "check-instability").verdict, Verdict::Failed);
+}
+
+/// A slow passage reaches the steady peak, a fast one stays below it; the time is that of the block.
+#[test]
+fn the_run_up_is_simulated_in_its_time() {
+    let largest = |time: f64| {
+        let p = of(&format!("speed = 200.0\nrun_up_time = {time:?}"), 16.0);
+        let run = check(&p, "check-run-up").clone();
+        assert_eq!(run.result.key, "run-up-computed", "{run:?}");
+        number(&run.result, "value") / peak(16.0).1
+    };
+    let (slow, fast) = (largest(200.0), largest(1.0));
+    assert!((slow - 1.0).abs() < 0.02, "{slow}");
+    assert!(fast > 0.1 && fast < 0.9, "{fast}");
+    let p = page(&jeffcott("", 16.0, "[operation]\nspeed = 200.0\nrun_up_time = 1.0\n[limits]\npassage_displacement = 1e-6\n"));
+    assert_eq!((check(&p, "check-run-up").verdict, p.verdict), (Verdict::Failed, Verdict::Failed));
+    // too long for a page
+    let long = of("speed = 200.0\nrun_up_time = 1e6", 16.0);
+    assert_eq!(check(&long, "check-run-up").result.key, "run-up-resonances");
+}
+
+#[test]
+fn mistakes_are_named_at_their_place() {
+    for (speed, operation, code) in [
+        ("speed = 300.0", "speed = { from = 100.0, to = 200.0 }", "operation.speed"),
+        ("", "speed = { from = -100.0, to = 200.0 }", "operation.speed"),
+        ("", "run_up_time = 3.0", "operation.speed"),
+        ("", "speed = 100.0\nresonance_margin = \"150 %\"", "value.range"),
+        ("", "speed = 100.0\n[report]\nunits = \"rpm, furlong\"", "report.units"),
+        ("", "speed = 100.0\n[report]\nlanguage = \"de\"", "value.choice"),
+    ] {
+        let text = jeffcott(speed, 4.0, &format!("[operation]\n{operation}\n"));
+        let Err(wrong) = read(&text) else { panic!("{operation} was read") };
+        let codes: Vec<&str> = wrong.0.iter().map(|d| d.code).collect();
+        assert_eq!(codes, [code], "{operation}: {wrong}");
+        assert!(wrong.0[0].span.is_some(), "{operation}");
+    }
+    let loaded = load(&jeffcott("", 4.0, "[report]\nlanguage = \"kk\"\nunits = \"rpm, mm\"\n"));
+    let own = presentation::among(&loaded.system.machine.extras);
+    assert_eq!((own.language.as_deref(), own.units.as_deref()), (Some("kk"), Some("rpm, mm")));
+}
