@@ -37,9 +37,9 @@ fn pages_of_parts_and_studies_are_current() {
          differ by 1e-15 to 2e-11 of their size, and places of peaks by 2e-9, because there a curve is flat; residuals, and what is zero up to rounding, differ altogether. Modes and critical speeds that are equal within 1e-9 stand in the order forward, mixed, backward, not in that of their last digits.";
     page("studies.md", "Studies", intro, &c.studies, "study");
     let mut text = String::from(
-        "# What separates, what is separated, and what is allowed\n\nBlocks of a machine file beside its parts, which the studies [separation](studies.md#separation) and\n\
-         [operating_window](studies.md#operating_window) read; cups that a body carries are in the machine of every study. `[[cup]]` may stand several times, each with a kind;\n\
-         `[suspension]` and `[limits]` stand once.\n",
+        "# Separation, limits, operation and report\n\nBlocks of a machine file beside its parts. The studies [separation](studies.md#separation) and [operating_window](studies.md#operating_window) read `[[cup]]`,\n\
+         `[suspension]` and `[limits]`; cups that a body carries are in the machine of every study. The first page of the [report](reading-a-report.md) reads `[limits]` and `[operation]`;\n\
+         `[report]` chooses its language and units. `[[cup]]` may stand several times, each with a kind; the other blocks stand once.\n",
     );
     for block in &c.blocks {
         let brackets = if block.several { format!("[[{}]]", block.word) } else { format!("[{}]", block.word) };
@@ -98,14 +98,14 @@ fn named(kind: &laval::model::field::KindInfo) -> Option<(Vec<String>, Vec<Strin
 fn page_of_the_machine_file_is_current() {
     let c = catalog();
     let mut text = String::from(
-        "# The machine file\n\nA file is [TOML](https://toml.io): one `[machine]`, then any number of `[[part]]` and `[[study]]` blocks in any order; `[[cup]]`, `[suspension]` and\n\
-         `[limits]` say what separates, what is separated, and what the machine must keep to ([pages](separation-blocks.md)). Each part has\n\
+        "# The machine file\n\nA file is [TOML](https://toml.io): one `[machine]`, then any number of `[[part]]` and `[[study]]` blocks in any order; `[[cup]]` and `[suspension]`\n\
+         describe a separation, `[limits]` and `[operation]` what the machine must keep to and at which speeds it runs, `[report]` language and units ([pages](separation-blocks.md)). Each part has\n\
          a `kind` ([parts](parts.md)) and may have a `name`, by which others attach to it; each study has a `kind` ([studies](studies.md)) and may have a `name`,\n\
          which becomes its folder of results. Without a name a block is called after its kind, then kind-2, kind-3 ...\n\n\
          Values with a unit ([all units](units.md)) are texts (`\"70 mm\"`, `\"3000 rpm\"`, `\"1.1e7 N/m\"`, `\"30 g mm\"`); a bare number is in SI units. A constant that may differ in\n\
          the two lateral directions is one value or `{ x = .., y = .. }`. `laval check FILE` says all that is wrong at once, each mistake once and\n\
-         at its place, and which studies this machine cannot answer. What only follows from another mistake is not said; quotation marks and brackets that\n\
-         keep the text from being TOML come first.\n\n",
+         at its place, and which studies this machine cannot answer. Errors caused by an earlier error are not reported separately. Syntax errors are\n\
+         reported first; the other checks run once the file parses.\n\n",
     );
     text.push_str(docs::markdown("machine", &docs::machine()).replacen("## `machine`", "## `[machine]`", 1).trim_end());
     text.push_str(
