@@ -184,11 +184,11 @@ impl Outcome {
         }
         for f in &self.findings {
             f.message.quantities(&mut |q| check(&f.id, &[q.value]))?;
-            f.evidence.iter().try_for_each(|e| check(&e.what, &[e.value]))?;
+            f.evidence.iter().try_for_each(|e| check(&e.what.to_string(), &[e.value]))?;
         }
         for p in &self.special_points {
             check(&p.kind, &[p.at, p.bracket.0, p.bracket.1])?;
-            p.evidence.iter().try_for_each(|e| check(&e.what, &[e.value]))?;
+            p.evidence.iter().try_for_each(|e| check(&e.what.to_string(), &[e.value]))?;
         }
         for (t, c) in self.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (t, c))) {
             if let Data::Float(values) = &c.data
@@ -200,26 +200,25 @@ impl Outcome {
         Ok(())
     }
 
-    /// The end of the study as one sentence, with the place where it stopped.
-    pub fn end_in_words(&self) -> String {
-        let place = |at: f64| match &self.parameter {
-            Some(p) => format!("{} = {}", p.name, quantity(at, &p.unit)),
-            None => significant(at, 5),
+    /// The end of the study, with the place where it stopped.
+    pub fn end_message(&self) -> Message {
+        let stopped = |key: &str, at: f64| {
+            let (name, unit) = self.parameter.as_ref().map_or(("", ""), |p| (p.name.as_str(), p.unit.as_str()));
+            let place = Message::new(key).arg("at", Arg::quantity(at, unit).digits(4));
+            place.arg("parameter", Arg::term(name.replace('_', " ")))
         };
         match self.end {
-            End::Reached => "The study ran to its end.".into(),
-            End::StepTooSmall { at } => format!("The study stopped early: the step became too small at {}.", place(at)),
-            End::NewtonFailed { at, residual } if !residual.is_finite() => {
-                format!("The study stopped early: no solution was found at {} (the equations have no finite values there).", place(at))
+            End::Reached => "end-reached".into(),
+            End::StepTooSmall { at } => stopped("end-step-too-small", at),
+            End::NewtonFailed { at, residual } if residual.is_finite() => {
+                stopped("end-no-solution", at).arg("residual", Arg::number(residual).digits(2))
             }
-            End::NewtonFailed { at, residual } => {
-                format!("The study stopped early: no solution was found at {} (residual {}).", place(at), significant(residual, 2))
-            }
-            End::Unbounded { at } => format!("The study stopped early: the motion went beyond all bounds at {}.", place(at)),
-            End::Cancelled => "The study was cancelled; what was done is shown.".into(),
-            End::Refused => "The study was refused: this machine cannot answer it.".into(),
-            End::MaxPoints => "The study stopped early: it reached the largest number of points allowed (max_points, --work-limit).".into(),
-            End::WorkLimit => "The study stopped early: it reached the limit on its work (--work-limit); what was done is shown.".into(),
+            End::NewtonFailed { at, .. } => stopped("end-no-values", at),
+            End::Unbounded { at } => stopped("end-unbounded", at),
+            End::Cancelled => "end-cancelled".into(),
+            End::Refused => "end-refused".into(),
+            End::MaxPoints => "end-max-points".into(),
+            End::WorkLimit => "end-work-limit".into(),
         }
     }
 }
@@ -325,7 +324,7 @@ impl SpecialPoint {
     }
 
     /// Adds a supporting number; NaN, a number that could not be had, is left out.
-    pub fn evidence(mut self, what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
+    pub fn evidence(mut self, what: impl Into<Arg>, value: f64, unit: impl Into<String>) -> Self {
         self.evidence.extend(Evidence::known(what, value, unit));
         self
     }
