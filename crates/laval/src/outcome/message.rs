@@ -136,6 +136,11 @@ impl Arg {
         Message::new("label-of").arg("what", what).arg("owner", owner).into()
     }
 
+    /// What something is, and a reservation about it.
+    pub fn noted(what: impl Into<Arg>, note: impl Into<Arg>) -> Arg {
+        Message::new("label-noted").arg("what", what).arg("note", note).into()
+    }
+
     /// A word that a sentence chooses by.
     pub fn word(word: &'static str) -> Arg {
         Arg::Word(word)

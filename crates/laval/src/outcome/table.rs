@@ -34,7 +34,7 @@ pub struct Column {
     pub name: String,
     /// Unit; empty for a pure number, text or flag.
     pub unit: String,
-    /// The heading for readers: the name in words, unless it names a body or part.
+    /// The heading for readers: the name in words, with the name of a body or part apart.
     pub label: Arg,
     /// What it holds.
     pub doc: Arg,
@@ -145,6 +145,15 @@ impl Table {
         self.columns.first().map_or(0, |c| c.data.len())
     }
 
+    /// Gives columns a heading other than their name, where there is one.
+    pub(crate) fn head(&mut self, heading: impl Fn(&str) -> Option<Arg>) {
+        for column in &mut self.columns {
+            if let Some(label) = heading(&column.name) {
+                column.label = label;
+            }
+        }
+    }
+
     /// The column of that name.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|c| c.name == name)
@@ -162,14 +171,6 @@ impl TableBuilder {
         let name = name.into();
         let label = Arg::term(name.replace('_', " "));
         self.table.columns.push(Column { name, unit: unit.into(), label, doc: doc.into(), names: false, data });
-        self
-    }
-
-    /// Gives the last column a heading other than its name: `Arg::of("largest tilt", Arg::name(body))`.
-    pub fn headed(mut self, label: impl Into<Arg>) -> Self {
-        if let Some(column) = self.table.columns.last_mut() {
-            column.label = label.into();
-        }
         self
     }
 
@@ -202,7 +203,9 @@ impl TableBuilder {
     /// Adds a column of names of the machine file.
     pub fn names(self, name: impl Into<String>, doc: impl Into<Arg>, values: Vec<String>) -> Self {
         let mut out = self.text(name, doc, values);
-        out.table.columns.iter_mut().last().into_iter().for_each(|c| c.names = true);
+        if let Some(column) = out.table.columns.last_mut() {
+            column.names = true;
+        }
         out
     }
 

@@ -24,10 +24,6 @@ pub(super) struct Shown<'a> {
 
 pub(super) type Built<T> = Result<T, OutcomeError>;
 
-pub(super) fn rpm(w: f64) -> String {
-    format!("{} rpm", significant(w * RPM, 5))
-}
-
 /// A requirement, or the range of speeds, as a phrase; `flow`: of a machine that liquid flows through.
 pub(super) fn requirement(name: &str, flow: bool) -> Message {
     let name = NAMES.iter().find(|n| **n == name).map_or("range", |n| *n);

@@ -4,7 +4,7 @@ use super::MAP_PLACES;
 use super::margins::{Margin, NAMES, Point};
 use super::report::{Built, Shown};
 use super::window::End;
-use crate::outcome::Table;
+use crate::outcome::{Arg, Message, Table, parameter_name};
 
 impl Shown<'_> {
     pub fn margins_table(&self) -> Built<Table> {
@@ -172,12 +172,12 @@ impl Shown<'_> {
     pub fn map_table(&self) -> Built<Option<Table>> {
         let Some(map) = &self.found.map else { return Ok(None) };
         let c = &map.cells;
-        let mut table =
-            Table::new("map", format!("Least margin over spin speed and {} (separation from at most {MAP_PLACES} places)", map.path))
-                .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.speed).collect())
-                .float(map.path.clone(), map.unit, "parameter", c.iter().map(|c| c.value).collect())
-                .float("margin", "", "least margin, not below -1", c.iter().map(|c| c.margin).collect())
-                .text("binding", "requirement with the least margin", c.iter().map(|c| c.binding.into()).collect());
+        let doc = Message::new("operating-window-table-map").arg("parameter", parameter_name(&map.path)).arg("places", Arg::count(MAP_PLACES));
+        let mut table = Table::new("map", doc)
+            .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.speed).collect())
+            .float(&map.path, map.unit, "parameter", c.iter().map(|c| c.value).collect())
+            .float("margin", "", "least margin, not below -1", c.iter().map(|c| c.margin).collect())
+            .text("binding", "requirement with the least margin", c.iter().map(|c| c.binding.into()).collect());
         if map.unit == "K" {
             table = table.float("celsius", "degC", "parameter in degrees Celsius", c.iter().map(|c| c.value - 273.15).collect());
         }

@@ -2,7 +2,7 @@
 
 use super::report::{Built, Shown};
 use super::result::{Demand, PARAMETERS, Released};
-use crate::outcome::{Table, significant};
+use crate::outcome::{Arg, Message, Table};
 use crate::separation::ensemble::{cut_size, efficiency};
 use crate::separation::exit::{Exit, Surface};
 use crate::separation::machine::{Separator, Turning};
@@ -113,7 +113,7 @@ impl Shown<'_> {
                 "value in the unit beside it; NaN where there is none",
                 rows.iter().map(|r| if r.1.is_finite() { r.1 } else { f64::NAN }).collect(),
             )
-            .text("unit", "SI unit", rows.iter().map(|r| r.2.into()).collect())
+            .names("unit", "SI unit", rows.iter().map(|r| r.2.into()).collect())
             .text("meaning", "meaning", rows.iter().map(|r| r.3.into()).collect())
             .build()
     }
@@ -123,7 +123,7 @@ impl Shown<'_> {
         let (g, speeds) = (s.suspension.medium.gravity, &demand.speeds);
         let times = demand.times.iter().map(|&t| if t.is_finite() { t } else { f64::NAN }).collect();
         let turned: Vec<Turning> = speeds.iter().map(|&w| s.vessel.separator.at(w)).collect();
-        let mut table = Table::new("demand", format!("Time that catches {} % over the speed", significant(100.0 * s.recovery, 4)))
+        let mut table = Table::new("demand", Message::new("separation-table-demand").arg("share", Arg::percent(s.recovery).digits(4)))
             .float("time", "s", "time (residence time where liquid flows through); NaN where it is never caught", times)
             .float(
                 "rcf",
