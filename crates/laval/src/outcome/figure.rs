@@ -196,6 +196,8 @@ pub struct Line {
     pub ink: bool,
     /// Groups, and the words at the ends of their curves.
     pub ends: Vec<(String, Arg)>,
+    /// Groups, and their names in the legend, where these are not the values of the column.
+    pub called: Vec<(String, Arg)>,
     /// Values that differ by this are the same (angles): the curve is drawn without jumps by it.
     pub period: Option<f64>,
 }
@@ -223,6 +225,7 @@ impl Line {
             muted: &[],
             ink: false,
             ends: Vec::new(),
+            called: Vec::new(),
             period: None,
         }
     }
@@ -242,6 +245,12 @@ impl Line {
     /// Words at the ends of the curves of these groups.
     pub fn ends(mut self, ends: Vec<(String, Arg)>) -> Self {
         self.ends = ends;
+        self
+    }
+
+    /// Names of these groups in the legend.
+    pub fn called(mut self, names: Vec<(String, Arg)>) -> Self {
+        self.called = names;
         self
     }
 

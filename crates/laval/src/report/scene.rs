@@ -333,7 +333,10 @@ impl Build<'_> {
                         begins = Some(jumps);
                     }
                     let valid = self.flags(&m.table, m.valid_where.as_ref()).map(<[bool]>::to_vec);
-                    let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    let mut groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    for (group, name) in &m.called {
+                        groups.iter_mut().filter(|g| g.key == *group).for_each(|g| g.name = self.say(name));
+                    }
                     for class in m.classes.iter().filter(|c| !m.muted.contains(c)) {
                         self.colour(class, 0, 1);
                     }
