@@ -546,6 +546,8 @@ pub struct Heat {
     pub contour: Option<f64>,
     /// Words the value may be, each with a colour of its own and an entry in the legend; empty for numbers.
     pub classes: Vec<String>,
+    /// Words, and their names in the legend, where these are not the words.
+    pub called: Vec<(String, Arg)>,
 }
 
 impl Heat {
@@ -561,7 +563,14 @@ impl Heat {
             allowed: false,
             contour: None,
             classes: Vec::new(),
+            called: Vec::new(),
         }
+    }
+
+    /// Names of these words in the legend.
+    pub fn called(mut self, names: Vec<(String, Arg)>) -> Self {
+        self.called = names;
+        self
     }
 
     /// A map of a column of words: one colour for each of `classes`; cells of other words stay blank.

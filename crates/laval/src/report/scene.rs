@@ -502,7 +502,11 @@ impl Build<'_> {
                     );
                     let seen: Vec<bool> = (0..m.classes.len()).map(|k| v.contains(&(k as f64))).collect();
                     let classes = self.classes(&m.classes, &seen);
-                    let classes: Vec<_> = classes.into_iter().map(|(word, colour)| (self.style.word(&word), colour)).collect();
+                    let called = |own: &Self, word: &str| {
+                        let name = m.called.iter().find(|c| c.0 == word);
+                        name.map_or_else(|| own.style.word(word), |c| own.say(&c.1))
+                    };
+                    let classes: Vec<_> = classes.into_iter().map(|(word, colour)| (called(self, &word), colour)).collect();
                     for ((name, colour), _) in classes.iter().zip(&seen).filter(|c| *c.1) {
                         self.entry(name, *colour, Glyph::Marker { shape: 1, open: false });
                     }
