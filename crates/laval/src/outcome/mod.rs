@@ -202,11 +202,14 @@ impl Outcome {
 
     /// The end of the study, with the place where it stopped.
     pub fn end_message(&self) -> Message {
-        let stopped = |key: &str, at: f64| {
-            let (name, unit) = self.parameter.as_ref().map_or(("", ""), |p| (p.name.as_str(), p.unit.as_str()));
-            let place = Message::new(key).arg("at", Arg::quantity(at, unit).digits(4));
-            place.arg("parameter", Arg::term(name.replace('_', " ")))
+        let place = |at: f64| match &self.parameter {
+            Some(p) => {
+                let name = Arg::term(p.name.replace('_', " "));
+                Message::new("end-place").arg("parameter", name).arg("at", Arg::quantity(at, &p.unit).digits(4)).into()
+            }
+            None => Arg::number(at).digits(5),
         };
+        let stopped = |key: &str, at: f64| Message::new(key).arg("place", place(at));
         match self.end {
             End::Reached => "end-reached".into(),
             End::StepTooSmall { at } => stopped("end-step-too-small", at),

@@ -154,6 +154,20 @@ impl fmt::Display for Arg {
     }
 }
 
+/// The English text.
+impl PartialEq<str> for Arg {
+    fn eq(&self, text: &str) -> bool {
+        self.to_string() == text
+    }
+}
+
+/// The English text.
+impl PartialEq<&str> for Arg {
+    fn eq(&self, text: &&str) -> bool {
+        self.to_string() == *text
+    }
+}
+
 /// In English, numbers in SI units with prefixes.
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
