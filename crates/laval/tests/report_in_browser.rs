@@ -146,7 +146,7 @@ fn campbell() -> Outcome {
         .text("whirl", "direction", whirl)
         .build()
         .unwrap();
-    let order = |y: &str, name: &str| Line::new("orders", "speed", y).reference().name(name);
+    let order = |y: &str, name: &'static str| Line::new("orders", "speed", y).reference().name(name);
     let figure = Figure::new(
         "campbell",
         "Campbell diagram",

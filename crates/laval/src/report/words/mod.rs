@@ -162,6 +162,13 @@ impl PartialEq<str> for Arg {
 }
 
 /// The English text.
+impl PartialEq<String> for Arg {
+    fn eq(&self, text: &String) -> bool {
+        *self == **text
+    }
+}
+
+/// The English text.
 impl PartialEq<&str> for Arg {
     fn eq(&self, text: &&str) -> bool {
         self.to_string() == *text

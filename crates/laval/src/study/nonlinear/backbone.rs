@@ -389,7 +389,7 @@ impl Shown<'_> {
         let (from, to) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), m| (l.min(m.frequency), h.max(m.frequency)));
         let margin = 0.1 * (to - from);
         let x = if cut { x.range(from - margin, to + margin) } else { x };
-        Figure::new("backbone", "Free whirls", alt).x(x).panel(panel)
+        Figure::new("backbone", "Nonlinear normal modes", alt).x(x).panel(panel)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Self-excited whirls over the spin speed: limit cycles from the edges of linear instability, their stability, hard and soft onset.
+//! Limit cycles over the spin speed: limit cycles from the edges of linear instability, their stability, hard and soft onset.
 //!
 //! Equations: harmonic balance with unknown frequency, linear parts condensed at `s = i k w` and the spin speed W; see
 //! [`crate::solve::harmonic::free::cycles`]. Of an isotropic machine the motion is circular and exact with one harmonic:
@@ -47,7 +47,7 @@ impl Study for LimitCycles {
     const KIND: &'static str = "limit_cycles";
     const EXAMPLE: &'static str = r#"speed = { from = "500 rpm", to = "12000 rpm" }
 "#;
-    const DOC: &'static str = "Self-excited whirls of a damped machine over the spin speed, without unbalance: from every edge of linear instability the \
+    const DOC: &'static str = "Limit cycles of a damped machine over the spin speed, without unbalance: from every edge of linear instability the \
         cycles that begin there, with amplitude, frequency and stability; whether the onset is soft (a small whirl grows with the speed) or hard (rest is \
         stable, but a disturbance beyond an unstable cycle leads to a large whirl); folds of cycles.";
     const FIELDS: &'static [Field] = &[
@@ -464,7 +464,7 @@ impl Shown<'_> {
         let top = BEYOND * most * axis.factor;
         let mut panel = Panel::new(if cut { axis.range(0.0, top) } else { axis });
         for (from, to) in found.rest.unstable_ranges(0.0) {
-            panel = panel.mark(Band::x(from, to).name("rest unstable").strip());
+            panel = panel.mark(Band::x(from, to).name("equilibrium unstable").strip());
         }
         panel = panel.mark(marked(grouped(Line::new("cycles", "speed", column))));
         for o in &found.onsets {
@@ -478,6 +478,6 @@ impl Shown<'_> {
         let alt = Message::new("limit-cycles-alt").arg("families", Arg::count(found.families.len())).arg("edges", Arg::count(found.onsets.len()));
         let speeds = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.speed);
         let (lo, hi) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)));
-        Figure::new("cycles", "Self-excited whirls", alt).x(Axis::new("spin speed", "rad/s").range(lo, hi)).panel(panel).panel(frequency)
+        Figure::new("cycles", "Limit cycles", alt).x(Axis::new("spin speed", "rad/s").range(lo, hi)).panel(panel).panel(frequency)
     }
 }

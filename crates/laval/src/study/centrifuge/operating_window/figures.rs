@@ -55,7 +55,7 @@ impl Shown<'_> {
         let alt = if m.intervals.is_empty() { "operating-window-alt-none" } else { "operating-window-alt" };
         out = out.figure(Figure::new("window", "Operating window", alt).x(speed()).panel(panel));
         let flow = self.flow().is_some();
-        let at_hand = if flow { "residence time" } else { "time at hand" };
+        let at_hand = if flow { "residence time" } else { "available time" };
         if self.task.is_some() && m.points.iter().any(|p| p.needed.is_finite()) {
             let (unit, factor) = if self.task.as_ref().is_some_and(|d| d.time >= 600.0) { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
             let mut panel = Panel::new(Axis::log("time needed", unit).factor(factor));
@@ -87,9 +87,9 @@ impl Shown<'_> {
                     .mark(Points::new("trade", "time", "high").name("highest speed"))
             };
             if let Some(task) = &self.task {
-                panel = panel.mark(Rule::x(task.time, if flow { "residence time required" } else { "time at hand required" }));
+                panel = panel.mark(Rule::x(task.time, if flow { "residence time required" } else { "available time required" }));
             }
-            let title = if flow { "Window over the residence time" } else { "Window over the time at hand" };
+            let title = if flow { "Window over the residence time" } else { "Window over the available time" };
             let x = Axis::log(at_hand, "min").factor(1.0 / 60.0);
             out = out.figure(Figure::new("trade", title, "operating-window-alt-trade").x(x).panel(panel));
         }

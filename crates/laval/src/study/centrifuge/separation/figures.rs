@@ -7,7 +7,7 @@ impl Shown<'_> {
     pub fn figures(&self, mut out: Outcome) -> Outcome {
         let s = self.study;
         let line = |y: &str, name: &'static str| Line::new("efficiency", "time", y).name(name);
-        let mut panel = Panel::new(Axis::new("share caught", "%").factor(100.0).range(0.0, 102.0)).mark(line("efficiency", "all"));
+        let mut panel = Panel::new(Axis::new("recovery", "%").factor(100.0).range(0.0, 102.0)).mark(line("efficiency", "all"));
         let flow = self.flow();
         for (column, name) in [("wall", "at the wall"), ("bottom", "at the bottom"), ("surface", "at the surface")] {
             let used = out
@@ -18,13 +18,13 @@ impl Shown<'_> {
                 panel = panel.mark(line(column, name));
             }
         }
-        panel = panel.mark(Rule::x(s.task.time, if flow { "residence time" } else { "time at hand" })).mark(Rule::y(s.task.recovery, ""));
+        panel = panel.mark(Rule::x(s.task.time, if flow { "residence time" } else { "available time" })).mark(Rule::y(s.task.recovery, ""));
         let unit = if s.task.time >= 600.0 { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
         let x = Axis::log(if flow { "residence time" } else { "time" }, unit.0).factor(unit.1);
         let alt = "separation-alt-efficiency";
         out = out.figure(Figure::new("efficiency", "Recovery over time", alt).x(x).panel(panel));
         if out.find_table("grade").is_some_and(|t| t.rows() > 0) {
-            let panel = Panel::new(Axis::new("share caught", "%").factor(100.0).range(0.0, 102.0))
+            let panel = Panel::new(Axis::new("recovery", "%").factor(100.0).range(0.0, 102.0))
                 .mark(Line::new("grade", "diameter", "efficiency"))
                 .mark(Rule::y(0.5, "cut size"));
             let alt = "separation-alt-grade";
@@ -34,15 +34,15 @@ impl Shown<'_> {
             let panel = Panel::new(Axis::log("time needed", unit.0).factor(unit.1))
                 .mark(Line::new("demand", "speed", "time"))
                 .mark(Rule::x(s.speed, "this speed"))
-                .mark(Rule::y(s.task.time, if flow { "residence time" } else { "time at hand" }));
+                .mark(Rule::y(s.task.time, if flow { "residence time" } else { "available time" }));
             let alt = "separation-alt-demand";
-            out = out.figure(Figure::new("demand", "Time over speed", alt).x(Axis::log("spin speed", "rad/s")).panel(panel));
+            out = out.figure(Figure::new("demand", "Separation time over speed", alt).x(Axis::log("spin speed", "rad/s")).panel(panel));
         }
         if out.find_table("pellet").is_some() {
             let along =
                 Panel::new(Axis::new("share of all", "%").factor(100.0)).mark(Points::new("pellet", "middle", "share").group("where"));
             let alt = "separation-alt-pellet";
-            out = out.figure(Figure::new("pellet", "Where the particles end", alt).x(Axis::new("place", "mm").factor(1e3)).panel(along));
+            out = out.figure(Figure::new("pellet", "Deposition of the particles", alt).x(Axis::new("place", "mm").factor(1e3)).panel(along));
         }
         if out.find_table("paths").is_some() {
             let across =
@@ -59,7 +59,7 @@ impl Shown<'_> {
             });
             let panel = Panel::new(Axis::new("radius", "mm").factor(1e3)).mark(Line::new("paths", "time", "radius").group("particle"));
             let alt = "separation-alt-paths-time";
-            out = out.figure(Figure::new("paths_time", "Way to the outside", alt).x(Axis::new("time", unit.0).factor(unit.1)).panel(panel));
+            out = out.figure(Figure::new("paths_time", "Radial position over time", alt).x(Axis::new("time", unit.0).factor(unit.1)).panel(panel));
         }
         if out.find_table("released").is_some() {
             let place = |c: &'static str| Line::new("released", "time", c).name(c);

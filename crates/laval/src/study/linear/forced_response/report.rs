@@ -19,6 +19,12 @@ const LABELLED: usize = 4;
 const ONE_PEAK: f64 = 0.02;
 const SHARPEST: f64 = 1e4;
 
+/// Columns of a displacement and of a tilt.
+const COLUMNS: [[&str; 7]; 2] = [
+    ["amplitude", "minor", "direction", "forward", "phase", "backward", "backward_phase"],
+    ["tilt", "tilt_minor", "tilt_direction", "tilt_forward", "tilt_phase", "tilt_backward", "tilt_backward_phase"],
+];
+
 pub(super) struct Shown<'a> {
     study: &'a ForcedResponse,
     system: &'a System,
@@ -188,15 +194,12 @@ impl<'a> Shown<'a> {
         let mut table = Table::new("response", "Linear response to unbalance").float("speed", "rad/s", "spin speed", column(&|r| r.speed));
         for p in self.probes() {
             // the tilt of a body has its own columns, a point those of a body of that name
-            let (n, of, unit) = match p.is_tilt() {
-                true => (p.name.clone(), "tilt_", "rad"),
-                false => (probe_name(p), "", "m"),
-            };
-            let amplitude = if p.is_tilt() { "tilt" } else { "amplitude" };
+            let (n, unit) = (probes::owner(p), p.unit());
+            let [amplitude, minor, direction, forward, phase, backward, backward_phase] = COLUMNS[usize::from(p.is_tilt())];
             table = table
                 .float(format!("{amplitude}.{n}"), unit, reported("semi-major axis of the orbit"), column(&|r| r.size(p)))
                 .float(
-                    format!("{of}minor.{n}"),
+                    format!("{minor}.{n}"),
                     unit,
                     reported("semi-minor axis of the orbit, negative for backward whirl"),
                     column(&|r| {
@@ -205,31 +208,31 @@ impl<'a> Shown<'a> {
                     }),
                 )
                 .float_if_any(
-                    format!("{of}direction.{n}"),
+                    format!("{direction}.{n}"),
                     "rad",
                     "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
                     column(&|r| r.direction_of(p)),
                 )
                 .float(
-                    format!("{of}forward.{n}"),
+                    format!("{forward}.{n}"),
                     unit,
                     reported("forward amplitude"),
                     column(&|r| r.circles_of(p).0.abs()),
                 )
                 .float(
-                    format!("{of}phase.{n}"),
+                    format!("{phase}.{n}"),
                     "rad",
                     reported("angle of the forward amplitude from the key mark"),
                     column(&|r| r.circles_of(p).0.arg()),
                 )
                 .float(
-                    format!("{of}backward.{n}"),
+                    format!("{backward}.{n}"),
                     unit,
                     reported("backward amplitude"),
                     column(&|r| r.circles_of(p).1.abs()),
                 )
                 .float(
-                    format!("{of}backward_phase.{n}"),
+                    format!("{backward_phase}.{n}"),
                     "rad",
                     reported("angle of the backward amplitude"),
                     column(&|r| r.circles_of(p).1.arg()),

@@ -344,7 +344,7 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let (results, rows) = (&map.data.motions, map.cells());
     let axes = &map.study.axes;
     let of_cells = |values: &[f64]| values[rows.clone()].iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect::<Vec<f64>>();
-    let mut cells = Table::new("cells", "The motion every cell of the grid settles on");
+    let mut cells = Table::new("cells", "Attractor reached from every cell of the grid");
     for k in 0..2 {
         cells = cells.float(PLACE[k], &axes[k].unit, axes[k].meaning(), rows.clone().map(|r| map.place[r][k]).collect());
     }
@@ -381,7 +381,7 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
 
     let all = &map.found.attractors;
     let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
-    let mut table = Table::new("attractors", "Settled motions that differ")
+    let mut table = Table::new("attractors", "Attractors")
         .int(
             "attractor",
             "",

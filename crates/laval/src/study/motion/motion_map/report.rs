@@ -245,5 +245,5 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
         return outcome;
     }
     let heat = Heat::new("map", x, y, "class", Axis::new("the motion repeats", "")).of_classes(classes);
-    outcome.figure(figure("motions".into(), "How motions repeat".into(), heat))
+    outcome.figure(figure("motions".into(), "Period of the motions".into(), heat))
 }

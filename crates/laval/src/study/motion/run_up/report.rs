@@ -159,7 +159,7 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
                 "largest |x + i y| of the steady linear response, at any point of the body, at this speed; NaN where nothing holds or damps the machine",
                 linear[k].clone(),
             );
-            panel = panel.mark(Line::new("envelope", "speed", name).name("steady linear response"));
+            panel = panel.mark(Line::new("envelope", "speed", name).name("linear steady-state response"));
         }
         figure = figure.panel(panel);
     }

@@ -393,7 +393,7 @@ fn exponents(study: &Sweep, results: &Collected, outcome: Outcome) -> Outcome {
 
 fn tables(shown: &Shown, results: &Collected, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let skipped = |name: &str| ["point_", "spectrum_"].iter().any(|p| name.starts_with(p)) || name.starts_with(STATE);
-    let mut table = Table::new("sweep", "Settled motion at every speed");
+    let mut table = Table::new("sweep", "Steady-state motion at every speed");
     for (c, _) in results.columns.iter().filter(|c| !skipped(&c.0.name)) {
         table = match c.kind {
             Kind::Text => table.text(&c.name, Arg::term(&c.doc), results.words(&c.name)),
@@ -445,7 +445,7 @@ fn tables(shown: &Shown, results: &Collected, jumps: &[Jump], mut outcome: Outco
     outcome = outcome.table(end_states(results)?);
     let column = |f: &dyn Fn(&Jump) -> f64| jumps.iter().map(f).collect::<Vec<f64>>();
     let size = |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if shown.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
-    let mut table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
+    let mut table = Table::new("jumps", "Jumps between neighbouring speeds")
         .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
         .names("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&shown.probes[j.probe])).collect())
         .float("before", "rad/s", "last speed before", column(&|j| j.before))

@@ -64,8 +64,8 @@ impl Shown<'_> {
         if let Some(first) = panels.first_mut() {
             for f in main.flat_map(|b| &b.folds) {
                 let words = match f.upper {
-                    true if up.contains(&f.speed) => "jump up-sweep",
-                    false if down.contains(&f.speed) => "jump down-sweep",
+                    true if up.contains(&f.speed) => "jump (run-up)",
+                    false if down.contains(&f.speed) => "jump (run-down)",
                     _ => "fold",
                 };
                 *first = first.clone().mark(Rule::x(f.speed, words));
@@ -82,7 +82,7 @@ impl Shown<'_> {
             }
         }
         let alt = self.alt(response);
-        let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s"));
+        let mut figure = Figure::new("response", "Steady-state unbalance response", alt).x(Axis::new("speed", "rad/s"));
         figure = panels.into_iter().fold(figure, Figure::panel);
         if assessed {
             let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
@@ -109,7 +109,7 @@ impl Shown<'_> {
         let mut panel = figure.panels.first()?.clone();
         panel.y.range = None;
         let x = Axis::new("speed", "rad/s").range((lo - margin).max(from), (hi + margin).min(to));
-        Some(Figure::new("jumps", "Steady response at the jumps", "nonlinear-response-alt-jumps").x(x).panel(panel))
+        Some(Figure::new("jumps", "Steady-state response at the jumps", "nonlinear-response-alt-jumps").x(x).panel(panel))
     }
 
     /// Forces of bearings and to the ground over the speed, with what they tend to.
@@ -137,7 +137,7 @@ impl Shown<'_> {
             count += 1;
         }
         let alt = Message::new("nonlinear-response-alt-forces").arg("parts", Arg::count(count));
-        (count > 0).then(|| Figure::new("forces", "Forces of the steady response", alt).x(Axis::new("speed", "rad/s")).panel(panel))
+        (count > 0).then(|| Figure::new("forces", "Forces of the steady-state response", alt).x(Axis::new("speed", "rad/s")).panel(panel))
     }
 
     fn alt(&self, response: &Response) -> Message {

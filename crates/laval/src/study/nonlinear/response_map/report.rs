@@ -226,7 +226,7 @@ fn validity(map: &Map, results: &Collected) -> Vec<Finding> {
 }
 
 fn cell_table(map: &Map, results: &Collected) -> Result<Table, Diagnostic> {
-    let mut t = Table::new("map", "Machines, along x and then along y, and what their response comes to").leading();
+    let mut t = Table::new("map", "Machines, along x and then along y, with their response").leading();
     let finite = |x: &f64| if x.is_finite() { *x } else { f64::NAN };
     for (i, (c, _)) in results.columns.iter().enumerate() {
         if c.kind == Kind::Float {

@@ -77,13 +77,13 @@ impl Report<'_> {
         }
         if reported.points.iter().any(|p| p.seen.unbalance.is_some()) {
             let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance".into()));
-            let panel = panel.mark(Line::new("branches", "speed", "without").begins_where("begins").name("without the masses"));
+            let panel = panel.mark(Line::new("branches", "speed", "without").begins_where("begins").name("without the balls"));
             panels.push(if sheets { panel.mark(continua("unbalance")) } else { panel });
         }
         if !self.found.images.angles.is_empty() {
             // where branches are many the angles of those that no machine stays on hide the others
             let only = self.found.paths.len() > MANY && reported.points.iter().any(|p| p.growing == 0);
-            let label = if only { "angles of the masses, stable states only" } else { "angles of the masses" };
+            let label = if only { "angles of the balls, stable states only" } else { "angles of the balls" };
             let mut panel = Panel::new(Axis::new(label, "rad").range(-3.3, 3.3));
             for &i in self.found.images.groups.iter().flatten() {
                 panel = panel.mark(line(column_of(self.system, i)).solid_only(only));
@@ -91,7 +91,7 @@ impl Report<'_> {
             panels.push(panel);
         }
         let alt = findings::alt(&reported.ranges, self.found.paths.len());
-        let figure = Figure::new("states", "States that turn with the rotor", alt).x(Axis::new("spin speed", "rad/s"));
+        let figure = Figure::new("states", "Equilibria in the rotating frame", alt).x(Axis::new("spin speed", "rad/s"));
         panels.into_iter().fold(figure, Figure::panel)
     }
 }
@@ -125,7 +125,7 @@ fn errors(system: &System, e: &Errors, k: usize) -> Option<Figure> {
     let alt = Message::new("stationary-alt-errors").arg("parameter", parameter_name(path));
     let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6))
         .mark(line("unbalance_least", "best stable state"))
-        .mark(line("without", "without the masses"));
+        .mark(line("without", "without the balls"));
     let differ = e.costs.iter().any(|c| c.unbalance.1 > c.unbalance.0 * (1.0 + 1e-6));
     let panel = if differ { panel.mark(line("unbalance_largest", "worst stable state")) } else { panel };
     let x = axis(parameter_name(path), unit_of(system, path));

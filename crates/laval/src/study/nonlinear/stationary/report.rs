@@ -233,7 +233,7 @@ impl Report<'_> {
             self.found.paths.iter().enumerate().flat_map(|(k, p): (usize, &Path)| p.special.iter().map(move |l| (k, l))).collect();
         let doc = "fold: two states meet and vanish; branch_point: another branch crosses; hopf: an oscillation begins or ends; real_root: a root crosses zero";
         let column = |f: &dyn Fn(&Located) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
-        let t = Table::new("changes", "Where states vanish, cross, or change their stability, along each branch")
+        let t = Table::new("changes", "Folds, branch points and changes of stability along each branch")
             .int("branch", "", "number of the branch", all.iter().map(|a| a.0 as i64 + 1).collect())
             .text("change", doc, all.iter().map(|a| a.1.change.word().into()).collect())
             .float("speed", "rad/s", "spin speed", column(&|l| l.state.speed))
@@ -252,7 +252,7 @@ impl Report<'_> {
     fn continua(&self) -> Result<Table, OutcomeError> {
         let all = &self.continua.sheets;
         let column = |f: &dyn Fn(&super::continua::Sheet) -> f64| all.iter().map(f).collect::<Vec<f64>>();
-        Table::new("continua", "States that are not isolated, by samples: masses that balance in a continuum of ways")
+        Table::new("continua", "Continua of equilibria, by samples: balls that balance in a continuum of ways")
             .float("speed", "rad/s", "spin speed", column(&|s| s.speed))
             .text("kind", "what kind of states they are", all.iter().map(|s| s.class.word().into()).collect())
             .int("free", "", "directions in which they are free", all.iter().map(|s| s.free as i64).collect())
@@ -312,7 +312,7 @@ impl Report<'_> {
         let all = &chart.edges;
         Table::new(
             "boundary",
-            "Where the balanced state begins, ends, or changes its stability, located along the speed and between the values",
+            "Boundary of the balanced state: begin, end or change of stability, located along the speed and between the values",
         )
         .float("speed", "rad/s", "spin speed", all.iter().map(|e| e.speed).collect())
         .float(chart.path.clone(), unit_of(self.system, &chart.path), "parameter", all.iter().map(|e| e.value).collect())

@@ -268,9 +268,9 @@ fn searches(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     out = out.table(table);
     if drawn {
         let panel =
-            Panel::new(axis(study, found)).mark(Line::new("search", "runs", "number").group("start")).mark(Rule::y(found.now, "as it is"));
+            Panel::new(axis(study, found)).mark(Line::new("search", "runs", "number").group("start")).mark(Rule::y(found.now, "present value"));
         let alt = Message::new("optimum-alt-search").arg("aim", readable(&study.aim.name)).arg("searches", Arg::count(found.trails.len()));
-        out = out.figure(Figure::new("search", "The search", alt).x(Axis::new("runs of the study", "")).panel(panel));
+        out = out.figure(Figure::new("search", "Progress of the search", alt).x(Axis::new("runs of the study", "")).panel(panel));
     }
     Ok(out)
 }
@@ -319,7 +319,7 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
         let panel = Panel::new(axis.clone())
             .mark(line.name(readable(&study.aim.name)))
             .mark(Points::new("best", own(k), "number").name("optimum"))
-            .mark(Rule::x(v.now, "as it is"))
+            .mark(Rule::x(v.now, "present value"))
             .mark(Rule::y(allowed, Message::new("optimum-worse").arg("share", Arg::percent(study.tolerance))));
         let named = |key: &str| Message::new(key).arg("parameter", parameter_name(&v.path));
         let alt = named("optimum-alt-profile").arg("aim", readable(&study.aim.name));

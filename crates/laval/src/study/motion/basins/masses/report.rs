@@ -173,7 +173,7 @@ fn tables(
 ) -> Result<Outcome, Diagnostic> {
     let (axes, results) = (&study.axes, &data.cells);
     let whole = |name: &str| results.numbers(name).into_iter().map(|x| if x >= 0.0 { x as i64 } else { 0 }).collect::<Vec<i64>>();
-    let mut cells = Table::new("cells", "What the motion from every cell of the grid ends in");
+    let mut cells = Table::new("cells", "Attractor reached from every cell of the grid");
     for (k, axis) in axes.iter().enumerate() {
         cells = cells.float(PLACE[k], &axis.unit, axis.meaning(), results.numbers(PLACE[k]));
     }
