@@ -11,8 +11,7 @@ use super::text::escape;
 use super::words::Style;
 use super::write::Names;
 use crate::outcome::{
-    Arg, Column, Data, Evidence, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant,
-    unit_text,
+    Arg, Column, Data, Evidence, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant, unit_text,
 };
 use std::fmt::Write;
 
@@ -128,7 +127,10 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
 
 fn summary(s: &mut String, report: &Report) {
     let heading = say(&report.style, "page-results");
-    let _ = write!(s, "<section class=\"summary\" aria-labelledby=\"findings\">\n<h2 id=\"findings\">{heading}</h2>\n<ul class=\"findings\">\n");
+    let _ = write!(
+        s,
+        "<section class=\"summary\" aria-labelledby=\"findings\">\n<h2 id=\"findings\">{heading}</h2>\n<ul class=\"findings\">\n"
+    );
     let many = report.outcomes.len() > 1;
     let all = || report.outcomes.iter().enumerate().flat_map(|(i, o)| o.findings.iter().map(move |f| (i, o, f)));
     let link =

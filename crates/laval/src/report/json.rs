@@ -70,7 +70,8 @@ fn study(o: &Outcome, index: usize, names: &Names) -> Value {
         .iter()
         .enumerate()
         .map(|(k, t)| {
-            let columns: Vec<Value> = t.columns().iter().map(|c| json!({ "name": c.name, "unit": c.unit, "doc": c.doc.to_string() })).collect();
+            let columns: Vec<Value> =
+                t.columns().iter().map(|c| json!({ "name": c.name, "unit": c.unit, "doc": c.doc.to_string() })).collect();
             json!({ "name": t.name(), "doc": t.doc().to_string(), "file": names.table(index, k), "rows": t.rows(), "columns": columns })
         })
         .collect();

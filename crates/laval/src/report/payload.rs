@@ -78,8 +78,7 @@ fn unit(a: &AxisView) -> String {
 
 fn heat(h: &HeatView) -> Value {
     let pack = |v: &[f64]| floats(v.iter().copied());
-    let mut out =
-        json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": plain::line(&h.axis.label), "u": unit(&h.axis) });
+    let mut out = json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": plain::line(&h.axis.label), "u": unit(&h.axis) });
     if !h.classes.is_empty() {
         out["c"] = h.classes.iter().map(|c| plain::line(&c.0).into_owned()).collect();
     }

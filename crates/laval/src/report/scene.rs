@@ -4,8 +4,10 @@ use super::colour::Colour;
 use super::heat::HeatView;
 use super::ticks::AxisView;
 use super::words::Style;
-use crate::outcome::{Arg, Axis, Band, BandPlace, Column, Data, Figure, Mark, Message, OutcomeError, Panel, Quantity, Role, Scale, Table,
-    significant, unit_text};
+use crate::outcome::{
+    Arg, Axis, Band, BandPlace, Column, Data, Figure, Mark, Message, OutcomeError, Panel, Quantity, Role, Scale, Table, significant,
+    unit_text,
+};
 
 pub(super) struct Scene {
     pub title: String,
@@ -261,7 +263,10 @@ impl Build<'_> {
             let mut begin = 0;
             for run in g.rows.chunk_by(|a, b| words[*a] == words[*b]) {
                 let end = (begin + run.len() + 1).min(g.rows.len());
-                out.push((Group { key: g.key.clone(), name: g.name.clone(), rows: g.rows[begin..end].to_vec() }, Some(words[run[0]].clone())));
+                out.push((
+                    Group { key: g.key.clone(), name: g.name.clone(), rows: g.rows[begin..end].to_vec() },
+                    Some(words[run[0]].clone()),
+                ));
                 begin += run.len();
             }
         }
@@ -468,7 +473,8 @@ impl Build<'_> {
                 }
                 Mark::Band(m) => {
                     let name = self.say(&m.name);
-                    let same = |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == name).then_some(t) } else { None };
+                    let same =
+                        |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == name).then_some(t) } else { None };
                     let known = self.legend.iter().find_map(same);
                     let tint = m.tint.or(known).unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
                     let outlines = self.outlines(m, fx, fy);

@@ -66,7 +66,8 @@ fn words_keep_their_colours() {
     assert_eq!(colours(["c", "b"], true).0, both);
     // of many words the later share the ramp, each with a tone of its own
     let many: Vec<String> = (0..12).map(|k| format!("w{k}")).collect();
-    let mut build = Build { figure: &Figure::new("f", "", ""), tables: &[], style: &Style::default(), legend: vec![], names: vec![], tints: 0 };
+    let mut build =
+        Build { figure: &Figure::new("f", "", ""), tables: &[], style: &Style::default(), legend: vec![], names: vec![], tints: 0 };
     let seen: Vec<bool> = (0..12).map(|k| k != 7).collect();
     let found = build.classes(&many, &seen);
     assert_eq!(found[5].1, Colour::Slot(5));
@@ -140,7 +141,8 @@ fn a_figure_is_in_the_words_of_the_reader() {
         .build()
         .unwrap();
     let russian = Style { language: crate::report::Language::Russian, ..Style::default() };
-    let panel = Panel::new(Axis::new("y", "m")).mark(Points::new("t", "x", "y").group("body")).mark(Rule::x(0.5, "balanced").between(0.25, 0.5));
+    let panel =
+        Panel::new(Axis::new("y", "m")).mark(Points::new("t", "x", "y").group("body")).mark(Rule::x(0.5, "balanced").between(0.25, 0.5));
     let f = Figure::new("f", "", "").x(Axis::new("x", "rad/s")).panel(panel);
     let s = Scene::new(&f, &[t], &russian).unwrap();
     assert_eq!((s.x.title(), s.panels[0].y.title()), ("x [рад/с]".into(), "y [м]".into()));

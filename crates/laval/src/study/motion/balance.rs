@@ -89,9 +89,9 @@ pub(in crate::study) fn report(system: &System, record: &MotionRecord, mut outco
     );
     let line = |column: &'static str| Line::new("balance", "t", column).name(column);
     let figure = Figure::new("balance", "Unbalance", "balance-alt")
-    .x(Axis::new("time", "s"))
-    .panel(Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance")).mark(line("without")).mark(line("capacity")))
-    .panel(Panel::new(Axis::new("grade", "mm/s").factor(1e3)).mark(line("grade")));
+        .x(Axis::new("time", "s"))
+        .panel(Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance")).mark(line("without")).mark(line("capacity")))
+        .panel(Panel::new(Axis::new("grade", "mm/s").factor(1e3)).mark(line("grade")));
     outcome = outcome.table(c.table("balance", "Unbalance against time")?).figure(figure);
     outcome = match angles(system) {
         Some(figure) => outcome.figure(figure),

@@ -69,7 +69,8 @@ pub(in crate::study) fn table(last: &LastTurns) -> Result<Table, Diagnostic> {
     let mut columns = Columns::default();
     columns.add("t", "s", "time", last.times.clone());
     columns.all(&last.coordinates, "coordinate");
-    columns.table("last turns", Message::new("history-table-last-turns").arg("turns", Arg::count(TURNS)).arg("samples", Arg::count(SAMPLES)))
+    columns
+        .table("last turns", Message::new("history-table-last-turns").arg("turns", Arg::count(TURNS)).arg("samples", Arg::count(SAMPLES)))
 }
 
 /// Two rising lists of times as one, each time once.

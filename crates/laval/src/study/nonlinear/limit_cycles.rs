@@ -475,7 +475,8 @@ impl Shown<'_> {
         let margin = 0.05 * (high - low);
         let frequency = Panel::new(Axis::new("whirl frequency", "rad/s").range(low - margin, high + margin))
             .mark(marked(grouped(Line::new("cycles", "speed", "frequency"))));
-        let alt = Message::new("limit-cycles-alt").arg("families", Arg::count(found.families.len())).arg("edges", Arg::count(found.onsets.len()));
+        let alt =
+            Message::new("limit-cycles-alt").arg("families", Arg::count(found.families.len())).arg("edges", Arg::count(found.onsets.len()));
         let speeds = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.speed);
         let (lo, hi) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)));
         Figure::new("cycles", "Limit cycles", alt).x(Axis::new("spin speed", "rad/s").range(lo, hi)).panel(panel).panel(frequency)

@@ -36,7 +36,8 @@ mod tests {
 
     #[test]
     fn a_column_is_parted_from_its_owner() {
-        for (column, what) in [("drum largest tilt", "largest tilt"), ("tilt.drum", "tilt"), ("drum.x", "x"), ("drum", ""), ("drums x", "")] {
+        for (column, what) in [("drum largest tilt", "largest tilt"), ("tilt.drum", "tilt"), ("drum.x", "x"), ("drum", ""), ("drums x", "")]
+        {
             assert_eq!(apart(column, "drum").unwrap_or_default(), what);
         }
     }

@@ -172,7 +172,8 @@ impl Shown<'_> {
     pub fn map_table(&self) -> Built<Option<Table>> {
         let Some(map) = &self.found.map else { return Ok(None) };
         let c = &map.cells;
-        let doc = Message::new("operating-window-table-map").arg("parameter", parameter_name(&map.path)).arg("places", Arg::count(MAP_PLACES));
+        let doc =
+            Message::new("operating-window-table-map").arg("parameter", parameter_name(&map.path)).arg("places", Arg::count(MAP_PLACES));
         let mut table = Table::new("map", doc)
             .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.speed).collect())
             .float(&map.path, map.unit, "parameter", c.iter().map(|c| c.value).collect())

@@ -42,11 +42,13 @@ impl Shown<'_> {
             let along =
                 Panel::new(Axis::new("share of all", "%").factor(100.0)).mark(Points::new("pellet", "middle", "share").group("where"));
             let alt = "separation-alt-pellet";
-            out = out.figure(Figure::new("pellet", "Deposition of the particles", alt).x(Axis::new("place", "mm").factor(1e3)).panel(along));
+            out =
+                out.figure(Figure::new("pellet", "Deposition of the particles", alt).x(Axis::new("place", "mm").factor(1e3)).panel(along));
         }
         if out.find_table("paths").is_some() {
-            let across =
-                |c: &str, label: &'static str| Panel::new(Axis::new(label, "mm").factor(1e3)).mark(Line::new("paths", "y", c).group("particle"));
+            let across = |c: &str, label: &'static str| {
+                Panel::new(Axis::new(label, "mm").factor(1e3)).mark(Line::new("paths", "y", c).group("particle"))
+            };
             // in a bowl the paths lie in the plane of rotation
             out = out.figure(if flow {
                 let alt = "separation-alt-paths-bowl";
@@ -59,7 +61,9 @@ impl Shown<'_> {
             });
             let panel = Panel::new(Axis::new("radius", "mm").factor(1e3)).mark(Line::new("paths", "time", "radius").group("particle"));
             let alt = "separation-alt-paths-time";
-            out = out.figure(Figure::new("paths_time", "Radial position over time", alt).x(Axis::new("time", unit.0).factor(unit.1)).panel(panel));
+            out = out.figure(
+                Figure::new("paths_time", "Radial position over time", alt).x(Axis::new("time", unit.0).factor(unit.1)).panel(panel),
+            );
         }
         if out.find_table("released").is_some() {
             let place = |c: &'static str| Line::new("released", "time", c).name(c);

@@ -213,24 +213,14 @@ impl<'a> Shown<'a> {
                     "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
                     column(&|r| r.direction_of(p)),
                 )
-                .float(
-                    format!("{forward}.{n}"),
-                    unit,
-                    reported("forward amplitude"),
-                    column(&|r| r.circles_of(p).0.abs()),
-                )
+                .float(format!("{forward}.{n}"), unit, reported("forward amplitude"), column(&|r| r.circles_of(p).0.abs()))
                 .float(
                     format!("{phase}.{n}"),
                     "rad",
                     reported("angle of the forward amplitude from the key mark"),
                     column(&|r| r.circles_of(p).0.arg()),
                 )
-                .float(
-                    format!("{backward}.{n}"),
-                    unit,
-                    reported("backward amplitude"),
-                    column(&|r| r.circles_of(p).1.abs()),
-                )
+                .float(format!("{backward}.{n}"), unit, reported("backward amplitude"), column(&|r| r.circles_of(p).1.abs()))
                 .float(
                     format!("{backward_phase}.{n}"),
                     "rad",
@@ -335,7 +325,8 @@ impl<'a> Shown<'a> {
             } else {
                 let name = probe_name(p);
                 amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{name}")).name(probes::label(p)));
-                phase = phase.mark(Line::new("response", "speed", format!("phase.{name}")).name(probes::label(p)).cyclic(std::f64::consts::TAU));
+                phase = phase
+                    .mark(Line::new("response", "speed", format!("phase.{name}")).name(probes::label(p)).cyclic(std::f64::consts::TAU));
             }
         }
         amplitude = self.peaks().into_iter().fold(amplitude, |p, (speed, label)| p.mark(Rule::x(speed, label)));

@@ -281,13 +281,7 @@ impl<'a> Shown<'a> {
             .mark(Points::new("peaks", "speed", "growth").name("peak"))
             .mark(Points::new("boundary", "speed", "growth").name("boundary"));
         let frequency = Line::new("map", "speed", "frequency").name("its frequency").begins_where("other_mode");
-        let figure = Figure::new(
-            "stability",
-            "Largest growth rate",
-            "stability-map-alt",
-        )
-        .x(speed_axis)
-        .panel(growth);
+        let figure = Figure::new("stability", "Largest growth rate", "stability-map-alt").x(speed_axis).panel(growth);
         let below = Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(frequency);
         if whirls { figure.panel(below) } else { figure }
     }

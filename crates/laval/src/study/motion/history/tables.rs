@@ -116,7 +116,9 @@ fn motion_figures(
         let own = names(b.x);
         let size = most(own.iter().flat_map(|name| values(&record.coordinates, name)).copied());
         let line = |column: &String| Line::new("motion", "t", column).name(Arg::name(column));
-        lateral = lateral.panel(Panel::new(Axis::new(Arg::of("displacement", Arg::name(&b.name)), "m").metres(size)).mark(line(own[0])).mark(line(own[1])));
+        lateral = lateral.panel(
+            Panel::new(Axis::new(Arg::of("displacement", Arg::name(&b.name)), "m").metres(size)).mark(line(own[0])).mark(line(own[1])),
+        );
         plane = plane.mark(Line::new(path, own[0], own[1]).name(Arg::name(&b.name)).path());
     }
     if !coarse {

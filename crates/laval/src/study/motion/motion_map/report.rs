@@ -221,7 +221,8 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
         return outcome;
     }
     let axes = &map.study.axes;
-    let side = |k: usize| drawn(parameter_name(axes[k].name()), axes[k].unit, map.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
+    let side =
+        |k: usize| drawn(parameter_name(axes[k].name()), axes[k].unit, map.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
     let [x, y] = [0, 1].map(|k| axes[k].name());
     let figure = |name: String, title: Arg, heat: Heat| {
         let alt = Message::new("motion-map-alt").arg("what", title.clone()).arg("x", parameter_name(x)).arg("y", parameter_name(y));

@@ -142,8 +142,10 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
         let amplitude = |i: usize| seen[k][i].amplitude;
         let doc = "largest distance from rest in the window and within half a turn of it";
         columns.add(format!("{} amplitude", b.name), "m", doc, (0..count).map(amplitude).collect());
-        let mut panel = Panel::new(Axis::new(Arg::of("amplitude", Arg::name(&b.name)), "m").metres(seen[k].iter().map(|p| p.amplitude).fold(0.0, f64::max)))
-            .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
+        let mut panel = Panel::new(
+            Axis::new(Arg::of("amplitude", Arg::name(&b.name)), "m").metres(seen[k].iter().map(|p| p.amplitude).fold(0.0, f64::max)),
+        )
+        .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
         let own = result.passages.iter().filter(|p| p.body == b.name && !p.tilt).flat_map(|p| &p.passages);
         for p in own.filter(|p| p.nature == Nature::Resonance) {
             panel = panel.mark(Rule::x(p.speed, "resonance"));

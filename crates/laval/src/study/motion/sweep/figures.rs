@@ -47,7 +47,8 @@ pub(super) fn figures(shown: &Shown, paths: &[Path], any: bool, mut outcome: Out
         let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
         let alt = Message::new("sweep-alt-waterfall").arg("body", Arg::name(&shown.bodies[b].name));
         let alt = alt.arg("way", Arg::term(study.ways[0].word()));
-        let panel = Panel::new(Axis::new("order", "")).mark(heat).mark(Rule::y(1.0, Message::new("label-order").arg("order", Arg::number(1.0))));
+        let panel =
+            Panel::new(Axis::new("order", "")).mark(heat).mark(Rule::y(1.0, Message::new("label-order").arg("order", Arg::number(1.0))));
         outcome = outcome.figure(Figure::new("waterfall", "Order spectra", alt).x(speed()).panel(panel));
     }
     if study.lyapunov.is_some() {

@@ -142,7 +142,8 @@ impl Shown<'_> {
 
     fn alt(&self, response: &Response) -> Message {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
-        let alt = Message::new("nonlinear-response-alt").arg("branches", Arg::count(response.branches.len())).arg("folds", Arg::count(folds));
+        let alt =
+            Message::new("nonlinear-response-alt").arg("branches", Arg::count(response.branches.len())).arg("folds", Arg::count(folds));
         match self.most() {
             Some(l) if self.measured.rising.is_none() && self.displaced() => alt
                 .arg("largest", Arg::word("known"))

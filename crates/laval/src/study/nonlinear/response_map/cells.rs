@@ -103,7 +103,9 @@ pub(super) fn columns(axes: &[ParameterAxis; 2], tilts: bool) -> Vec<CellColumn>
     number("unstable_from", "rad/s", "lowest speed of unstable states that are not between two folds; NaN where there is none", |s| {
         s.unstable.iter().map(|r| r.0).fold(f64::NAN, f64::min)
     });
-    number("unstable_to", "rad/s", "highest such speed; NaN where there is none", |s| s.unstable.iter().map(|r| r.1).fold(f64::NAN, f64::max));
+    number("unstable_to", "rad/s", "highest such speed; NaN where there is none", |s| {
+        s.unstable.iter().map(|r| r.1).fold(f64::NAN, f64::max)
+    });
     number("growth", "1/s", "fastest growth of these states; 0 where there are none, NaN where it failed or is not known", |s| s.growth);
     number("neimark_sacker", "", "Neimark-Sacker points; NaN where it failed", |s| count(s, Event::NeimarkSacker));
     number("neimark_sacker_from", "rad/s", "the lowest of them; NaN where there is none", |s| {

@@ -65,8 +65,8 @@ impl Report<'_> {
         let continua = |column: &str| Points::new("continua", "speed", column).name("continuum, the sample with most");
         for body in self.system.bodies() {
             let column = format!("{} radius", body.name);
-            let mut panel =
-                Panel::new(Axis::new(Arg::of("distance from the axis", Arg::name(&body.name)), "m").metres(most)).mark(line(column.clone()));
+            let mut panel = Panel::new(Axis::new(Arg::of("distance from the axis", Arg::name(&body.name)), "m").metres(most))
+                .mark(line(column.clone()));
             if changes {
                 panel = panel.mark(Points::new("changes", "speed", column).group("change"));
             }

@@ -283,10 +283,10 @@ impl Report<'_> {
         let parameter = parameter_name(&requested.path);
         let doc = Message::new("stationary-table-stabilised").arg("speed", Arg::speed(requested.speed)).arg("parameter", parameter.clone());
         Table::new("stabilised", doc)
-        .float("value", unit, parameter, rows.iter().map(|r| r.0).collect())
-        .float("growth", "1/s", "largest growth rate; NaN where there is no such state", rows.iter().map(|r| r.1).collect())
-        .flag("edge", "stability changes here", rows.iter().map(|r| r.2).collect())
-        .build()
+            .float("value", unit, parameter, rows.iter().map(|r| r.0).collect())
+            .float("growth", "1/s", "largest growth rate; NaN where there is no such state", rows.iter().map(|r| r.1).collect())
+            .flag("edge", "stability changes here", rows.iter().map(|r| r.2).collect())
+            .build()
     }
 
     fn chart(&self, chart: &Chart) -> Result<Table, OutcomeError> {

@@ -4,9 +4,7 @@ use super::Optimum;
 use super::result::{Found, Run, Stray};
 use super::search::{KEPT, TEST};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{
-    Arg, Axis, End, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, Table, TableBuilder, parameter_name,
-};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, Table, TableBuilder, parameter_name};
 use crate::study::Study;
 use crate::study::shared::support::inconsistent;
 use laval_num::optimise::Ended;
@@ -267,8 +265,9 @@ fn searches(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     let drawn = rows.iter().any(|r| r.2.is_finite());
     out = out.table(table);
     if drawn {
-        let panel =
-            Panel::new(axis(study, found)).mark(Line::new("search", "runs", "number").group("start")).mark(Rule::y(found.now, "present value"));
+        let panel = Panel::new(axis(study, found))
+            .mark(Line::new("search", "runs", "number").group("start"))
+            .mark(Rule::y(found.now, "present value"));
         let alt = Message::new("optimum-alt-search").arg("aim", readable(&study.aim.name)).arg("searches", Arg::count(found.trails.len()));
         out = out.figure(Figure::new("search", "Progress of the search", alt).x(Axis::new("runs of the study", "")).panel(panel));
     }

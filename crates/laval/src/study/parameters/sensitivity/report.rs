@@ -289,6 +289,7 @@ fn tornado(mut out: Outcome, found: &Derivatives, i: usize, bars: usize) -> Resu
     }
     let title = Message::new("sensitivity-title").arg("place", place.phrase());
     let alt = Message::new("sensitivity-alt").arg("count", Arg::count(count));
-    let figure = Figure::new(format!("influence-{}", i + 1), title, alt).x(Axis::new("change in per cent for one per cent more of the parameter", ""));
+    let figure = Figure::new(format!("influence-{}", i + 1), title, alt)
+        .x(Axis::new("change in per cent for one per cent more of the parameter", ""));
     Ok(out.figure(figure.panel(panel.mark(Rule::x(0.0, "")))))
 }

@@ -200,7 +200,8 @@ pub fn effects(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
             continue;
         }
         let list: Vec<Interval> = found[i].iter().map(|e| e.mu_star).collect();
-        let shape = Bars { title: "uncertainty-title-effects", axis: Axis::new("mean size of the effects", unit), kinds: vec![("mu*", list)] };
+        let shape =
+            Bars { title: "uncertainty-title-effects", axis: Axis::new("mean size of the effects", unit), kinds: vec![("mu*", list)] };
         outcome = bars(outcome, study, name, "effects", shape)?;
     }
     Ok(outcome)
