@@ -17,7 +17,10 @@ fn owners(system: &System) -> Vec<(String, Arg)> {
 /// What a column holds, apart from its owner.
 fn apart<'c>(column: &'c str, owner: &str) -> Option<&'c str> {
     let behind = column.strip_prefix(owner).and_then(|rest| rest.strip_prefix([' ', '.']));
-    behind.or_else(|| column.strip_suffix(owner)?.strip_suffix('.'))
+    behind.or_else(|| {
+        let before = column.strip_suffix(owner)?;
+        before.strip_suffix('.').or_else(|| before.strip_suffix(" of "))
+    })
 }
 
 /// Gives such columns their headings.
@@ -27,7 +30,7 @@ pub fn name_owners(system: &System, outcome: &mut Outcome) {
         let found = owners.iter().find_map(|(name, label)| Some((apart(column, name)?, label)));
         found.map(|(what, owner)| Arg::of(Arg::term(what.replace(['_', '.'], " ")), owner.clone()))
     };
-    outcome.tables.iter_mut().for_each(|t| t.head(heading));
+    outcome.tables.iter_mut().for_each(|t| t.head(&heading));
 }
 
 #[cfg(test)]
@@ -36,8 +39,14 @@ mod tests {
 
     #[test]
     fn a_column_is_parted_from_its_owner() {
-        for (column, what) in [("drum largest tilt", "largest tilt"), ("tilt.drum", "tilt"), ("drum.x", "x"), ("drum", ""), ("drums x", "")]
-        {
+        for (column, what) in [
+            ("drum largest tilt", "largest tilt"),
+            ("tilt.drum", "tilt"),
+            ("tilt of drum", "tilt"),
+            ("drum.x", "x"),
+            ("drum", ""),
+            ("drums x", ""),
+        ] {
             assert_eq!(apart(column, "drum").unwrap_or_default(), what);
         }
     }
