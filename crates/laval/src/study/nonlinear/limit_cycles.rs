@@ -1,4 +1,4 @@
-//! Limit cycles over the spin speed: limit cycles from the edges of linear instability, their stability, hard and soft onset.
+//! Self-excited whirls over the spin speed: limit cycles from the edges of linear instability, their stability, hard and soft onset.
 //!
 //! Equations: harmonic balance with unknown frequency, linear parts condensed at `s = i k w` and the spin speed W; see
 //! [`crate::solve::harmonic::free::cycles`]. Of an isotropic machine the motion is circular and exact with one harmonic:
@@ -47,7 +47,7 @@ impl Study for LimitCycles {
     const KIND: &'static str = "limit_cycles";
     const EXAMPLE: &'static str = r#"speed = { from = "500 rpm", to = "12000 rpm" }
 "#;
-    const DOC: &'static str = "Limit cycles of a damped machine over the spin speed, without unbalance: from every edge of linear instability the \
+    const DOC: &'static str = "Self-excited whirls of a damped machine over the spin speed, without unbalance: from every edge of linear instability the \
         cycles that begin there, with amplitude, frequency and stability; whether the onset is soft (a small whirl grows with the speed) or hard (rest is \
         stable, but a disturbance beyond an unstable cycle leads to a large whirl); folds of cycles.";
     const FIELDS: &'static [Field] = &[

@@ -136,7 +136,7 @@ impl Study for NonlinearResponse {
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 harmonics = "auto"
 "#;
-    const DOC: &'static str = "Steady-state unbalance response over a range of speeds, with the states the machine can settle in: branches followed \
+    const DOC: &'static str = "Steady response to unbalance over a range of speeds, with the states the machine can settle in: branches followed \
         from both ends, folds (where a slow sweep jumps) and other bifurcations located, stability of every point; on request also mixed, less symmetric \
         and subharmonic states.";
     const FIELDS: &'static [Field] = &[
