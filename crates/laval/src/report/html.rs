@@ -56,7 +56,7 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     let names = Names::new(report);
     let machine = if report.machine.is_empty() { say(style, "page-nameless") } else { escape(&report.machine) };
     let mut s = format!(
-        "<!doctype html>\n<html lang=\"{}\" data-decimal=\"{}\" data-lengths=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<head data-decimal=\"{}\" data-lengths=\"{}\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
          <title>{machine} · {}</title>\n<style>{CSS}</style>\n<script>{JS}</script>\n</head>\n<body>\n<header>\n<h1>{machine}</h1>\n",
         style.language.code(),

@@ -45,7 +45,7 @@ class Player {
     });
     this.slider.value = Math.round(1000 * (this.at - this.first()) / this.length());
     const rate = a === b ? 0 : (this.data.p[b] - this.data.p[a]) / (this.data.t[b] - this.data.t[a]);
-    const d = this.controls.dataset, write = v => v.toPrecision(4).replace(".", document.documentElement.dataset.decimal || ".");
+    const d = this.controls.dataset, write = v => v.toPrecision(4).replace(".", document.head.dataset.decimal || ".");
     this.output.textContent = `${write(this.at)} ${d.time}, ${write(rate / +d.size)} ${d.speed}`;
   }
 

@@ -11,7 +11,7 @@ console.error = (...a) => { errors.push(a.join(" ")); consoleError.apply(console
 const SUP = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const power = d => d === 0 ? "1" : d === 1 ? "10" : "10" + String(d).replace(/-/, "⁻").replace(/\d/g, c => SUP[c]);
 // Numbers and units as the language of the page writes them.
-const words = document.documentElement.dataset;
+const words = document.head.dataset;
 const minus = s => s.replace(/^-/, "−").replace(".", words.decimal || ".");
 const unit = u => u ? " " + u : "";
 
