@@ -23,5 +23,5 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, String> {
             Column { name: &c.name, unit: &c.unit, doc, values }
         })
         .collect();
-    encode(&columns, &[("name", table.name()), ("doc", &table.doc().to_string())])
+    encode(&columns, &[("name", table.name()), ("doc", table.doc().to_string().as_str())])
 }

@@ -298,7 +298,7 @@ impl<'a> Shown<'a> {
         words.dedup();
         let word = match words.as_slice() {
             [] => "aperiodic",
-            [one] => one,
+            [one] => *one,
             [first, .., last] => change(first, last),
         };
         format!("{} {word}", k + 1)
