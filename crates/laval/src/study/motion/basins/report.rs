@@ -163,7 +163,7 @@ pub(super) fn report(
     outcome = undecided(&map, outcome);
     let at = |row: usize, f: Finding| {
         let place = map.place[row];
-        f.evidence(axes[0].name.clone(), place[0], axes[0].unit.clone()).evidence(axes[1].name.clone(), place[1], axes[1].unit.clone())
+        (0..2).fold(f, |f, k| f.evidence(axes[k].label(), place[k], axes[k].unit.clone()))
     };
     outcome = stored::limits(results, at, outcome);
     let steps = results.numbers("steps").iter().sum::<f64>();

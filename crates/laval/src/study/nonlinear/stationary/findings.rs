@@ -414,7 +414,7 @@ fn reach(least: &Least, value: &dyn Fn(f64) -> Arg) -> Arg {
 }
 
 /// With what evidence has a value.
-fn backed(finding: Finding, more: &[(&str, f64, &str)]) -> Finding {
+fn backed(finding: Finding, more: &[(&'static str, f64, &str)]) -> Finding {
     more.iter().filter(|m| m.1.is_finite()).fold(finding, |f, m| f.evidence(m.0, m.1, m.2))
 }
 
