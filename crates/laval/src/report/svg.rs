@@ -424,7 +424,7 @@ fn legend(s: &mut String, k: usize, e: &Entry, x: f64, y: f64, text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::outcome::{Axis, Heat, Line, Panel, Points, Rule};
+    use crate::outcome::{Arg, Axis, Heat, Line, Panel, Points, Rule};
 
     fn table(ys: Vec<f64>) -> Table {
         let n = ys.len();
@@ -489,7 +489,7 @@ mod tests {
         let mut panel = Panel::new(Axis::new("y", ""));
         for k in 0..curves {
             t = t.float(format!("y{k}"), "", "", (0..rows).map(|i| (f64::from(i * (k + 1)) * 0.37).sin()).collect());
-            panel = panel.mark(Line::new("t", "x", format!("y{k}")).name(format!("y{k}")));
+            panel = panel.mark(Line::new("t", "x", format!("y{k}")).name(Arg::name(format!("y{k}"))));
         }
         let svg = draw(&Figure::new("f", "t", "a").x(Axis::new("x", "")).panel(panel), &[t.build().unwrap()]).unwrap();
         assert!(svg.len() < 1_200_000, "{}", svg.len());

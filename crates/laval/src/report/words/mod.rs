@@ -157,7 +157,7 @@ impl fmt::Display for Arg {
 /// The English text.
 impl PartialEq<str> for Arg {
     fn eq(&self, text: &str) -> bool {
-        self.to_string() == text
+        Style::default().arg(self) == text
     }
 }
 
@@ -171,7 +171,7 @@ impl PartialEq<String> for Arg {
 /// The English text.
 impl PartialEq<&str> for Arg {
     fn eq(&self, text: &&str) -> bool {
-        self.to_string() == *text
+        *self == **text
     }
 }
 

@@ -30,7 +30,7 @@ pub fn name_owners(system: &System, outcome: &mut Outcome) {
         let found = owners.iter().find_map(|(name, label)| Some((apart(column, name)?, label)));
         found.map(|(what, owner)| Arg::of(Arg::term(what.replace(['_', '.'], " ")), owner.clone()))
     };
-    outcome.tables.iter_mut().for_each(|t| t.head(&heading));
+    outcome.tables.iter_mut().for_each(|t| t.head(heading));
 }
 
 #[cfg(test)]

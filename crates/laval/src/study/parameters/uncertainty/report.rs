@@ -163,10 +163,6 @@ fn distributions(
     figures::distributions(outcome, study, samples, spreads, own)
 }
 
-fn significant(x: f64) -> String {
-    crate::outcome::significant(x, 4)
-}
-
 /// Fewest base points, or trajectories, whose resampling gives a confidence interval of an index.
 const LEAST: usize = 8;
 
