@@ -1,7 +1,7 @@
 //! Opens the one-file report in a headless browser: no error, every figure drawn, zoom and readout work, nothing fetched.
 
 use laval::outcome::{
-    Animation, Axis, Band, Circle, End, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, Text,
+    Animation, Arg, Axis, Band, Circle, End, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, Text,
 };
 use laval::report::{Format, Provenance, Report, html, write};
 use std::f64::consts::PI;
@@ -146,7 +146,7 @@ fn campbell() -> Outcome {
         .text("whirl", "direction", whirl)
         .build()
         .unwrap();
-    let order = |y: &str, name: &str| Line::new("orders", "speed", y).reference().name(name);
+    let order = |y: &str, name: &'static str| Line::new("orders", "speed", y).reference().name(name);
     let figure = Figure::new(
         "campbell",
         "Campbell diagram",
@@ -250,7 +250,7 @@ fn history() -> Outcome {
         .build()
         .unwrap();
     let pair = |name: &str| [format!("{name}.x"), format!("{name}.y")];
-    let circle = |name: &str, place: Option<[String; 2]>, radius: f64| Circle {
+    let circle = |name: &'static str, place: Option<[String; 2]>, radius: f64| Circle {
         name: name.into(),
         displacement: pair("disc"),
         movable: place.is_some(),
@@ -394,7 +394,7 @@ fn large_tables_stay_small() {
             "",
             (0..n).map(|i| ((i * (k + 3)) as f64 * 0.7).sin() * (i as f64 * 1e-3 + k as f64).cos()).collect(),
         );
-        panel = panel.mark(Line::new("big", "t", format!("y{k}")).name(format!("y{k}")));
+        panel = panel.mark(Line::new("big", "t", format!("y{k}")).name(Arg::name(format!("y{k}"))));
     }
     let figure = Figure::new("f", "Big", "").x(Axis::new("t", "s")).panel(panel);
     let outcome = Outcome::new("k", "n").table(b.build().unwrap()).figure(figure).checked().unwrap();

@@ -1,5 +1,6 @@
 //! Motions to be played: circles whose places are columns of a table.
 
+use super::message::{Arg, Message};
 use super::{Data, OutcomeError, Table};
 
 /// Circles that move as the rows of a table say. Places are in axes that turn with the rotor, so that they change slowly; the spin angle turns them.
@@ -8,9 +9,9 @@ pub struct Animation {
     /// Machine name.
     pub name: String,
     /// Title for reading.
-    pub title: String,
+    pub title: Arg,
     /// What a reader who cannot see it should know.
-    pub alt: String,
+    pub alt: Message,
     /// Table whose rows are the frames.
     pub table: String,
     /// Column of the time, s.
@@ -27,7 +28,7 @@ pub struct Animation {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Circle {
     /// Its name.
-    pub name: String,
+    pub name: Arg,
     /// Columns of its displacement, m: drawn enlarged.
     pub displacement: [String; 2],
     /// Columns of its place from there, m: drawn to scale; none where it is not displaced from there.

@@ -1,5 +1,6 @@
 //! Figures: declarative marks over table columns. A figure is a column of panels that share x.
 
+use super::message::{Arg, Message};
 use super::{Data, OutcomeError, Table};
 
 /// A figure: panels, one below the other, sharing the x axis.
@@ -8,9 +9,9 @@ pub struct Figure {
     /// Machine name, also part of the file name.
     pub name: String,
     /// Title for reading.
-    pub title: String,
+    pub title: Arg,
     /// What a reader who cannot see the figure should know.
-    pub alt: String,
+    pub alt: Message,
     /// The common x axis.
     pub x: Axis,
     /// The panels from top to bottom.
@@ -44,7 +45,7 @@ pub enum Scale {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Label, such as `speed`.
-    pub label: String,
+    pub label: Arg,
     /// Unit after the factor.
     pub unit: String,
     /// Linear or logarithmic.
@@ -56,14 +57,14 @@ pub struct Axis {
     /// Without numbers: places along it only have names.
     pub bare: bool,
     /// Names that stand at places of the axis, in its unit, instead of numbers.
-    pub names: Vec<(f64, String)>,
+    pub names: Vec<(f64, Arg)>,
     /// Linear nearer to zero than this, logarithmic on both sides beyond: for values of both signs and of many sizes.
     pub knee: Option<f64>,
 }
 
 impl Axis {
     /// A linear axis.
-    pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
+    pub fn new(label: impl Into<Arg>, unit: impl Into<String>) -> Self {
         Axis {
             label: label.into(),
             unit: unit.into(),
@@ -77,7 +78,7 @@ impl Axis {
     }
 
     /// A logarithmic axis.
-    pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
+    pub fn log(label: impl Into<Arg>, unit: impl Into<String>) -> Self {
         Axis { scale: Scale::Log, ..Axis::new(label, unit) }
     }
 
@@ -100,7 +101,7 @@ impl Axis {
     }
 
     /// Names at places, in the unit of the axis, instead of numbers.
-    pub fn names(mut self, names: Vec<(f64, String)>) -> Self {
+    pub fn names(mut self, names: Vec<(f64, Arg)>) -> Self {
         self.names = names;
         self
     }
@@ -125,10 +126,10 @@ impl Axis {
 }
 
 /// A parameter as it is read: `radius of oil` for `oil.radius`.
-pub fn parameter_name(path: &str) -> String {
+pub fn parameter_name(path: &str) -> Arg {
     match path.split_once('.') {
-        Some((part, field)) => format!("{} of {part}", field.replace(['_', '.'], " ")),
-        None => path.replace('_', " "),
+        Some((part, field)) => Arg::of(Arg::term(field.replace(['_', '.'], " ")), Arg::name(part)),
+        None => Arg::term(path.replace('_', " ")),
     }
 }
 
@@ -178,9 +179,9 @@ pub struct Line {
     /// Pieces that would be dashed are left out.
     pub solid_only: bool,
     /// What solid and dashed mean in the legend.
-    pub solid_dashed: (String, String),
+    pub solid_dashed: (Arg, Arg),
     /// Name in the legend.
-    pub name: String,
+    pub name: Arg,
     /// Drawn thin and grey with its name at its end instead of in the legend: for orders such as 1× and 2×.
     pub reference: bool,
     /// Flag column: what is not valid is drawn thin and grey, and the axes do not reach for it.
@@ -194,7 +195,9 @@ pub struct Line {
     /// In the colour of text, not of the palette: for intervals on bars.
     pub ink: bool,
     /// Groups, and the words at the ends of their curves.
-    pub ends: Vec<(String, String)>,
+    pub ends: Vec<(String, Arg)>,
+    /// Groups, and their names in the legend, where these are not the values of the column.
+    pub called: Vec<(String, Arg)>,
     /// Values that differ by this are the same (angles): the curve is drawn without jumps by it.
     pub period: Option<f64>,
 }
@@ -214,7 +217,7 @@ impl Line {
             nested: false,
             solid_only: false,
             solid_dashed: ("stable".into(), "unstable".into()),
-            name: String::new(),
+            name: Arg::default(),
             reference: false,
             valid_where: None,
             wrapped: false,
@@ -222,6 +225,7 @@ impl Line {
             muted: &[],
             ink: false,
             ends: Vec::new(),
+            called: Vec::new(),
             period: None,
         }
     }
@@ -239,8 +243,14 @@ impl Line {
     }
 
     /// Words at the ends of the curves of these groups.
-    pub fn ends(mut self, ends: Vec<(String, String)>) -> Self {
+    pub fn ends(mut self, ends: Vec<(String, Arg)>) -> Self {
         self.ends = ends;
+        self
+    }
+
+    /// Names of these groups in the legend.
+    pub fn called(mut self, names: Vec<(String, Arg)>) -> Self {
+        self.called = names;
         self
     }
 
@@ -288,13 +298,13 @@ impl Line {
     }
 
     /// What solid and dashed mean, when not stable and unstable.
-    pub fn meaning(mut self, solid: impl Into<String>, dashed: impl Into<String>) -> Self {
+    pub fn meaning(mut self, solid: impl Into<Arg>, dashed: impl Into<Arg>) -> Self {
         self.solid_dashed = (solid.into(), dashed.into());
         self
     }
 
     /// Name in the legend.
-    pub fn name(mut self, name: impl Into<String>) -> Self {
+    pub fn name(mut self, name: impl Into<Arg>) -> Self {
         self.name = name.into();
         self
     }
@@ -345,7 +355,7 @@ pub struct Points {
     /// Small, for many.
     pub small: bool,
     /// Name in the legend.
-    pub name: String,
+    pub name: Arg,
 }
 
 impl Points {
@@ -360,7 +370,7 @@ impl Points {
             filled_where: None,
             muted: &[],
             small: false,
-            name: String::new(),
+            name: Arg::default(),
         }
     }
 
@@ -395,7 +405,7 @@ impl Points {
     }
 
     /// Name in the legend.
-    pub fn name(mut self, name: impl Into<String>) -> Self {
+    pub fn name(mut self, name: impl Into<Arg>) -> Self {
         self.name = name.into();
         self
     }
@@ -407,7 +417,7 @@ pub struct Band {
     /// Where.
     pub place: BandPlace,
     /// Name in the legend; bands of one name look alike.
-    pub name: String,
+    pub name: Arg,
     /// Also a strip at the upper border, never too narrow to be seen.
     pub strip: bool,
     /// In full colour: a bar rather than a background.
@@ -444,7 +454,7 @@ impl Band {
     }
 
     fn new(place: BandPlace) -> Self {
-        Band { place, name: String::new(), strip: false, bar: false, tint: None }
+        Band { place, name: Arg::default(), strip: false, bar: false, tint: None }
     }
 
     /// In full colour.
@@ -478,7 +488,7 @@ impl Band {
     }
 
     /// Name in the legend.
-    pub fn name(mut self, name: impl Into<String>) -> Self {
+    pub fn name(mut self, name: impl Into<Arg>) -> Self {
         self.name = name.into();
         self
     }
@@ -492,19 +502,19 @@ pub struct Rule {
     /// Where.
     pub at: f64,
     /// Label.
-    pub label: String,
+    pub label: Arg,
     /// Two values along the same axis that the label ends with, in the unit of the axis: `unstable 100 to 120`.
     pub between: Option<(f64, f64)>,
 }
 
 impl Rule {
     /// Vertical, at a value of x.
-    pub fn x(at: f64, label: impl Into<String>) -> Self {
+    pub fn x(at: f64, label: impl Into<Arg>) -> Self {
         Rule { vertical: true, at, label: label.into(), between: None }
     }
 
     /// Horizontal, at a value of y.
-    pub fn y(at: f64, label: impl Into<String>) -> Self {
+    pub fn y(at: f64, label: impl Into<Arg>) -> Self {
         Rule { vertical: false, at, label: label.into(), between: None }
     }
 
@@ -536,6 +546,8 @@ pub struct Heat {
     pub contour: Option<f64>,
     /// Words the value may be, each with a colour of its own and an entry in the legend; empty for numbers.
     pub classes: Vec<String>,
+    /// Words, and their names in the legend, where these are not the words.
+    pub called: Vec<(String, Arg)>,
 }
 
 impl Heat {
@@ -551,7 +563,14 @@ impl Heat {
             allowed: false,
             contour: None,
             classes: Vec::new(),
+            called: Vec::new(),
         }
+    }
+
+    /// Names of these words in the legend.
+    pub fn called(mut self, names: Vec<(String, Arg)>) -> Self {
+        self.called = names;
+        self
     }
 
     /// A map of a column of words: one colour for each of `classes`; cells of other words stay blank.
@@ -587,12 +606,12 @@ pub struct Text {
     /// y.
     pub y: f64,
     /// The words.
-    pub text: String,
+    pub text: Arg,
 }
 
 impl Text {
     /// Words centred at a place.
-    pub fn new(x: f64, y: f64, text: impl Into<String>) -> Self {
+    pub fn new(x: f64, y: f64, text: impl Into<Arg>) -> Self {
         Text { x, y, text: text.into() }
     }
 }
@@ -618,7 +637,7 @@ impl Panel {
 
 impl Figure {
     /// A figure without panels. `alt` tells what it shows to a reader who cannot see it.
-    pub fn new(name: impl Into<String>, title: impl Into<String>, alt: impl Into<String>) -> Self {
+    pub fn new(name: impl Into<String>, title: impl Into<Arg>, alt: impl Into<Message>) -> Self {
         Figure { name: name.into(), title: title.into(), alt: alt.into(), x: Axis::new("", ""), panels: Vec::new(), equal: false }
     }
 

@@ -60,7 +60,7 @@ impl Level {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
     /// What the number is.
-    pub what: String,
+    pub what: Arg,
     /// The number.
     pub value: f64,
     /// Its unit; empty for a pure number.
@@ -69,12 +69,12 @@ pub struct Evidence {
 
 impl Evidence {
     /// A supporting number.
-    pub fn new(what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
+    pub fn new(what: impl Into<Arg>, value: f64, unit: impl Into<String>) -> Self {
         Evidence { what: what.into(), value, unit: unit.into() }
     }
 
     /// `None` for NaN.
-    pub(super) fn known(what: impl Into<String>, value: f64, unit: impl Into<String>) -> Option<Self> {
+    pub(super) fn known(what: impl Into<Arg>, value: f64, unit: impl Into<String>) -> Option<Self> {
         (!value.is_nan()).then(|| Self::new(what, value, unit))
     }
 }
@@ -146,7 +146,7 @@ impl Finding {
     }
 
     /// Adds a supporting number; NaN, a number that could not be had, is left out.
-    pub fn evidence(mut self, what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
+    pub fn evidence(mut self, what: impl Into<Arg>, value: f64, unit: impl Into<String>) -> Self {
         self.evidence.extend(Evidence::known(what, value, unit));
         self
     }

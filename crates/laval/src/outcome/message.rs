@@ -131,6 +131,16 @@ impl Arg {
         Arg::Term(text.into())
     }
 
+    /// What belongs to a body or part: `largest tilt of drum`.
+    pub fn of(what: impl Into<Arg>, owner: impl Into<Arg>) -> Arg {
+        Message::new("label-of").arg("what", what).arg("owner", owner).into()
+    }
+
+    /// What something is, and a reservation about it.
+    pub fn noted(what: impl Into<Arg>, note: impl Into<Arg>) -> Arg {
+        Message::new("label-noted").arg("what", what).arg("note", note).into()
+    }
+
     /// A word that a sentence chooses by.
     pub fn word(word: &'static str) -> Arg {
         Arg::Word(word)
@@ -148,6 +158,27 @@ impl Arg {
     /// Names, joined by commas.
     pub fn names<S: Into<String>>(names: impl IntoIterator<Item = S>) -> Arg {
         Arg::List(names.into_iter().map(Arg::name).collect())
+    }
+}
+
+impl Default for Arg {
+    /// No words.
+    fn default() -> Arg {
+        Arg::Term(String::new())
+    }
+}
+
+/// A fixed phrase.
+impl From<&'static str> for Arg {
+    fn from(text: &'static str) -> Arg {
+        Arg::term(text)
+    }
+}
+
+/// A sentence without arguments.
+impl From<&'static str> for Message {
+    fn from(key: &'static str) -> Message {
+        Message::new(key)
     }
 }
 

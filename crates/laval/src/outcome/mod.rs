@@ -184,11 +184,11 @@ impl Outcome {
         }
         for f in &self.findings {
             f.message.quantities(&mut |q| check(&f.id, &[q.value]))?;
-            f.evidence.iter().try_for_each(|e| check(&e.what, &[e.value]))?;
+            f.evidence.iter().try_for_each(|e| check(&e.what.to_string(), &[e.value]))?;
         }
         for p in &self.special_points {
             check(&p.kind, &[p.at, p.bracket.0, p.bracket.1])?;
-            p.evidence.iter().try_for_each(|e| check(&e.what, &[e.value]))?;
+            p.evidence.iter().try_for_each(|e| check(&e.what.to_string(), &[e.value]))?;
         }
         for (t, c) in self.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (t, c))) {
             if let Data::Float(values) = &c.data
@@ -200,26 +200,28 @@ impl Outcome {
         Ok(())
     }
 
-    /// The end of the study as one sentence, with the place where it stopped.
-    pub fn end_in_words(&self) -> String {
+    /// The end of the study, with the place where it stopped.
+    pub fn end_message(&self) -> Message {
         let place = |at: f64| match &self.parameter {
-            Some(p) => format!("{} = {}", p.name, quantity(at, &p.unit)),
-            None => significant(at, 5),
+            Some(p) => {
+                let name = Arg::term(p.name.replace('_', " "));
+                Message::new("end-place").arg("parameter", name).arg("at", Arg::quantity(at, &p.unit).digits(4)).into()
+            }
+            None => Arg::number(at).digits(5),
         };
+        let stopped = |key: &str, at: f64| Message::new(key).arg("place", place(at));
         match self.end {
-            End::Reached => "The study ran to its end.".into(),
-            End::StepTooSmall { at } => format!("The study stopped early: the step became too small at {}.", place(at)),
-            End::NewtonFailed { at, residual } if !residual.is_finite() => {
-                format!("The study stopped early: no solution was found at {} (the equations have no finite values there).", place(at))
+            End::Reached => "end-reached".into(),
+            End::StepTooSmall { at } => stopped("end-step-too-small", at),
+            End::NewtonFailed { at, residual } if residual.is_finite() => {
+                stopped("end-no-solution", at).arg("residual", Arg::number(residual).digits(2))
             }
-            End::NewtonFailed { at, residual } => {
-                format!("The study stopped early: no solution was found at {} (residual {}).", place(at), significant(residual, 2))
-            }
-            End::Unbounded { at } => format!("The study stopped early: the motion went beyond all bounds at {}.", place(at)),
-            End::Cancelled => "The study was cancelled; what was done is shown.".into(),
-            End::Refused => "The study was refused: this machine cannot answer it.".into(),
-            End::MaxPoints => "The study stopped early: it reached the largest number of points allowed (max_points, --work-limit).".into(),
-            End::WorkLimit => "The study stopped early: it reached the limit on its work (--work-limit); what was done is shown.".into(),
+            End::NewtonFailed { at, .. } => stopped("end-no-values", at),
+            End::Unbounded { at } => stopped("end-unbounded", at),
+            End::Cancelled => "end-cancelled".into(),
+            End::Refused => "end-refused".into(),
+            End::MaxPoints => "end-max-points".into(),
+            End::WorkLimit => "end-work-limit".into(),
         }
     }
 }
@@ -325,7 +327,7 @@ impl SpecialPoint {
     }
 
     /// Adds a supporting number; NaN, a number that could not be had, is left out.
-    pub fn evidence(mut self, what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
+    pub fn evidence(mut self, what: impl Into<Arg>, value: f64, unit: impl Into<String>) -> Self {
         self.evidence.extend(Evidence::known(what, value, unit));
         self
     }

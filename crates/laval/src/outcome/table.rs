@@ -1,5 +1,6 @@
 //! Tables: named columns with unit and documentation, all of one length.
 
+use super::message::Arg;
 use super::{OutcomeError, unique};
 
 /// A table whose columns have one length and different names.
@@ -21,7 +22,7 @@ use super::{OutcomeError, unique};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     name: String,
-    doc: String,
+    doc: Arg,
     columns: Vec<Column>,
     leading: bool,
 }
@@ -33,8 +34,12 @@ pub struct Column {
     pub name: String,
     /// Unit; empty for a pure number, text or flag.
     pub unit: String,
+    /// The heading for readers: the name in words, with the name of a body or part apart.
+    pub label: Arg,
     /// What it holds.
-    pub doc: String,
+    pub doc: Arg,
+    /// Its words are names of the machine file, which no language translates.
+    pub names: bool,
     /// The values.
     pub data: Data,
 }
@@ -88,7 +93,7 @@ impl Column {
 impl Table {
     /// Starts a table.
     #[allow(clippy::new_ret_no_self)]
-    pub fn new(name: impl Into<String>, doc: impl Into<String>) -> TableBuilder {
+    pub fn new(name: impl Into<String>, doc: impl Into<Arg>) -> TableBuilder {
         TableBuilder { table: Table { name: name.into(), doc: doc.into(), columns: Vec::new(), leading: false } }
     }
 
@@ -104,8 +109,8 @@ impl Table {
     /// When two columns have one name.
     pub fn from_rows<const N: usize>(
         name: impl Into<String>,
-        doc: impl Into<String>,
-        columns: [(&str, &str, &str); N],
+        doc: impl Into<Arg>,
+        columns: [(&str, &str, &'static str); N],
         rows: &[[f64; N]],
     ) -> Result<Table, OutcomeError> {
         let mut builder = Table::new(name, doc);
@@ -121,7 +126,7 @@ impl Table {
     }
 
     /// What the table holds.
-    pub fn doc(&self) -> &str {
+    pub fn doc(&self) -> &Arg {
         &self.doc
     }
 
@@ -140,6 +145,15 @@ impl Table {
         self.columns.first().map_or(0, |c| c.data.len())
     }
 
+    /// Gives columns a heading other than their name, where there is one.
+    pub(crate) fn head(&mut self, heading: impl Fn(&str) -> Option<Arg>) {
+        for column in &mut self.columns {
+            if let Some(label) = heading(&column.name) {
+                column.label = label;
+            }
+        }
+    }
+
     /// The column of that name.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|c| c.name == name)
@@ -153,8 +167,10 @@ pub struct TableBuilder {
 }
 
 impl TableBuilder {
-    fn add(mut self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, data: Data) -> Self {
-        self.table.columns.push(Column { name: name.into(), unit: unit.into(), doc: doc.into(), data });
+    fn add(mut self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<Arg>, data: Data) -> Self {
+        let name = name.into();
+        let label = Arg::term(name.replace('_', " "));
+        self.table.columns.push(Column { name, unit: unit.into(), label, doc: doc.into(), names: false, data });
         self
     }
 
@@ -165,27 +181,36 @@ impl TableBuilder {
     }
 
     /// Adds a column of real numbers.
-    pub fn float(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, values: Vec<f64>) -> Self {
+    pub fn float(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<Arg>, values: Vec<f64>) -> Self {
         self.add(name, unit, doc, Data::Float(values))
     }
 
     /// Adds a column of real numbers unless there are rows and none has a value.
-    pub fn float_if_any(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, values: Vec<f64>) -> Self {
+    pub fn float_if_any(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<Arg>, values: Vec<f64>) -> Self {
         if !values.is_empty() && values.iter().all(|x| x.is_nan()) { self } else { self.float(name, unit, doc, values) }
     }
 
     /// Adds a column of whole numbers.
-    pub fn int(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, values: Vec<i64>) -> Self {
+    pub fn int(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<Arg>, values: Vec<i64>) -> Self {
         self.add(name, unit, doc, Data::Int(values))
     }
 
     /// Adds a column of words.
-    pub fn text(self, name: impl Into<String>, doc: impl Into<String>, values: Vec<String>) -> Self {
+    pub fn text(self, name: impl Into<String>, doc: impl Into<Arg>, values: Vec<String>) -> Self {
         self.add(name, "", doc, Data::Text(values))
     }
 
+    /// Adds a column of names of the machine file.
+    pub fn names(self, name: impl Into<String>, doc: impl Into<Arg>, values: Vec<String>) -> Self {
+        let mut out = self.text(name, doc, values);
+        if let Some(column) = out.table.columns.last_mut() {
+            column.names = true;
+        }
+        out
+    }
+
     /// Adds a column of yes and no.
-    pub fn flag(self, name: impl Into<String>, doc: impl Into<String>, values: Vec<bool>) -> Self {
+    pub fn flag(self, name: impl Into<String>, doc: impl Into<Arg>, values: Vec<bool>) -> Self {
         self.add(name, "", doc, Data::Flag(values))
     }
 

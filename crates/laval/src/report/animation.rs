@@ -1,7 +1,8 @@
 //! Motions to be played: the last frame as a drawing, and the frames for the script that plays them.
 
 use super::text::escape;
-use crate::outcome::{Animation, Circle, OutcomeError, Table};
+use super::words::Style;
+use crate::outcome::{Animation, Circle, Message, OutcomeError, Table};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -48,7 +49,7 @@ fn short(x: f64) -> Value {
 ///
 /// # Errors
 /// When the animation names a table that does not exist.
-pub(super) fn animation(a: &Animation, tables: &[Table], id: &str) -> Result<String, OutcomeError> {
+pub(super) fn animation(a: &Animation, tables: &[Table], id: &str, style: &Style) -> Result<String, OutcomeError> {
     a.check(tables)?;
     let Some(table) = tables.iter().find(|t| t.name() == a.table) else { return Ok(String::new()) };
     let tracks: Vec<Track> = a.circles.iter().map(|c| track(a, c, table)).collect();
@@ -56,8 +57,8 @@ pub(super) fn animation(a: &Animation, tables: &[Table], id: &str) -> Result<Str
     let mut s = format!(
         "<figure class=\"play\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n\
          <svg viewBox=\"{} {} {} {}\" role=\"img\"><g class=\"axes\"><path d=\"M-128 0H128M0 -128V128\"/></g>",
-        escape(&a.title),
-        escape(&a.alt),
+        escape(&style.arg(&a.title)),
+        escape(&style.message(&a.alt)),
         -HALF,
         -HALF,
         2.0 * HALF,
@@ -78,7 +79,7 @@ pub(super) fn animation(a: &Animation, tables: &[Table], id: &str) -> Result<Str
             "<circle class=\"{class}\" cx=\"{x:.2}\" cy=\"{:.2}\" r=\"{:.2}\"><title>{}</title></circle>",
             -y,
             t.radius,
-            escape(&c.name)
+            escape(&style.arg(&c.name))
         );
     }
     let frames = tracks
@@ -89,12 +90,27 @@ pub(super) fn animation(a: &Animation, tables: &[Table], id: &str) -> Result<Str
         "p": phases.iter().map(|p| short(*p)).collect::<Vec<_>>(),
         "c": frames.collect::<Vec<_>>(),
     });
+    let say = |key: &'static str| escape(&style.message(&Message::new(key)));
+    let speed = style.units.speed();
     let _ = writeln!(
         s,
-        "</svg>\n<div class=\"controls\" hidden><button type=\"button\">Play</button><input type=\"range\" min=\"0\" max=\"1000\" value=\"1000\" aria-label=\"Time\">\
-         <select aria-label=\"Axes\"><option value=\"1\">axes that turn with the rotor</option><option value=\"0\">fixed axes</option></select>\
-         <select aria-label=\"Pace\"><option value=\"0\">all in 20 s</option><option value=\"1\">one turn a second</option></select><output></output></div>\n\
+        "</svg>\n<div class=\"controls\" hidden data-time=\"{}\" data-speed=\"{}\" data-size=\"{}\">\
+         <button type=\"button\" data-pause=\"{}\">{}</button><input type=\"range\" min=\"0\" max=\"1000\" value=\"1000\" aria-label=\"{}\">\
+         <select aria-label=\"{}\"><option value=\"1\">{}</option><option value=\"0\">{}</option></select>\
+         <select aria-label=\"{}\"><option value=\"0\">{}</option><option value=\"1\">{}</option></select><output></output></div>\n\
          <script type=\"application/json\">{}</script>\n</figure>",
+        escape(&style.language.unit("s")),
+        escape(&style.language.unit(&speed.name)),
+        speed.size,
+        say("play-pause"),
+        say("play-play"),
+        say("play-time"),
+        say("play-axes"),
+        say("play-turning"),
+        say("play-fixed"),
+        say("play-pace"),
+        say("play-whole"),
+        say("play-turn"),
         data.to_string().replace("</", "<\\/")
     );
     Ok(s)

@@ -22,8 +22,8 @@ pub fn csv(table: &Table) -> String {
             out.push('\n');
         }
     };
-    comment(table.name(), table.doc());
-    table.columns().iter().for_each(|c| comment(&c.heading(), &c.doc));
+    comment(table.name(), &table.doc().to_string());
+    table.columns().iter().for_each(|c| comment(&c.heading(), &c.doc.to_string()));
     let header: Vec<String> = table.columns().iter().map(|c| quoted(&c.heading())).collect();
     out.push_str(&header.join(","));
     out.push('\n');

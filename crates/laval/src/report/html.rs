@@ -11,8 +11,7 @@ use super::text::escape;
 use super::words::Style;
 use super::write::Names;
 use crate::outcome::{
-    Arg, Column, Data, Evidence, Figure, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant,
-    unit_text,
+    Arg, Column, Data, Evidence, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant, unit_text,
 };
 use std::fmt::Write;
 
@@ -30,6 +29,8 @@ const FEW_POINTS: usize = 12;
 const MOST_SHOWN: usize = 200;
 /// Results listed in the summary; warnings are always listed.
 const MOST_RESULTS: usize = 10;
+/// Units at the ticks of logarithmic lengths, which the script writes too.
+const LENGTHS: [&str; 4] = ["m", "mm", "µm", "nm"];
 
 /// The report as one HTML page without any reference to the outside.
 ///
@@ -43,43 +44,44 @@ pub fn html(report: &Report) -> Result<String, OutcomeError> {
 pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, OutcomeError)> {
     let mut scenes = Vec::new();
     for o in &report.outcomes {
-        let own: Result<Vec<Scene>, _> = o.figures.iter().map(|f| Scene::new(&report.style.units.figure(f), &o.tables)).collect();
+        let own: Result<Vec<Scene>, _> = o.figures.iter().map(|f| Scene::new(f, &o.tables, &report.style)).collect();
         scenes.push(own.map_err(|e| (o.name.clone(), e))?);
     }
     let style = &report.style;
     let over = report.overview.as_ref().and_then(|page| {
         let over = page.over_speed.as_ref()?;
-        let (figure, tables) = (first_page::over_speed(page, over, style), first_page::tables(over));
-        let scene = Scene::new(&figure, &tables).ok()?;
-        Some((figure, scene))
+        Scene::new(&first_page::over_speed(page, over), &first_page::tables(over), style).ok()
     });
-    let column = column_for(&scenes.iter().flatten().chain(over.iter().map(|o| &o.1)).collect::<Vec<_>>());
+    let column = column_for(&scenes.iter().flatten().chain(&over).collect::<Vec<_>>());
     let names = Names::new(report);
-    let machine = escape(if report.machine.is_empty() { "machine without a name" } else { &report.machine });
+    let machine = if report.machine.is_empty() { say(style, "page-nameless") } else { escape(&report.machine) };
     let mut s = format!(
-        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<head data-decimal=\"{}\" data-lengths=\"{}\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
-         <title>{machine} · laval report</title>\n<style>{CSS}</style>\n<script>{JS}</script>\n</head>\n<body>\n<header>\n<h1>{machine}</h1>\n",
+         <title>{machine} · {}</title>\n<style>{CSS}</style>\n<script>{JS}</script>\n</head>\n<body>\n<header>\n<h1>{machine}</h1>\n",
         style.language.code(),
+        style.language.number("."),
+        LENGTHS.map(|l| style.language.unit(l)).join(" "),
         hash(CSS),
-        hash(JS)
+        hash(JS),
+        say(style, "page-report"),
     );
     let p = &report.provenance;
     let mut from = Vec::new();
     if !p.input_name.is_empty() {
-        from.push(format!("from {}", escape(&p.input_name)));
+        from.push(escape(&style.message(&Message::new("page-from").arg("file", Arg::name(&p.input_name)))));
     }
     from.push(format!("laval {}", escape(&p.version)).trim_end().to_string());
     if !p.input_hash.is_empty() {
         let short: String = p.input_hash.chars().take(12).collect();
-        from.push(format!("input <span title=\"{}\">{}</span>", escape(&p.input_hash), escape(&short)));
+        from.push(format!("{} <span title=\"{}\">{}</span>", say(style, "page-hash"), escape(&p.input_hash), escape(&short)));
     }
     let _ = writeln!(s, "<p class=\"from\">{}</p>\n</header>\n<main>", from.join(" · "));
     match &report.overview {
         Some(page) => {
             first_page::head(&mut s, page, style);
-            if let Some((figure, scene)) = &over {
-                drawn(&mut s, figure, scene, "over", column, style);
+            if let Some(scene) = &over {
+                drawn(&mut s, scene, "over", column, style);
                 hint(&mut s, style);
             }
             first_page::tail(&mut s, page, style);
@@ -105,26 +107,30 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         );
     }
     let _ = write!(s, "</main>\n<footer>\n<details><summary>{}</summary><dl>", say(style, "page-provenance"));
-    let mut row = |k: &str, v: &str| {
-        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(k), escape(v));
+    let mut row = |k: &Arg, v: &str| {
+        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&style.arg(k)), escape(v));
     };
-    row("laval", &p.version);
+    row(&Arg::name("laval"), &p.version);
     if !p.build.is_empty() {
-        row("build", &p.build);
-        row("processor level", &p.processor);
+        row(&"build".into(), &p.build);
+        row(&"processor level".into(), &p.processor);
     }
-    row("input", &p.input_name);
-    row("hash of the input", &p.input_hash);
+    row(&"input".into(), &p.input_name);
+    row(&"hash of the input".into(), &p.input_hash);
     if let Some(seed) = p.seed {
-        row("seed", &seed.to_string());
+        row(&"seed".into(), &seed.to_string());
     }
-    p.settings.iter().for_each(|(k, v)| row(k, v));
+    p.settings.iter().for_each(|(k, v)| row(&Arg::term(k), v));
     s.push_str("</dl></details>\n</footer>\n</body>\n</html>\n");
     Ok(s)
 }
 
 fn summary(s: &mut String, report: &Report) {
-    s.push_str("<section class=\"summary\" aria-labelledby=\"findings\">\n<h2 id=\"findings\">Findings</h2>\n<ul class=\"findings\">\n");
+    let heading = say(&report.style, "page-results");
+    let _ = write!(
+        s,
+        "<section class=\"summary\" aria-labelledby=\"findings\">\n<h2 id=\"findings\">{heading}</h2>\n<ul class=\"findings\">\n"
+    );
     let many = report.outcomes.len() > 1;
     let all = || report.outcomes.iter().enumerate().flat_map(|(i, o)| o.findings.iter().map(move |f| (i, o, f)));
     let link =
@@ -136,7 +142,7 @@ fn summary(s: &mut String, report: &Report) {
             s,
             "<li class=\"warning\"><span class=\"tag\">! {}</span>{}{}</li>",
             say(&report.style, "page-stopped"),
-            escape(&o.end_in_words()),
+            escape(&report.style.message(&o.end_message())),
             link(i, o)
         );
     }
@@ -168,7 +174,7 @@ fn summary(s: &mut String, report: &Report) {
         let _ = writeln!(s, "<p class=\"more\">{}</p>", say(&report.style, "page-nothing"));
     }
     if many {
-        s.push_str("<nav aria-label=\"Studies\"><ul>");
+        let _ = write!(s, "<nav aria-label=\"{}\"><ul>", say(&report.style, "page-studies"));
         for (i, o) in report.outcomes.iter().enumerate() {
             let _ = write!(s, "<li><a href=\"#s{i}\">{}</a></li>", escape(&o.name));
         }
@@ -210,7 +216,7 @@ fn evidence(s: &mut String, style: &Style, list: &[Evidence]) {
     }
     let _ = write!(s, "<details><summary>{}</summary><dl>", say(style, "page-evidence"));
     for e in list {
-        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&e.what), escape(&style.number(e.value, &e.unit)));
+        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&style.arg(&e.what)), escape(&style.number(e.value, &e.unit)));
     }
     s.push_str("</dl></details>");
 }
@@ -222,7 +228,7 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
     let name = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", escape(&o.name)) };
     let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{name}</h2>", escape(&question));
     if !o.end.is_complete() {
-        let _ = writeln!(s, "<p class=\"end stopped\">! {}</p>", escape(&o.end_in_words()));
+        let _ = writeln!(s, "<p class=\"end stopped\">! {}</p>", escape(&report.style.message(&o.end_message())));
     }
     if !o.findings.is_empty() {
         s.push_str("<ul class=\"findings\">\n");
@@ -242,14 +248,14 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
             let _ = writeln!(s, "<p class=\"more\">{}</p>", counted(&report.style, "page-more", left));
         }
     }
-    for (k, (f, scene)) in o.figures.iter().zip(scenes).enumerate() {
-        drawn(s, f, scene, &format!("f{i}-{k}"), column, &report.style);
+    for (k, scene) in scenes.iter().enumerate() {
+        drawn(s, scene, &format!("f{i}-{k}"), column, &report.style);
         if i == 0 && k == 0 && overview.is_none() {
             hint(s, &report.style);
         }
     }
     for (k, a) in o.animations.iter().enumerate() {
-        s.push_str(&animation(a, &o.tables, &format!("a{i}-{k}"))?);
+        s.push_str(&animation(a, &o.tables, &format!("a{i}-{k}"), &report.style)?);
     }
     if !o.special_points.is_empty() {
         special(s, o, &report.style);
@@ -263,7 +269,7 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
     if !o.work.is_empty() {
         let _ = write!(s, "<details><summary>{}</summary><dl>", say(&report.style, "page-work"));
         for (name, count) in &o.work {
-            let _ = write!(s, "<dt>{}</dt><dd>{count}</dd>", escape(&name.replace('_', " ")));
+            let _ = write!(s, "<dt>{}</dt><dd>{count}</dd>", escape(&report.style.word(name)));
         }
         s.push_str("</dl></details>\n");
     }
@@ -287,14 +293,14 @@ fn hint(s: &mut String, style: &Style) {
 }
 
 /// A figure that the script of the page makes live.
-fn drawn(s: &mut String, f: &Figure, scene: &Scene, id: &str, column: f64, style: &Style) {
+fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
     let _ = writeln!(
         s,
         "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b></figcaption>\n<div class=\"plot\">",
-        escape(&f.title)
+        escape(&scene.title)
     );
-    s.push_str(&render(scene, f, WIDE, column.max(1.0), Some(&format!("{id}w"))));
-    s.push_str(&render(scene, f, NARROW, column.max(1.0), Some(&format!("{id}n"))));
+    s.push_str(&render(scene, WIDE, column.max(1.0), Some(&format!("{id}w"))));
+    s.push_str(&render(scene, NARROW, column.max(1.0), Some(&format!("{id}n"))));
     let _ = writeln!(
         s,
         "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>{}</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
@@ -316,6 +322,7 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     let size = rung.as_ref().map_or(1.0, |r| r.size);
     let unit = style.language.unit(&unit_text(rung.as_ref().map_or(own, |r| &r.name)));
     let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit)) };
+    let name = escape(&style.word(name));
     // many would push the figures of the next study out of sight
     let folded = o.special_points.len() > FEW_POINTS;
     let heading = say(style, "page-points");
@@ -323,29 +330,34 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     if folded {
         let _ = writeln!(
             s,
-            "<details class=\"table\"><summary>Located points <span class=\"kind\">{} points</span></summary>",
-            o.special_points.len()
+            "<details class=\"table\"><summary>{heading} <span class=\"kind\">{}</span></summary>",
+            counted(style, "page-rows", o.special_points.len())
         );
     }
     let _ = write!(
         s,
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{heading}\"><table><thead><tr><th class=\"w\">kind</th>\
-         <th>{}{unit}</th><th>bracket width{unit}</th><th class=\"w\">status</th><th class=\"w\">evidence</th></tr></thead><tbody>",
-        escape(name)
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{heading}\"><table><thead><tr><th class=\"w\">{}</th>\
+         <th>{name}{unit}</th><th>{}{unit}</th><th class=\"w\">{}</th><th class=\"w\">{}</th></tr></thead><tbody>",
+        say(style, "page-kind"),
+        say(style, "page-bracket"),
+        say(style, "page-status"),
+        say(style, "page-evidence")
     );
     for p in o.special_points.iter().take(MOST_ROWS) {
         let SpecialPoint { kind, subject, at, status, evidence, .. } = p;
-        let of = if subject.is_empty() { String::new() } else { format!(", {}", escape(subject)) };
+        let of = if subject.is_empty() { String::new() } else { format!(", {}", escape(&style.word(subject))) };
         let status = match status {
-            Status::Doubtful(reason) => format!("! doubtful: {}", escape(reason)),
-            s => s.word().into(),
+            Status::Doubtful(reason) => {
+                format!("! {}", escape(&style.message(&Message::new("page-doubtful").arg("reason", Arg::term(reason)))))
+            }
+            s => escape(&style.word(s.word())),
         };
         let list: Vec<String> =
-            evidence.iter().map(|e| format!("{} {}", escape(&e.what), escape(&style.number(e.value, &e.unit)))).collect();
+            evidence.iter().map(|e| format!("{} {}", escape(&style.arg(&e.what)), escape(&style.number(e.value, &e.unit)))).collect();
         let _ = write!(
             s,
             "<tr><td class=\"w\">{}{of}</td><td>{}</td><td>{}</td><td class=\"w\">{status}</td><td class=\"w\">{}</td></tr>",
-            escape(&kind.replace('_', " ")),
+            escape(&style.word(kind)),
             style.language.number(&significant(*at / size, 7)),
             style.language.number(&width(p, size)),
             list.join(", ")
@@ -353,7 +365,7 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     }
     s.push_str("</tbody></table></div>\n");
     if o.special_points.len() > MOST_ROWS {
-        let _ = writeln!(s, "<p class=\"more\">and {} more in results.json</p>", o.special_points.len() - MOST_ROWS);
+        let _ = writeln!(s, "<p class=\"more\">{}</p>", counted(style, "page-more", o.special_points.len() - MOST_ROWS));
     }
     if folded {
         s.push_str("</details>\n");
@@ -364,7 +376,8 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
     let rows = t.rows();
     let many = t.columns().len() > MANY_COLUMNS;
     let count = counted(style, "page-rows", rows);
-    let title = if t.doc().is_empty() { escape(t.name()) } else { escape(t.doc()) };
+    let title = style.arg(t.doc());
+    let title = if title.is_empty() { escape(t.name()) } else { escape(&title) };
     let _ = write!(
         s,
         "<details class=\"table\"{}><summary>{title} <span class=\"kind\">{count}</span></summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table{}><thead><tr>",
@@ -377,7 +390,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
         let unit = rung.as_ref().map_or(c.unit.as_str(), |r| r.name.as_str());
         let unit =
             if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&style.language.unit(&unit_text(unit)))) };
-        let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), escape(&c.doc), escape(&c.name.replace('_', " ")));
+        let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), escape(&style.arg(&c.doc)), escape(&style.arg(&c.label)));
     }
     s.push_str("</tr></thead><tbody>");
     let digits = if many { 4 } else { 6 };
@@ -389,7 +402,8 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
                 Data::Float(v) if v[r].is_nan() => "–".into(),
                 Data::Float(v) => style.language.number(&significant(v[r] / size, digits)),
                 Data::Int(v) => v[r].to_string(),
-                Data::Text(v) => escape(&v[r]),
+                Data::Text(v) if c.names => escape(&v[r]),
+                Data::Text(v) => escape(&style.word(&v[r])),
                 Data::Flag(v) => say(style, if v[r] { "page-yes" } else { "page-no" }),
             };
             let _ = write!(s, "<td{}>{cell}</td>", words(c));
@@ -397,10 +411,12 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
         s.push_str("</tr>");
     }
     s.push_str("</tbody></table></div>\n");
-    let shown = if rows > MOST_ROWS { format!("The first {MOST_ROWS} of {rows} rows. ") } else { String::new() };
+    let first = || Message::new("page-first-rows").arg("first", Arg::count(MOST_ROWS)).arg("count", Arg::count(rows));
+    let shown = if rows > MOST_ROWS { escape(&style.message(&first())) } else { String::new() };
     match file {
         Some(f) if rows > 0 => {
-            let _ = write!(s, "<p class=\"more\">{shown}All values: <a href=\"{0}.csv\">{0}.csv</a></p>", escape(f));
+            let all = say(style, "page-all-values");
+            let _ = write!(s, "<p class=\"more\">{shown} {all} <a href=\"{0}.csv\">{0}.csv</a></p>", escape(f));
         }
         _ if !shown.is_empty() => {
             let _ = write!(s, "<p class=\"more\">{shown}</p>");

@@ -70,15 +70,16 @@ fn study(o: &Outcome, index: usize, names: &Names) -> Value {
         .iter()
         .enumerate()
         .map(|(k, t)| {
-            let columns: Vec<Value> = t.columns().iter().map(|c| json!({ "name": c.name, "unit": c.unit, "doc": c.doc })).collect();
-            json!({ "name": t.name(), "doc": t.doc(), "file": names.table(index, k), "rows": t.rows(), "columns": columns })
+            let columns: Vec<Value> =
+                t.columns().iter().map(|c| json!({ "name": c.name, "unit": c.unit, "doc": c.doc.to_string() })).collect();
+            json!({ "name": t.name(), "doc": t.doc().to_string(), "file": names.table(index, k), "rows": t.rows(), "columns": columns })
         })
         .collect();
     let figures: Vec<Value> = o
         .figures
         .iter()
         .enumerate()
-        .map(|(k, f)| json!({ "name": f.name, "title": f.title, "alt": f.alt, "file": names.figure(index, k) }))
+        .map(|(k, f)| json!({ "name": f.name, "title": f.title.to_string(), "alt": f.alt.to_string(), "file": names.figure(index, k) }))
         .collect();
     json!({
         "kind": o.kind,
@@ -139,7 +140,7 @@ fn arg(a: &Arg) -> Value {
 }
 
 fn evidence(list: &[Evidence]) -> Vec<Value> {
-    list.iter().map(|e| json!({ "what": e.what, "value": number(e.value), "unit": e.unit })).collect()
+    list.iter().map(|e| json!({ "what": e.what.to_string(), "value": number(e.value), "unit": e.unit })).collect()
 }
 
 fn special(p: &SpecialPoint) -> Value {

@@ -3,6 +3,7 @@
 use super::scene::{Glyph, Scene};
 use super::text::{fit, width};
 use super::ticks::Ticks;
+use crate::outcome::{Arg, Message};
 
 pub(super) const TICK: f64 = 11.0;
 pub(super) const LABEL: f64 = 12.0;
@@ -223,10 +224,15 @@ impl Layout {
         }
         let note = (!omitted.is_empty()).then(|| {
             y += 18.0;
-            (left, y, fit(&format!("Also marked: {}", omitted.join(", ")), TICK, w - left))
+            (left, y, fit(&also_marked(scene, &omitted), TICK, w - left))
         });
         Layout { w, h: y + 8.0, x0, pw, x_ticks, panels, x_title_y, legend, note }
     }
+}
+
+/// Labels of rules for which there is no room.
+fn also_marked(scene: &Scene, labels: &[String]) -> String {
+    scene.style.message(&Message::new("page-also-marked").arg("labels", Arg::term(labels.join(", "))))
 }
 
 /// As many x ticks as fit without touching each other.

@@ -5,6 +5,7 @@ use super::payload::drawn;
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
 use super::text::escape;
+use super::words::Style;
 use crate::outcome::{Figure, OutcomeError, Table};
 
 const CSS: &str = include_str!("assets/report.css");
@@ -26,12 +27,12 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
 /// # Errors
 /// When the figure names a table or column that does not exist.
 pub fn figure(figure: &Figure, tables: &[Table], id: &str) -> Result<String, OutcomeError> {
-    let scene = Scene::new(figure, tables)?;
+    let scene = Scene::new(figure, tables, &Style::default())?;
     Ok(format!(
         "<figure class=\"fig\" id=\"{id}\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">{}{}</div>\n</figure>\n",
-        escape(&figure.title),
-        escape(&figure.alt),
-        render(&scene, figure, WIDE, drawn(&scene), Some(&format!("{id}w"))),
-        render(&scene, figure, NARROW, drawn(&scene), Some(&format!("{id}n"))),
+        escape(&scene.title),
+        escape(&scene.alt),
+        render(&scene, WIDE, drawn(&scene), Some(&format!("{id}w"))),
+        render(&scene, NARROW, drawn(&scene), Some(&format!("{id}n"))),
     ))
 }

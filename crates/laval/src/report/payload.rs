@@ -56,7 +56,7 @@ pub(super) fn payload(scene: &Scene, column: f64) -> String {
                     json!({ "n": plain::line(&s.name), "st": s.state, "k": kind, "sh": shape, "e": s.entry, "d": data })
                 })
                 .collect();
-            json!({ "y": axis(&p.y), "n": plain::line(&p.y.label), "u": unit_text(&p.y.unit), "s": series, "h": p.heat.as_ref().map(heat) })
+            json!({ "y": axis(&p.y), "s": series, "h": p.heat.as_ref().map(heat) })
         })
         .collect();
     json!({ "x": axis(&scene.x), "p": panels }).to_string().replace('<', "\\u003c")
@@ -68,13 +68,17 @@ fn axis(a: &AxisView) -> Value {
         .iter()
         .map(|n| json!([n.0, plain::line(&super::text::fit(&n.1, super::layout::TICK, super::layout::NAMES * WIDE))]))
         .collect();
-    json!({ "k": a.knee, "names": names, "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": plain::line(&a.label), "u": unit_text(&a.unit), "bare": a.bare })
+    json!({ "k": a.knee, "names": names, "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": plain::line(&a.label), "u": unit_text(&a.unit), "ul": unit(a), "bare": a.bare })
+}
+
+/// The unit as the language writes it.
+fn unit(a: &AxisView) -> String {
+    a.language.unit(&unit_text(&a.unit))
 }
 
 fn heat(h: &HeatView) -> Value {
     let pack = |v: &[f64]| floats(v.iter().copied());
-    let mut out =
-        json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": plain::line(&h.axis.label), "u": unit_text(&h.axis.unit) });
+    let mut out = json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": plain::line(&h.axis.label), "u": unit(&h.axis) });
     if !h.classes.is_empty() {
         out["c"] = h.classes.iter().map(|c| plain::line(&c.0).into_owned()).collect();
     }

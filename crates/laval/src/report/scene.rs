@@ -3,9 +3,17 @@
 use super::colour::Colour;
 use super::heat::HeatView;
 use super::ticks::AxisView;
-use crate::outcome::{Axis, Band, BandPlace, Column, Data, Figure, Mark, OutcomeError, Panel, Scale, Table, significant, unit_text};
+use super::words::Style;
+use crate::outcome::{
+    Arg, Axis, Band, BandPlace, Column, Data, Figure, Mark, Message, OutcomeError, Panel, Quantity, Role, Scale, Table, significant,
+    unit_text,
+};
 
 pub(super) struct Scene {
+    pub title: String,
+    pub alt: String,
+    /// Language and units of the reader.
+    pub style: Style,
     pub x: AxisView,
     pub panels: Vec<PanelView>,
     pub legend: Vec<Entry>,
@@ -103,9 +111,14 @@ const PALETTE_GROUPS: usize = 7;
 const FIXED: usize = 6;
 
 impl Scene {
-    pub fn new(figure: &Figure, tables: &[Table]) -> Result<Scene, OutcomeError> {
+    /// A figure in the words and units of a reader.
+    ///
+    /// # Errors
+    /// When it names a table or column that does not exist.
+    pub fn new(figure: &Figure, tables: &[Table], style: &Style) -> Result<Scene, OutcomeError> {
         figure.check(tables)?;
-        let mut build = Build { figure, tables, legend: Vec::new(), names: Vec::new(), tints: 0 };
+        let figure = &style.units.figure(figure);
+        let mut build = Build { figure, tables, style, legend: Vec::new(), names: Vec::new(), tints: 0 };
         // words keep the colours of their places, whatever else there is to see
         for mark in figure.panels.iter().flat_map(|p| &p.marks) {
             if let Mark::Heat(m) = mark {
@@ -116,15 +129,16 @@ impl Scene {
             }
         }
         let mut drafts: Vec<PanelView> = figure.panels.iter().map(|p| build.panel(p)).collect();
-        let mut x = x_axis(&figure.x, &drafts);
+        let mut x = x_axis(&figure.x, &drafts, style);
         for (draft, panel) in drafts.iter_mut().zip(&figure.panels) {
-            draft.y = y_axis(&panel.y, draft, &x);
+            draft.y = y_axis(&panel.y, draft, &x, style);
         }
         if figure.equal {
             let span = drafts.iter().map(|d| d.y.hi - d.y.lo).fold(x.hi - x.lo, f64::max);
             for a in drafts.iter_mut().map(|d| &mut d.y).chain([&mut x]) {
                 let middle = 0.5 * (a.lo + a.hi);
-                *a = AxisView::new(&a.label, &a.unit, a.log, middle - 0.5 * span, middle + 0.5 * span);
+                let wide = AxisView::new(&a.label, &a.unit, a.log, middle - 0.5 * span, middle + 0.5 * span);
+                *a = AxisView { language: a.language, ..wide };
             }
         }
         let mut legend = build.legend;
@@ -133,7 +147,8 @@ impl Scene {
             legend.clear();
             drafts.iter_mut().flat_map(|d| &mut d.series).for_each(|s| s.entry = None);
         }
-        Ok(Scene { x, panels: drafts, legend, equal: figure.equal })
+        let (title, alt) = (style.arg(&figure.title), style.message(&figure.alt));
+        Ok(Scene { title, alt, style: style.clone(), x, panels: drafts, legend, equal: figure.equal })
     }
 
     /// Whether there is anything to see.
@@ -151,6 +166,7 @@ impl Scene {
 struct Build<'a> {
     figure: &'a Figure,
     tables: &'a [Table],
+    style: &'a Style,
     legend: Vec<Entry>,
     /// Names that have a colour, in order of appearance.
     names: Vec<String>,
@@ -158,6 +174,9 @@ struct Build<'a> {
 }
 
 struct Group {
+    /// What figures know it by: the value of the column, behind the name of the mark.
+    key: String,
+    /// The same for readers.
     name: String,
     rows: Vec<usize>,
 }
@@ -190,23 +209,43 @@ impl Build<'_> {
         }
     }
 
-    fn groups(&self, table: &str, column: Option<&String>, name: &str, rows: usize) -> Vec<Group> {
+    fn say(&self, arg: &Arg) -> String {
+        self.style.arg(arg)
+    }
+
+    /// A value of a column that splits it: for the figure, and for readers.
+    fn value(&self, c: &Column, row: usize) -> (String, String) {
+        let label = || self.say(&c.label);
+        let key = |value: &str| format!("{} {value}", c.name);
+        match &c.data {
+            Data::Text(v) if c.names => (v[row].clone(), v[row].clone()),
+            Data::Text(v) => (v[row].replace('_', " "), self.style.word(&v[row])),
+            Data::Int(v) => (key(&v[row].to_string()), format!("{} {}", label(), v[row])),
+            Data::Flag(v) => (key(&v[row].to_string()), if v[row] { label() } else { self.negated(&c.label) }),
+            Data::Float(v) => {
+                let quantity = Quantity { value: v[row], unit: c.unit.clone(), role: Role::Plain, digits: Some(4) };
+                (key(&significant(v[row], 4)), format!("{} {}", label(), self.style.quantity(&quantity)))
+            }
+        }
+    }
+
+    /// What a flag that is not set means.
+    fn negated(&self, label: &Arg) -> String {
+        self.style.message(&Message::new("label-not").arg("what", label.clone()))
+    }
+
+    fn groups(&self, table: &str, column: Option<&String>, name: &Arg, rows: usize) -> Vec<Group> {
+        let name = self.say(name);
         let Some(c) = column.and_then(|c| self.column(table, c)) else {
-            return vec![Group { name: name.into(), rows: (0..rows).collect() }];
-        };
-        let label = |i: usize| match &c.data {
-            Data::Text(v) => v[i].replace('_', " "),
-            Data::Int(v) => format!("{} {}", c.name.replace('_', " "), v[i]),
-            Data::Flag(v) => format!("{}{}", if v[i] { "" } else { "not " }, c.name.replace('_', " ")),
-            Data::Float(v) => format!("{} {} {}", c.name.replace('_', " "), significant(v[i], 4), unit_text(&c.unit)).trim_end().into(),
+            return vec![Group { key: name.clone(), name, rows: (0..rows).collect() }];
         };
         let mut groups: Vec<Group> = Vec::new();
         let mut index = std::collections::HashMap::new();
         for i in 0..rows.min(c.data.len()) {
-            let word = label(i);
-            let k = *index.entry(word.clone()).or_insert_with(|| {
-                let name = if name.is_empty() { word.clone() } else { format!("{name}, {word}") };
-                groups.push(Group { name, rows: Vec::new() });
+            let (key, word) = self.value(c, i);
+            let k = *index.entry(key.clone()).or_insert_with(|| {
+                let behind = |text: String| if name.is_empty() { text } else { format!("{name}, {text}") };
+                groups.push(Group { key: behind(key), name: behind(word), rows: Vec::new() });
                 groups.len() - 1
             });
             groups[k].rows.push(i);
@@ -224,7 +263,10 @@ impl Build<'_> {
             let mut begin = 0;
             for run in g.rows.chunk_by(|a, b| words[*a] == words[*b]) {
                 let end = (begin + run.len() + 1).min(g.rows.len());
-                out.push((Group { name: g.name.clone(), rows: g.rows[begin..end].to_vec() }, Some(words[run[0]].clone())));
+                out.push((
+                    Group { key: g.key.clone(), name: g.name.clone(), rows: g.rows[begin..end].to_vec() },
+                    Some(words[run[0]].clone()),
+                ));
                 begin += run.len();
             }
         }
@@ -296,7 +338,10 @@ impl Build<'_> {
                         begins = Some(jumps);
                     }
                     let valid = self.flags(&m.table, m.valid_where.as_ref()).map(<[bool]>::to_vec);
-                    let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    let mut groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    for (group, name) in &m.called {
+                        groups.iter_mut().filter(|g| g.key == *group).for_each(|g| g.name = self.say(name));
+                    }
                     for class in m.classes.iter().filter(|c| !m.muted.contains(c)) {
                         self.colour(class, 0, 1);
                     }
@@ -306,36 +351,37 @@ impl Build<'_> {
                         }
                     }
                     for (group, words) in &m.ends {
-                        if let Some(g) = groups.iter().find(|g| g.name == *group) {
-                            view.ends.push((g.rows.iter().map(|&i| (xs[i], ys[i])).collect(), words.clone()));
+                        if let Some(g) = groups.iter().find(|g| g.key == *group) {
+                            view.ends.push((g.rows.iter().map(|&i| (xs[i], ys[i])).collect(), self.say(words)));
                         }
                     }
                     let groups = self.classed(groups, &m.table, m.class.as_ref());
                     let of = if m.class.is_some() { 1 } else { groups.len() };
                     for (k, (g, class)) in groups.into_iter().enumerate() {
-                        let label = class.as_ref().unwrap_or(&g.name);
+                        let key = class.as_ref().unwrap_or(&g.key);
+                        let label = class.as_ref().map_or_else(|| g.name.clone(), |c| self.style.word(c));
                         let colour = match m.reference {
                             // modes without a legend are drawn like reference lines, and are none
                             true if m.group.is_none() => Colour::Slot(6),
                             true => Colour::Muted,
-                            false if m.muted.contains(&label.as_str()) => Colour::Muted,
+                            false if m.muted.contains(&key.as_str()) => Colour::Muted,
                             false if m.ink => Colour::Slot(6),
-                            false => self.colour(label, k, of),
+                            false => self.colour(key, k, of),
                         };
                         // curves on a heat map are black
                         let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(_)));
                         let glyph = if on_heat { Glyph::Contour } else { Glyph::Line };
-                        let entry = (!m.reference).then(|| self.entry(label, colour, glyph));
+                        let entry = (!m.reference).then(|| self.entry(&label, colour, glyph));
                         let place = |i: usize| (xs[i], ys[i]);
                         let at = |i: usize| if valid.as_ref().is_none_or(|v| v[i]) { place(i) } else { (f64::NAN, f64::NAN) };
                         if let Some(valid) = &valid {
                             let points = split(&g.rows, place, valid, begins.as_deref()).1;
                             if !points.is_empty() {
-                                let state = "outside validity";
-                                let entry = Some(self.entry(state, Colour::Muted, Glyph::Line));
+                                let state = self.say(&"outside validity".into());
+                                let entry = Some(self.entry(&state, Colour::Muted, Glyph::Line));
                                 view.series.push(Series {
                                     name: String::new(),
-                                    state: state.into(),
+                                    state,
                                     kind: Kind::Solid,
                                     colour: Colour::Muted,
                                     points,
@@ -355,7 +401,8 @@ impl Build<'_> {
                                 if !dashed.is_empty() && !meanings.contains(&&m.solid_dashed) {
                                     meanings.push(&m.solid_dashed);
                                 }
-                                vec![(Kind::Solid, m.solid_dashed.0.clone(), full), (Kind::Dashed, m.solid_dashed.1.clone(), dashed)]
+                                let [solid, dash] = [&m.solid_dashed.0, &m.solid_dashed.1].map(|a| self.say(a));
+                                vec![(Kind::Solid, solid, full), (Kind::Dashed, dash, dashed)]
                             }
                         };
                         for (kind, state, points) in pieces.into_iter().filter(|p: &(Kind, String, Vec<_>)| !p.2.is_empty()) {
@@ -374,7 +421,7 @@ impl Build<'_> {
                             });
                             view.series.extend(marked.into_iter().map(|(shape, state, point)| Series {
                                 name: g.name.clone(),
-                                state: state.into(),
+                                state: self.say(&state.into()),
                                 kind: Kind::Marker { shape, open: false },
                                 colour,
                                 points: vec![point],
@@ -390,13 +437,13 @@ impl Build<'_> {
                     let filled = self.flags(&m.table, m.filled_where.as_ref()).map(<[bool]>::to_vec);
                     let mut groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
                     let of = groups.len();
-                    let place = |g: &Group| m.classes.iter().position(|c| *c == g.name);
+                    let place = |g: &Group| m.classes.iter().position(|c| *c == g.key);
                     groups.sort_by_key(|g| place(g).unwrap_or(usize::MAX));
                     for class in m.classes.iter().filter(|c| !m.muted.contains(c)) {
                         self.colour(class, 0, 1);
                     }
                     for (k, g) in groups.into_iter().enumerate() {
-                        let colour = if m.muted.contains(&g.name.as_str()) { Colour::Muted } else { self.colour(&g.name, k, of) };
+                        let colour = if m.muted.contains(&g.key.as_str()) { Colour::Muted } else { self.colour(&g.key, k, of) };
                         let shape = if m.small { SMALL + k } else { place(&g).map_or(k, |c| CLASS + c) };
                         let sides = [false, true].map(|open| {
                             let fits = |i: &&usize| filled.as_ref().is_none_or(|f| f[**i]) != open;
@@ -405,8 +452,9 @@ impl Build<'_> {
                         let both = sides.iter().all(|s| !s.is_empty());
                         for (open, points) in [false, true].into_iter().zip(sides).filter(|s| !s.1.is_empty()) {
                             // the name of the flag tells filled from open markers
-                            let flag = m.filled_where.as_ref().filter(|_| both || open).map(|f| f.replace('_', " "));
-                            let parts = [g.name.clone(), flag.map_or(String::new(), |f| format!("{}{f}", if open { "not " } else { "" }))];
+                            let flag = m.filled_where.as_ref().filter(|_| both || open).and_then(|f| self.column(&m.table, f));
+                            let words = |c: &Column| if open { self.negated(&c.label) } else { self.say(&c.label) };
+                            let parts = [g.name.clone(), flag.map_or(String::new(), words)];
                             let name = parts.into_iter().filter(|p| !p.is_empty()).collect::<Vec<_>>().join(", ");
                             let kind = Kind::Marker { shape, open };
                             let entry = Some(self.entry(&name, colour, Glyph::Marker { shape, open }));
@@ -424,29 +472,34 @@ impl Build<'_> {
                     }
                 }
                 Mark::Band(m) => {
+                    let name = self.say(&m.name);
                     let same =
-                        |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == m.name).then_some(t) } else { None };
+                        |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == name).then_some(t) } else { None };
                     let known = self.legend.iter().find_map(same);
                     let tint = m.tint.or(known).unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
                     let outlines = self.outlines(m, fx, fy);
                     if !outlines.is_empty() {
                         self.tints += usize::from(known.is_none());
                         view.bands.extend(outlines.into_iter().map(|outline| BandView { outline, tint, strip: m.strip, bar: m.bar }));
-                        if !m.name.is_empty() && known.is_none() {
-                            self.entry(&m.name, Colour::Slot(tint), if m.bar { Glyph::Block(tint) } else { Glyph::Tint(tint) });
+                        if !name.is_empty() && known.is_none() {
+                            self.entry(&name, Colour::Slot(tint), if m.bar { Glyph::Block(tint) } else { Glyph::Tint(tint) });
                         }
                     }
                 }
                 Mark::Rule(m) => {
                     let at = m.at * if m.vertical { fx } else { fy };
                     if at.is_finite() {
-                        let factor = if m.vertical { fx } else { fy };
-                        let ends: Vec<String> = m.between.iter().flat_map(|(a, b)| [a, b]).map(|v| significant(v * factor, 4)).collect();
-                        let label = [m.label.clone(), ends.join(" to ")].join(" ").trim_end().to_string();
+                        let axis = if m.vertical { &self.figure.x } else { &panel.y };
+                        let shown = |v: f64| Arg::number(v * axis.factor).digits(4);
+                        let between = |(from, to): (f64, f64)| {
+                            let range = Message::new("label-between").arg("label", m.label.clone());
+                            self.style.message(&range.arg("from", shown(from)).arg("to", shown(to)))
+                        };
+                        let label = m.between.map_or_else(|| self.say(&m.label), between);
                         view.rules.push(RuleView { vertical: m.vertical, at, label });
                     }
                 }
-                Mark::Text(m) => view.texts.push((m.x * fx, m.y * fy, m.text.clone())),
+                Mark::Text(m) => view.texts.push((m.x * fx, m.y * fy, self.say(&m.text))),
                 Mark::Heat(m) => {
                     let (x, y, v) = (
                         self.values(&m.table, &m.x, fx),
@@ -455,6 +508,11 @@ impl Build<'_> {
                     );
                     let seen: Vec<bool> = (0..m.classes.len()).map(|k| v.contains(&(k as f64))).collect();
                     let classes = self.classes(&m.classes, &seen);
+                    let called = |own: &Self, word: &str| {
+                        let name = m.called.iter().find(|c| c.0 == word);
+                        name.map_or_else(|| own.style.word(word), |c| own.say(&c.1))
+                    };
+                    let classes: Vec<_> = classes.into_iter().map(|(word, colour)| (called(self, &word), colour)).collect();
                     for ((name, colour), _) in classes.iter().zip(&seen).filter(|c| *c.1) {
                         self.entry(name, *colour, Glyph::Marker { shape: 1, open: false });
                     }
@@ -468,17 +526,14 @@ impl Build<'_> {
                     if let (true, Some((lo, hi))) = (m.diverging, range) {
                         range = Some((lo.min(0.0), hi.max(0.0)));
                     }
-                    let axis = axis_view(&m.colours, range);
+                    let axis = axis_view(&m.colours, range, self.style);
                     let contour = m.contour.map(|c| c * m.colours.factor);
                     // a level that no cell reaches has no curve to explain
                     let contour = contour.filter(|c| values.iter().any(|v| v < c) && values.iter().any(|v| v >= c));
                     if let Some(level) = contour {
-                        let label = format!(
-                            "{} = {} {}",
-                            m.colours.label,
-                            significant(level, 4),
-                            if level == 0.0 { String::new() } else { unit_text(&m.colours.unit) }
-                        );
+                        let unit = if level == 0.0 { String::new() } else { unit_text(&m.colours.unit) };
+                        let number = self.style.language.number(&significant(level, 4));
+                        let label = format!("{} = {number} {}", axis.label, self.style.language.unit(&unit));
                         self.entry(label.trim_end(), Colour::Muted, Glyph::Contour);
                     }
                     view.heat = Some(HeatView { xs, ys, values, axis, diverging: m.diverging, allowed: m.allowed, contour, classes });
@@ -486,8 +541,9 @@ impl Build<'_> {
             }
         }
         for (solid, dashed) in meanings {
-            self.entry(solid, Colour::Muted, Glyph::Line);
-            self.entry(dashed, Colour::Muted, Glyph::Dashed);
+            let [solid, dashed] = [solid, dashed].map(|a| self.say(a));
+            self.entry(&solid, Colour::Muted, Glyph::Line);
+            self.entry(&dashed, Colour::Muted, Glyph::Dashed);
         }
         view
     }
@@ -633,7 +689,7 @@ fn cells(centres: &[f64], log: bool) -> Option<(f64, f64)> {
     Some((value(e[0]), value(e[n])))
 }
 
-fn x_axis(axis: &Axis, panels: &[PanelView]) -> AxisView {
+fn x_axis(axis: &Axis, panels: &[PanelView], style: &Style) -> AxisView {
     let log = axis.scale == Scale::Log;
     let mut range = None;
     let mut markers_only = true;
@@ -655,10 +711,10 @@ fn x_axis(axis: &Axis, panels: &[PanelView]) -> AxisView {
     if let (true, Some((lo, hi))) = (markers_only, range) {
         range = Some(pad(lo, hi, 0.04, log));
     }
-    axis_view(axis, range)
+    axis_view(axis, range, style)
 }
 
-fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView) -> AxisView {
+fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView, style: &Style) -> AxisView {
     let log = axis.scale == Scale::Log;
     let shown = |q: &&(f64, f64)| x.place(q.0) >= -1e-9 && x.place(q.0) <= 1.0 + 1e-9;
     let of = |reference: bool| {
@@ -681,7 +737,7 @@ fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView) -> AxisView {
         };
         range = Some((if zero { 0.0 } else { padded.0 }, padded.1));
     }
-    axis_view(axis, if panel.heat.is_some() { join(range, cells) } else { range })
+    axis_view(axis, if panel.heat.is_some() { join(range, cells) } else { range }, style)
 }
 
 fn pad(lo: f64, hi: f64, by: f64, log: bool) -> (f64, f64) {
@@ -695,7 +751,7 @@ fn pad(lo: f64, hi: f64, by: f64, log: bool) -> (f64, f64) {
 }
 
 /// Axis over a range from the data, or over the range that was requested; never degenerate.
-fn axis_view(axis: &Axis, data: Option<(f64, f64)>) -> AxisView {
+fn axis_view(axis: &Axis, data: Option<(f64, f64)>, style: &Style) -> AxisView {
     let log = axis.scale == Scale::Log;
     let wanted = axis.range.filter(|(a, b)| a.is_finite() && b.is_finite() && a < b && (!log || *a > 0.0));
     let (mut lo, mut hi) = wanted.or(data).unwrap_or(if log { (0.1, 10.0) } else { (0.0, 1.0) });
@@ -709,9 +765,10 @@ fn axis_view(axis: &Axis, data: Option<(f64, f64)>) -> AxisView {
         let d = if lo == 0.0 { 1.0 } else { 0.1 * lo.abs() };
         (lo, hi) = (lo - d, hi + d);
     }
-    let view = AxisView::new(&axis.label, &axis.unit, log, lo, hi);
+    let view = AxisView::new(&style.arg(&axis.label), &axis.unit, log, lo, hi);
+    let names = axis.names.iter().map(|(at, name)| (*at, style.arg(name))).collect();
     let knee = axis.knee.filter(|_| !log).unwrap_or(0.0);
-    AxisView { bare: axis.bare, names: axis.names.clone(), knee, exponent: if knee > 0.0 { 0 } else { view.exponent }, ..view }
+    AxisView { bare: axis.bare, names, language: style.language, knee, exponent: if knee > 0.0 { 0 } else { view.exponent }, ..view }
 }
 
 #[cfg(test)]

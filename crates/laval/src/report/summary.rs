@@ -172,7 +172,7 @@ fn remarks(page: &Overview, report: &Report) -> Vec<String> {
     let style = &report.style;
     let mut out: Vec<String> = Vec::new();
     let stopped = report.outcomes.iter().filter(|o| !matches!(o.end, End::Reached | End::Refused));
-    out.extend(stopped.map(|o| format!("{}: {}", o.name, o.end_in_words())));
+    out.extend(stopped.map(|o| format!("{}: {}", o.name, style.message(&o.end_message()))));
     let texts = page.remarks.iter().flat_map(|r| &r.1).filter(|m| m.key == "remark-unstable" || m.key == "remark-jump");
     out.extend(texts.map(|m| sentence(style, m)));
     // what the page says already

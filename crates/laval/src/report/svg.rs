@@ -6,6 +6,7 @@ use super::payload::drawn;
 use super::scene::{ARROW, CLASS, Entry, Glyph, Kind, PanelView, SMALL, Scene, Series};
 use super::text::{escape, px};
 use super::thin;
+use super::words::Style;
 use crate::outcome::{Figure, OutcomeError, Table};
 use std::fmt::Write;
 
@@ -15,7 +16,7 @@ const INK: &str = "#222222";
 const FONT: &str = "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 const TINTS: [&str; 4] = ["#009e73", "#d55e00", "#0072b2", "#cc79a7"];
 
-/// Draws a figure as a complete SVG document.
+/// Draws a figure as a complete SVG document, in English and in the units of its axes.
 ///
 /// ```
 /// use laval::outcome::{Axis, Figure, Line, Panel, Table};
@@ -32,19 +33,24 @@ const TINTS: [&str; 4] = ["#009e73", "#d55e00", "#0072b2", "#cc79a7"];
 /// # Errors
 /// When the figure names a table or column that does not exist.
 pub fn draw(figure: &Figure, tables: &[Table]) -> Result<String, OutcomeError> {
-    let scene = Scene::new(figure, tables)?;
-    Ok(render(&scene, figure, WIDE, drawn(&scene), None))
+    draw_in(figure, tables, &Style::default())
+}
+
+/// The same in the words and units of a reader.
+pub(super) fn draw_in(figure: &Figure, tables: &[Table], style: &Style) -> Result<String, OutcomeError> {
+    let scene = Scene::new(figure, tables, style)?;
+    Ok(render(&scene, WIDE, drawn(&scene), None))
 }
 
 /// The drawing, thinned to pixel columns of this width; `inside` is the unique id prefix when it is part of a page.
-pub(super) fn render(scene: &Scene, figure: &Figure, w: f64, column: f64, inside: Option<&str>) -> String {
+pub(super) fn render(scene: &Scene, w: f64, column: f64, inside: Option<&str>) -> String {
     let alone = inside.is_none();
     let lay = Layout::new(scene, w, alone);
     let id = inside.unwrap_or("f");
     let mut s = String::new();
     let (sw, sh) = (px(lay.w), px(lay.h));
     let class = if w < 500.0 { "narrow" } else { "wide" };
-    let (title, alt) = (escape(&figure.title), escape(&figure.alt));
+    let (title, alt) = (escape(&scene.title), escape(&scene.alt));
     let _ = write!(
         s,
         r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {sw} {sh}" role="img" font-family="{FONT}" font-size="{TICK}" fill="none""#
@@ -78,9 +84,10 @@ pub(super) fn render(scene: &Scene, figure: &Figure, w: f64, column: f64, inside
         let (x, y) = (lay.x0 + lay.pw / 2.0, lay.panels.first().map_or(40.0, |p| p.y0 + p.h / 2.0));
         let _ = write!(
             s,
-            r#"<text class="t" x="{}" y="{}" text-anchor="middle" font-size="{LABEL}" fill="{INK}">no data in this range</text>"#,
+            r#"<text class="t" x="{}" y="{}" text-anchor="middle" font-size="{LABEL}" fill="{INK}">{}</text>"#,
             px(x),
-            px(y)
+            px(y),
+            escape(&scene.style.message(&"page-no-data".into()))
         );
     }
     s.push_str("</svg>");
@@ -417,7 +424,7 @@ fn legend(s: &mut String, k: usize, e: &Entry, x: f64, y: f64, text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::outcome::{Axis, Heat, Line, Panel, Points, Rule};
+    use crate::outcome::{Arg, Axis, Heat, Line, Panel, Points, Rule};
 
     fn table(ys: Vec<f64>) -> Table {
         let n = ys.len();
@@ -482,7 +489,7 @@ mod tests {
         let mut panel = Panel::new(Axis::new("y", ""));
         for k in 0..curves {
             t = t.float(format!("y{k}"), "", "", (0..rows).map(|i| (f64::from(i * (k + 1)) * 0.37).sin()).collect());
-            panel = panel.mark(Line::new("t", "x", format!("y{k}")).name(format!("y{k}")));
+            panel = panel.mark(Line::new("t", "x", format!("y{k}")).name(Arg::name(format!("y{k}"))));
         }
         let svg = draw(&Figure::new("f", "t", "a").x(Axis::new("x", "")).panel(panel), &[t.build().unwrap()]).unwrap();
         assert!(svg.len() < 1_200_000, "{}", svg.len());

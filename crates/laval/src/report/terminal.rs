@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::words::Style;
-use crate::outcome::{Arg, Level, Outcome};
+use crate::outcome::{Arg, Level, Message, Outcome};
 use crate::plain;
 
 /// How to write for the terminal.
@@ -42,7 +42,7 @@ fn study(o: &Outcome, style: &Style, how: Terminal) -> String {
     let paint = |text: &str, code: &str| if how.colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() };
     let mut out = format!("{}\n", paint(&plain::line(&o.name), "1"));
     if !o.end.is_complete() {
-        wrap(&mut out, &paint("!", "33"), 1, &plain::line(&o.end_in_words()), how.width);
+        wrap(&mut out, &paint("!", "33"), 1, &plain::line(&style.message(&o.end_message())), how.width);
     }
     let mut results = 0;
     for f in &o.findings {
@@ -56,7 +56,7 @@ fn study(o: &Outcome, style: &Style, how: Terminal) -> String {
             Level::Invalid => (paint("!!", "31"), 2),
         };
         let mut text = plain::line(&style.sentence(f)).into_owned();
-        let first = f.evidence.first().map(|e| format!(" ({} {})", plain::line(&e.what), style.number(e.value, &e.unit)));
+        let first = f.evidence.first().map(|e| format!(" ({} {})", plain::line(&style.arg(&e.what)), style.number(e.value, &e.unit)));
         // evidence only where it is not said already and does not push the finding beyond two lines
         let said = f.evidence.first().is_some_and(|e| {
             let rounded = |digits| style.arg(&Arg::quantity(e.value, &e.unit).digits(digits));
@@ -72,10 +72,11 @@ fn study(o: &Outcome, style: &Style, how: Terminal) -> String {
     }
     let all = o.findings.iter().filter(|f| f.level == Level::Info).count();
     if all > results {
-        out.push_str(&format!("  and {} more in results.json\n", all - results));
+        let more = Message::new("page-more").arg("count", Arg::count(all - results));
+        out.push_str(&format!("  {}\n", style.message(&more)));
     }
     if o.findings.is_empty() && o.end.is_complete() {
-        out.push_str("  done, nothing to report\n");
+        out.push_str(&format!("  {}\n", style.message(&"page-nothing-to-report".into())));
     }
     out
 }

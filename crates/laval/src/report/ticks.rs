@@ -1,5 +1,6 @@
 //! Axis ticks: steps of 1, 2, 5 on linear axes; decades, with a minor grid, on logarithmic ones, lengths each with its own prefix: 100 µm, 1 mm.
 
+use super::words::Language;
 use crate::outcome::{significant, unit_text};
 
 const SMALLEST: f64 = 1e-280;
@@ -28,6 +29,8 @@ pub(super) struct AxisView {
     pub names: Vec<(f64, String)>,
     /// Linear nearer to zero than this, logarithmic beyond; 0 for none.
     pub knee: f64,
+    /// Writes the numbers and units.
+    pub language: Language,
 }
 
 impl AxisView {
@@ -41,7 +44,8 @@ impl AxisView {
         };
         let size = lo.abs().max(hi.abs());
         let exponent = if !log && size > 0.0 && !(1e-3..1e5).contains(&size) { (size.log10() / 3.0).floor() as i32 * 3 } else { 0 };
-        AxisView { label: label.into(), unit: unit.into(), log, lo, hi, exponent, bare: false, names: Vec::new(), knee: 0.0 }
+        let (label, unit, language) = (label.into(), unit.into(), Language::English);
+        AxisView { label, unit, log, lo, hi, exponent, bare: false, names: Vec::new(), knee: 0.0, language }
     }
 
     /// Place of a value between the ends: 0 at `lo`, 1 at `hi`; NaN for a value that the axis cannot show.
@@ -65,7 +69,7 @@ impl AxisView {
         let power = if (1..6).contains(&self.exponent) { "10³".into() } else { power };
         // logarithmic lengths carry their units at the ticks
         let own = self.log && metres(&self.unit).is_some();
-        let unit = if own { "".into() } else { unit_text(&self.unit) };
+        let unit = if own { "".into() } else { self.language.unit(&unit_text(&self.unit)) };
         match (power.is_empty(), unit.is_empty()) {
             (true, true) => self.label.clone(),
             (true, false) => format!("{} [{unit}]", self.label),
@@ -83,13 +87,21 @@ impl AxisView {
             let inside = |n: &&(f64, String)| (self.lo..=self.hi).contains(&n.0);
             return Ticks { major: self.names.iter().filter(inside).cloned().collect(), minor: Vec::new() };
         }
+        let mut ticks = self.numbers(most);
+        ticks.major.iter_mut().for_each(|t| t.1 = self.language.unit(&self.language.number(&t.1)));
+        ticks
+    }
+
+    fn numbers(&self, most: usize) -> Ticks {
         if self.knee > 0.0 {
-            return both_sides(self, most);
+            both_sides(self, most)
+        } else if self.unit == "°" && !self.log && self.hi - self.lo > 80.0 && self.exponent == 0 {
+            degrees(self.lo, self.hi, most)
+        } else if self.log {
+            log(self.lo, self.hi, most, metres(&self.unit))
+        } else {
+            linear(self.lo, self.hi, most, self.exponent)
         }
-        if self.unit == "°" && !self.log && self.hi - self.lo > 80.0 && self.exponent == 0 {
-            return degrees(self.lo, self.hi, most);
-        }
-        if self.log { log(self.lo, self.hi, most, metres(&self.unit)) } else { linear(self.lo, self.hi, most, self.exponent) }
     }
 }
 

@@ -159,7 +159,7 @@ impl Units {
         if axis.factor != 1.0 {
             return;
         }
-        if let Some(r) = self.column(&axis.label, &axis.unit) {
+        if let Some(r) = self.column(&axis.label.to_string(), &axis.unit) {
             axis.unit = r.name;
             axis.factor = 1.0 / r.size;
             axis.range = axis.range.map(|(a, b)| (a / r.size, b / r.size));

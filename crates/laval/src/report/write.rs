@@ -243,8 +243,7 @@ pub(super) fn compose(report: &Report, formats: &[Format]) -> Result<Vec<Compose
             }
         }
         for (k, f) in o.figures.iter().enumerate().filter(|_| wants(Format::Svg)) {
-            let text = svg::draw(&report.style.units.figure(f), &o.tables)
-                .map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
+            let text = svg::draw_in(f, &o.tables, &report.style).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
             file(format!("{}.svg", names.figure(i, k)), Some(i), text.into_bytes());
         }
     }

@@ -39,7 +39,7 @@ pub use cells::{Cells, Column, Kind};
 pub use collected::Collected;
 
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, End, Finding};
+use crate::outcome::{Arg, End, Finding, Message};
 #[cfg(feature = "parquet")]
 use folder::Folder;
 use serde::{Deserialize, Serialize};
@@ -379,6 +379,6 @@ fn incomplete(done: u64, requested: u64, kept: bool, rows: &str) -> Option<Findi
             .arg("done", Arg::Count(done))
             .arg("requested", Arg::Count(requested))
             .arg("rows", Arg::term(rows))
-            .evidence(format!("{rows} requested"), requested as f64, "")
+            .evidence(Message::new("store-requested").arg("rows", Arg::term(rows)), requested as f64, "")
     })
 }

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::shared::speed_range::{self, SpinSpeeds};
-use super::shared::{size, watch};
+use super::shared::{headings, size, watch};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
@@ -101,6 +101,7 @@ impl<T: Study> ErasedStudy for T {
             Err(end) => return Ok(watch::nothing_shown::<T>(context.name, end)),
         };
         speed_range::mark_beyond(self, system, &mut outcome);
+        headings::name_owners(system, &mut outcome);
         Ok(outcome)
     }
 }
@@ -123,6 +124,7 @@ pub trait TypedStudy: Study {
     fn outcome(&self, system: &System, result: &Self::Result, name: &str) -> Result<Outcome, Diagnostic> {
         let mut outcome = self.report(system, result, name)?;
         speed_range::mark_beyond(self, system, &mut outcome);
+        headings::name_owners(system, &mut outcome);
         Ok(outcome)
     }
 }

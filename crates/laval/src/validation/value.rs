@@ -176,7 +176,10 @@ fn list<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> String {
 fn supporting(evidence: &[Evidence], what: &str) -> Result<(f64, String), String> {
     match evidence.iter().find(|e| e.what == what) {
         Some(e) => Ok((e.value, e.unit.clone())),
-        None => Err(format!("there is no evidence \"{what}\"; {}", list("evidence", evidence.iter().map(|e| e.what.as_str())))),
+        None => {
+            let names: Vec<String> = evidence.iter().map(|e| e.what.to_string()).collect();
+            Err(format!("there is no evidence \"{what}\"; {}", list("evidence", names.iter().map(String::as_str))))
+        }
     }
 }
 

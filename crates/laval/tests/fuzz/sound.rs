@@ -52,7 +52,7 @@ pub fn check(o: &Outcome) -> Result<(), String> {
                 return Err(format!("{} is infinite", place(i)));
             }
             if let Some(i) = values.iter().position(|x| x.is_nan())
-                && !c.doc.contains("NaN")
+                && !c.doc.to_string().contains("NaN")
             {
                 return Err(format!("{} is NaN, which its documentation does not mention", place(i)));
             }
@@ -84,7 +84,7 @@ pub fn written(outcome: Outcome) -> Result<(), String> {
         if let Some(at) = svg.find("NaN").or_else(|| svg.find("\"inf")) {
             return Err(format!("figure {} holds a place that is no number: {:?}", figure.name, svg.get(at.saturating_sub(60)..at + 20)));
         }
-        words(&figure.alt)?;
+        words(&figure.alt.to_string())?;
     }
     for table in outcome.tables.iter().filter(|t| t.rows() < 2000) {
         report::csv(table);

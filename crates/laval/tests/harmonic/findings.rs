@@ -56,13 +56,13 @@ fn no_sweep_jumps_from_unstable_states() {
     // and the figure calls a jump what the findings do
     let labels = |o: &Outcome| -> Vec<String> {
         let marks = o.figures[0].panels[0].marks.iter();
-        let rule = |m: &Mark| if let Mark::Rule(r) = m { r.vertical.then(|| r.label.clone()) } else { None };
+        let rule = |m: &Mark| if let Mark::Rule(r) = m { r.vertical.then(|| r.label.to_string()) } else { None };
         marks.filter_map(rule).collect()
     };
     let (mut calm, wild) = (labels(&calm), labels(&wild));
     calm.sort();
     calm.dedup();
-    assert_eq!(calm, ["jump down-sweep", "jump up-sweep"]);
+    assert_eq!(calm, ["jump (run-down)", "jump (run-up)"]);
     assert!(wild.len() >= 2 && wild.iter().all(|l| l == "fold"), "{wild:?}");
 }
 

@@ -16,7 +16,7 @@ fn machine(law: &str, eccentricity: &str, study: &str) -> Outcome {
     let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
     let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("orders")).unwrap();
     for f in &o.figures {
-        assert!(!f.alt.is_empty() && draw(f, &o.tables).unwrap().contains("<path"));
+        assert!(!f.alt.key.is_empty() && draw(f, &o.tables).unwrap().contains("<path"));
     }
     o
 }

@@ -160,7 +160,7 @@ fn reference_folds_and_what_sweeps_do() {
     let across = border.column("across").unwrap();
     assert!(matches!(&across.data, Data::Text(v) if v.iter().any(|w| w == "air.damping") && v.iter().any(|w| w == "drum.eccentricity")));
     for f in &o.figures {
-        assert!(!f.alt.is_empty() && draw(f, &o.tables).unwrap().contains("<path"));
+        assert!(!f.alt.key.is_empty() && draw(f, &o.tables).unwrap().contains("<path"));
     }
     assert_eq!(o.figures.iter().map(|f| f.name.as_str()).collect::<Vec<_>>(), ["peak", "hysteresis", "sweeps"]);
 }

@@ -199,7 +199,7 @@ fn stability_is_reported_of_the_stretch_that_loses_it() {
     // the size of the motion at the fold is that of the table
     let t = o.find_table("folds").unwrap();
     let size = t.column("d largest displacement").unwrap().number(0).unwrap();
-    let seen = jump.evidence.iter().find(|e| e.what.contains("at the fold")).unwrap().value;
+    let seen = jump.evidence.iter().find(|e| e.what.to_string().contains("at the fold")).unwrap().value;
     assert!(size == seen && size < value(&o, "largest_displacement") * (1.0 + 1e-9), "{size} {seen}");
 }
 
@@ -276,6 +276,6 @@ speed = { from = 20, to = 670 }
     let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("s")).unwrap();
     for f in &o.findings {
         assert!(!f.sentence().contains("not a number"), "{}", f.sentence());
-        assert!(f.evidence.iter().all(|e| !(e.what.contains("frequency") && e.value.is_nan())), "{f:?}");
+        assert!(f.evidence.iter().all(|e| !(e.what.to_string().contains("frequency") && e.value.is_nan())), "{f:?}");
     }
 }

@@ -17,7 +17,7 @@ fn run(text: &str) -> Outcome {
     let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("study")).unwrap();
     assert_eq!(o.end, End::Reached);
     for f in &o.figures {
-        assert!(!f.alt.is_empty() && draw(f, &o.tables).unwrap().contains("<path"));
+        assert!(!f.alt.key.is_empty() && draw(f, &o.tables).unwrap().contains("<path"));
     }
     o
 }

@@ -123,7 +123,7 @@ fn an_undamped_response_has_no_largest_displacement() {
     let f = o.findings.iter().find(|f| f.id == "unbounded_displacement").unwrap();
     let left = f.evidence.iter().find(|e| e.what == "speed").map(|e| e.value);
     assert!(f.sentence().contains("was left") && left.is_some() && f.number("speed") == left && f.value > Some(0.0), "{f:?}");
-    assert!(o.figures.iter().all(|f| !f.alt.contains("the largest,")), "{:?}", o.figures[0].alt);
+    assert!(o.figures.iter().all(|f| !f.alt.to_string().contains("the largest,")), "{:?}", o.figures[0].alt);
     // used up points are no bound either
     let request = Request { max_points: 20, ..Request::over(500.0, 3000.0) };
     let o = NonlinearResponse::new(request).run(&undamped(3e10), &Context::quiet("r")).unwrap();

@@ -142,7 +142,7 @@ fn no_column_is_without_a_value() {
         for o in run_all(&planar(bearing, &studies)) {
             for (t, c) in o.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (t.name(), c))) {
                 let empty = matches!(&c.data, Data::Float(v) if !v.is_empty() && v.iter().all(|x| x.is_nan()));
-                assert!(!empty || c.doc.contains("NaN where it has no bound"), "{} {t} {}: {bearing}", o.kind, c.name);
+                assert!(!empty || c.doc.to_string().contains("NaN where it has no bound"), "{} {t} {}: {bearing}", o.kind, c.name);
             }
         }
     }

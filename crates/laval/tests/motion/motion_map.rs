@@ -17,7 +17,7 @@ fn run(text: &str) -> Outcome {
     let loaded = load(text).unwrap_or_else(|d| panic!("{}", render(&d, text, "m.toml", Form::Lines)));
     let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("study")).unwrap();
     for f in &o.figures {
-        assert!(!f.alt.is_empty() && draw(f, &o.tables).unwrap().contains("<svg"));
+        assert!(!f.alt.key.is_empty() && draw(f, &o.tables).unwrap().contains("<svg"));
     }
     o
 }

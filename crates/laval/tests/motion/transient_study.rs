@@ -218,7 +218,7 @@ fn steady_orbit_stays() {
     }
     let g = o.findings.iter().find(|f| f.id == "growth_rate").unwrap();
     assert!(g.value.unwrap().abs() < 1e-6 && g.level == Level::Info);
-    let turning = g.evidence.iter().find(|e| e.what.starts_with("mean turning")).unwrap().value;
+    let turning = g.evidence.iter().find(|e| e.what.to_string().starts_with("mean turning")).unwrap().value;
     assert!((turning - speed).abs() < 1e-6 * speed);
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Beginnings of names that are put together where they are used.
 const COMPOSED: [&str; 5] = ["verdict-", "short-", "study-", "unit-", "term-"];
-const LANGUAGES: [&str; 3] = ["ru", "kk", "uz"];
+pub const LANGUAGES: [&str; 3] = ["ru", "kk", "uz"];
 
 fn files(folder: &Path, extension: &str, out: &mut Vec<PathBuf>) {
     for path in fs::read_dir(folder).into_iter().flatten().map(|e| e.unwrap().path()) {
@@ -18,7 +18,7 @@ fn files(folder: &Path, extension: &str, out: &mut Vec<PathBuf>) {
     }
 }
 
-fn read(folder: &Path, extension: &str) -> Vec<(PathBuf, String)> {
+pub fn read(folder: &Path, extension: &str) -> Vec<(PathBuf, String)> {
     let mut out = Vec::new();
     files(folder, extension, &mut out);
     out.sort();
@@ -26,7 +26,7 @@ fn read(folder: &Path, extension: &str) -> Vec<(PathBuf, String)> {
 }
 
 /// Messages of a language with the variables that each uses.
-fn messages(language: &str) -> BTreeMap<String, BTreeSet<String>> {
+pub fn messages(language: &str) -> BTreeMap<String, BTreeSet<String>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("text").join(language);
     let mut out: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     let mut current = String::new();

@@ -127,7 +127,7 @@ fn a_high_mode_does_not_press_the_others_together() {
     let f = &o.figures[0];
     let near = |range: Option<(f64, f64)>, top: f64| range.is_some_and(|(lo, hi)| lo == 0.0 && (hi / top - 1.0).abs() < 1e-9);
     assert!(near(f.panels[0].y.range, 2500.0), "{:?}", f.panels[0].y.range);
-    assert!(f.alt.contains("Above the axis, beyond 2500 rad/s"), "{}", f.alt);
+    assert!(f.alt.to_string().contains("Above the axis, beyond 2500 rad/s"), "{}", f.alt);
     // the table keeps it
     let Data::Float(all) = &o.find_table("modes").unwrap().column("frequency").unwrap().data else { panic!() };
     assert!(all.iter().any(|f| (f / 1e5 - 1.0).abs() < 1e-9));

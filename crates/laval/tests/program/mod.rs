@@ -9,6 +9,7 @@ mod docs;
 mod figures;
 mod findings;
 mod interrupts;
+mod labels;
 mod pages;
 mod stopped;
 mod texts;

@@ -5,6 +5,7 @@ class Player {
     this.data = JSON.parse(box.querySelector("script").textContent);
     this.controls = box.querySelector(".controls");
     this.button = this.controls.querySelector("button");
+    this.label = this.button.textContent;
     this.slider = this.controls.querySelector("input");
     [this.axes, this.pace] = this.controls.querySelectorAll("select");
     this.output = this.controls.querySelector("output");
@@ -44,7 +45,8 @@ class Player {
     });
     this.slider.value = Math.round(1000 * (this.at - this.first()) / this.length());
     const rate = a === b ? 0 : (this.data.p[b] - this.data.p[a]) / (this.data.t[b] - this.data.t[a]);
-    this.output.textContent = `${this.at.toPrecision(4)} s, ${rate.toPrecision(4)} rad/s`;
+    const d = this.controls.dataset, write = v => v.toPrecision(4).replace(".", document.head.dataset.decimal || ".");
+    this.output.textContent = `${write(this.at)} ${d.time}, ${write(rate / +d.size)} ${d.speed}`;
   }
 
   // Seconds of the motion in a second of the clock.
@@ -57,7 +59,7 @@ class Player {
   play() {
     if (this.at >= this.last()) this.at = this.first();
     this.running = true;
-    this.button.textContent = "Pause";
+    this.button.textContent = this.button.dataset.pause;
     let before = performance.now();
     const next = now => {
       if (!this.running) return;
@@ -71,7 +73,7 @@ class Player {
 
   stop() {
     this.running = false;
-    this.button.textContent = "Play";
+    this.button.textContent = this.label;
   }
 
   // Runs through slider, axes and play; whether all that moves was drawn.

@@ -10,7 +10,9 @@ console.error = (...a) => { errors.push(a.join(" ")); consoleError.apply(console
 
 const SUP = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const power = d => d === 0 ? "1" : d === 1 ? "10" : "10" + String(d).replace(/-/, "⁻").replace(/\d/g, c => SUP[c]);
-const minus = s => s.replace(/^-/, "−");
+// Numbers and units as the language of the page writes them.
+const words = document.head.dataset;
+const minus = s => s.replace(/^-/, "−").replace(".", words.decimal || ".");
 const unit = u => u ? " " + u : "";
 
 function number(v) {
@@ -41,12 +43,14 @@ function step(span, most) {
 
 // Logarithmic lengths: each tick with its own prefix, 100 µm, 1 mm.
 const LENGTHS = [[0, "m"], [-3, "mm"], [-6, "µm"], [-9, "nm"]];
+const NAMES = (words.lengths || "m mm µm nm").split(" ");
+const lengthName = u => NAMES[LENGTHS.findIndex(l => l[1] === u)] || u;
 const metres = ax => { const l = ax.log && LENGTHS.find(l => l[1] === ax.u); return l ? l[0] : null; };
 const lengthUnit = d => LENGTHS.find(l => d >= l[0]) || LENGTHS[3];
 const powers = (m, d) => d > 1 || d < 0 ? (m > 1 ? m + "·" : "") + power(d) : String(m * Math.pow(10, d));
 function length(m, d) {
   const [p, u] = lengthUnit(d), r = d - p;
-  return (r >= -3 && r <= 5 ? (m * Math.pow(10, r)).toFixed(Math.max(0, -r)) : powers(m, r)) + " " + u;
+  return minus(r >= -3 && r <= 5 ? (m * Math.pow(10, r)).toFixed(Math.max(0, -r)) : powers(m, r)) + " " + lengthName(u);
 }
 
 // Labelled ticks of an axis between two values.
@@ -72,7 +76,7 @@ function ticks(ax, lo, hi, most) {
     const stride = Math.ceil(inside.length / most);
     const plain = lo >= 0.9e-3 && hi <= 1.2e5;
     return inside.filter((t, i) => i % stride === 0).map(([m, d, v]) =>
-      [v, own !== null ? length(m, d + own) : plain ? v.toFixed(Math.max(0, -d)) : powers(m, d)]);
+      [v, own !== null ? length(m, d + own) : plain ? minus(v.toFixed(Math.max(0, -d))) : powers(m, d)]);
   }
   const inside = s => Math.floor(hi / s + 1e-6) - Math.ceil(lo / s - 1e-6) + 1;
   let s = step(hi - lo, most);
@@ -87,7 +91,7 @@ function ticks(ax, lo, hi, most) {
     let label = (k * s / e).toFixed(digits);
     if (+label === 0) label = label.replace("-", "");
     if (ax.log && digits > 4) label = number(k * s / e);
-    out.push([k * s, minus(label) + unit(u)]);
+    out.push([k * s, minus(label) + unit(lengthName(u))]);
   }
   return out;
 }
@@ -258,7 +262,7 @@ class Figure {
     const p = this.data.p[i], s = p.s[k], x = this.X(v, s.x[j]), y = this.Y(v, i, s.y[j]);
     this.current = [v, i, k, j];
     v.dot.setAttribute("cx", x); v.dot.setAttribute("cy", y); v.dot.setAttribute("visibility", "visible");
-    const lines = [[this.data.x.n, number(s.raw[2 * j]) + unit(this.data.x.u)], [p.y.n, number(s.raw[2 * j + 1]) + unit(p.y.u)]];
+    const lines = [[this.data.x.n, number(s.raw[2 * j]) + unit(this.data.x.ul)], [p.y.n, number(s.raw[2 * j + 1]) + unit(p.y.ul)]];
     this.say(v, [s.n, s.st].filter(Boolean).join(", "), lines, x, y);
   }
 
@@ -268,7 +272,7 @@ class Figure {
     const ty = c[0] + (1 - (y - v.panels[i].y0) / v.panels[i].h) * (c[1] - c[0]);
     const a = near(Array.from(p.h.x, q => place(this.data.x, q)), tx), b = near(Array.from(p.h.y, q => place(p.y, q)), ty);
     v.dot.setAttribute("visibility", "hidden");
-    const lines = [[this.data.x.n, number(p.h.x[a]) + unit(this.data.x.u)], [p.y.n, number(p.h.y[b]) + unit(p.y.u)], [p.h.n, (q => p.h.c ? p.h.c[q] || "" : number(q) + unit(p.h.u))(p.h.v[b * p.h.x.length + a])]];
+    const lines = [[this.data.x.n, number(p.h.x[a]) + unit(this.data.x.ul)], [p.y.n, number(p.h.y[b]) + unit(p.y.ul)], [p.h.n, (q => p.h.c ? p.h.c[q] || "" : number(q) + unit(p.h.u))(p.h.v[b * p.h.x.length + a])]];
     this.say(v, "", lines, x, y);
   }
 

@@ -1,7 +1,6 @@
 //! Amplitudes over the speed, with the unstable ranges, the operating speed and the jumps.
 
-use super::super::words::Style;
-use crate::outcome::{Axis, Band, Figure, Line, Message, OverSpeed, Overview, Panel, Rule, Scale, Table};
+use crate::outcome::{Arg, Axis, Band, Figure, Line, Message, OverSpeed, Overview, Panel, Rule, Scale, Table};
 
 /// Name of the figure and of its table.
 const NAME: &str = "over_speed";
@@ -12,47 +11,43 @@ const RANGE: f64 = 50.0;
 pub(in super::super) fn tables(over: &OverSpeed) -> Vec<Table> {
     let mut response = Table::new(NAME, "").float("speed", "rad/s", "spin speed", over.response_speed.clone());
     for (k, (name, values)) in over.amplitudes.iter().enumerate() {
-        response = response.float(format!("amplitude_{k}"), "m", name.clone(), values.clone());
+        response = response.float(format!("amplitude_{k}"), "m", Arg::name(name), values.clone());
     }
     let growth = Table::new("growth", "").float("speed", "rad/s", "spin speed", over.growth_speed.clone());
     let growth = growth.float("growth", "1/s", "largest growth rate", over.growth.clone());
     [response.build(), growth.build()].into_iter().filter_map(Result::ok).collect()
 }
 
-pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed, style: &Style) -> Figure {
-    let say = |key: &str| style.message(&Message::new(key));
-    let speed = style.units.speed();
+pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed) -> Figure {
     let (from, to) = over.shown;
     // ratios of speeds are what margins speak of
     let wide = to > 20.0 * from;
-    let label = style.message(&Message::new("axis-speed-plain"));
-    let unit = style.language.unit(&speed.name);
-    let x = if wide { Axis::log(label, unit) } else { Axis::new(label, unit) };
-    let x = x.factor(1.0 / speed.size).range(from / speed.size, to / speed.size);
-    let mut figure = Figure::new(NAME, say("page-over-speed"), describe(page, over, style)).x(x);
+    let label = Message::new("axis-speed-plain");
+    let x = if wide { Axis::log(label, "rad/s") } else { Axis::new(label, "rad/s") };
+    let mut figure = Figure::new(NAME, Message::new("page-over-speed"), describe(over)).x(x.range(from, to));
     let marks = |mut panel: Panel| {
         for u in &over.unstable {
-            panel = panel.mark(Band::x(u.from, u.to).strip().name(say("strip-unstable")));
+            panel = panel.mark(Band::x(u.from, u.to).strip().name(Message::new("strip-unstable")));
         }
         if let Some((a, b)) = page.operating_range {
             panel = panel.mark(Band::x(a, b).name(say("axis-operating-range")).neutral());
         }
         if let Some(w) = page.operating.filter(|w| (from..=to).contains(w)) {
-            panel = panel.mark(Rule::x(w, say("axis-operating")));
+            panel = panel.mark(Rule::x(w, Message::new("axis-operating")));
         }
         panel
     };
     if !over.amplitudes.is_empty() {
         let most = over.amplitudes.iter().flat_map(|a| &a.1).copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
-        let axis = Axis { scale: Scale::Log, ..Axis::new(say("axis-amplitude"), "").metres(most.min(1e-3)) };
+        let axis = Axis { scale: Scale::Log, ..Axis::new(Message::new("axis-amplitude"), "").metres(most.min(1e-3)) };
         let mut panel = Panel::new(axis);
         for (k, (name, _)) in over.amplitudes.iter().enumerate() {
-            panel = panel.mark(Line::new(NAME, "speed", format!("amplitude_{k}")).name(name));
+            panel = panel.mark(Line::new(NAME, "speed", format!("amplitude_{k}")).name(Arg::name(name)));
         }
         figure = figure.panel(marks(panel));
     }
     if !over.growth.is_empty() {
-        let mut axis = Axis::new(say("axis-growth"), "1/s");
+        let mut axis = Axis::new(Message::new("axis-growth"), "1/s");
         // a strong instability far away must not hide how close the rest is to its limit
         let (low, high) = over.growth.iter().fold((0.0f64, 0.0f64), |(a, b), x| (a.min(*x), b.max(*x)));
         let near = page.operating.map_or(f64::INFINITY, |w| nearest(over, w).abs());
@@ -61,8 +56,8 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed, style: &St
             axis = axis.range((1.05 * low).max(-room), (1.05 * high).min(room));
         }
         let panel = Panel::new(axis)
-            .mark(Line::new("growth", "speed", "growth").name(say("axis-growth")))
-            .mark(Rule::y(0.0, say("strip-stable-limit")));
+            .mark(Line::new("growth", "speed", "growth").name(Message::new("axis-growth")))
+            .mark(Rule::y(0.0, Message::new("strip-stable-limit")));
         figure = figure.panel(marks(panel));
     }
     figure
@@ -74,12 +69,10 @@ fn nearest(over: &OverSpeed, speed: f64) -> f64 {
     pairs.min_by(|a, b| (a.0 - speed).abs().total_cmp(&(b.0 - speed).abs())).map_or(f64::INFINITY, |p| *p.1)
 }
 
-fn describe(page: &Overview, over: &OverSpeed, style: &Style) -> String {
-    let key = match (over.amplitudes.is_empty(), over.growth.is_empty()) {
+fn describe(over: &OverSpeed) -> Message {
+    Message::new(match (over.amplitudes.is_empty(), over.growth.is_empty()) {
         (false, false) => "caption-both",
         (false, true) => "caption-amplitude",
         _ => "caption-growth",
-    };
-    let _ = page;
-    style.message(&Message::new(key))
+    })
 }

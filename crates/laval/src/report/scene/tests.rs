@@ -1,11 +1,15 @@
 use super::*;
 use crate::outcome::{Heat, Line, Points, Rule};
 
+fn scene_of(f: &Figure, tables: &[Table]) -> Result<Scene, OutcomeError> {
+    Scene::new(f, tables, &Style::default())
+}
+
 fn scene(y: Axis, ys: Vec<f64>) -> Scene {
     let n = ys.len();
     let t = Table::new("t", "").float("x", "", "", (0..n).map(|i| i as f64).collect()).float("y", "m", "", ys).build().unwrap();
     let f = Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(y).mark(Line::new("t", "x", "y")).mark(Rule::x(99.0, "far")));
-    Scene::new(&f, &[t]).unwrap()
+    scene_of(&f, &[t]).unwrap()
 }
 
 #[test]
@@ -50,7 +54,7 @@ fn words_keep_their_colours() {
         let map = Panel::new(Axis::new("y", "")).mark(Heat::new("t", "x", "y", "word", Axis::new("", "")).of_classes(list.clone()));
         let f = Figure::new("f", "", "").x(Axis::new("x", ""));
         let f = if beside { f.panel(first).panel(map) } else { f.panel(map) };
-        let s = Scene::new(&f, &[t]).unwrap();
+        let s = scene_of(&f, &[t]).unwrap();
         let heat = s.panels.last().unwrap().heat.clone().unwrap();
         let named: Vec<String> =
             s.legend.iter().filter(|e| matches!(e.glyph, Glyph::Marker { shape: 1, .. })).map(|e| e.label.clone()).collect();
@@ -62,7 +66,8 @@ fn words_keep_their_colours() {
     assert_eq!(colours(["c", "b"], true).0, both);
     // of many words the later share the ramp, each with a tone of its own
     let many: Vec<String> = (0..12).map(|k| format!("w{k}")).collect();
-    let mut build = Build { figure: &Figure::new("f", "", ""), tables: &[], legend: vec![], names: vec![], tints: 0 };
+    let mut build =
+        Build { figure: &Figure::new("f", "", ""), tables: &[], style: &Style::default(), legend: vec![], names: vec![], tints: 0 };
     let seen: Vec<bool> = (0..12).map(|k| k != 7).collect();
     let found = build.classes(&many, &seen);
     assert_eq!(found[5].1, Colour::Slot(5));
@@ -84,7 +89,7 @@ fn angles_go_on_without_jumps() {
 
 #[test]
 fn names_stand_at_the_places_of_an_axis() {
-    let names = vec![(1.0, "a <b>".to_string()), (2.0, "c".to_string()), (9.0, "outside".to_string())];
+    let names = vec![(1.0, "a <b>".into()), (2.0, "c".into()), (9.0, "outside".into())];
     let s = scene(Axis::new("y", "").range(0.4, 2.6).names(names), vec![1.0, 2.0]);
     assert_eq!(s.panels[0].y.ticks(5).major, [(1.0, "a <b>".to_string()), (2.0, "c".to_string())]);
 }
@@ -105,7 +110,7 @@ fn labels_of_rules_have_the_unit_of_the_axis() {
     let t = Table::new("t", "").float("x", "", "", vec![0.0, 1.0]).float("y", "", "", vec![0.0, 1.0]).build().unwrap();
     let panel = Panel::new(Axis::new("y", "")).mark(Line::new("t", "x", "y")).mark(Rule::x(0.25, "unstable").between(0.25, 0.5));
     let f = Figure::new("f", "", "").x(Axis::new("x", "").factor(100.0)).panel(panel);
-    assert_eq!(Scene::new(&f, &[t]).unwrap().panels[0].rules[0].label, "unstable 25 to 50");
+    assert_eq!(scene_of(&f, &[t]).unwrap().panels[0].rules[0].label, "unstable 25 to 50");
 }
 
 /// What is forbidden is hatched, and does not differ from what is allowed by its colour alone.
@@ -119,9 +124,29 @@ fn forbidden_cells_are_hatched() {
         .unwrap();
     let heat = Heat::new("t", "x", "y", "v", Axis::new("", "")).allowed();
     let f = Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(Axis::new("y", "")).mark(heat));
-    let s = Scene::new(&f, std::slice::from_ref(&t)).unwrap();
+    let s = scene_of(&f, std::slice::from_ref(&t)).unwrap();
     let heat = s.panels[0].heat.as_ref().unwrap();
     assert_eq!(heat.forbidden(&s.x, &s.panels[0].y, 100.0, 100.0).matches('M').count(), 2);
     assert_eq!((heat.colour(0.0), heat.colour(1.0)), ("#e08a5c".into(), "#00805e".into()));
     assert!(crate::report::draw(&f, &[t]).unwrap().contains("class=\"hatch\""));
+}
+
+/// A reader of another language sees the words that its catalogue has, its decimal comma and its units; names of the machine file stay as they are.
+#[test]
+fn a_figure_is_in_the_words_of_the_reader() {
+    let t = Table::new("t", "")
+        .float("x", "rad/s", "", vec![0.0, 1.0])
+        .float("y", "m", "", vec![0.5, 2.0])
+        .names("body", "", vec!["forward".into(); 2])
+        .build()
+        .unwrap();
+    let russian = Style { language: crate::report::Language::Russian, ..Style::default() };
+    let panel =
+        Panel::new(Axis::new("y", "m")).mark(Points::new("t", "x", "y").group("body")).mark(Rule::x(0.5, "balanced").between(0.25, 0.5));
+    let f = Figure::new("f", "", "").x(Axis::new("x", "rad/s")).panel(panel);
+    let s = Scene::new(&f, &[t], &russian).unwrap();
+    assert_eq!((s.x.title(), s.panels[0].y.title()), ("x [рад/с]".into(), "y [м]".into()));
+    assert!(s.x.ticks(5).major.iter().any(|t| t.1 == "0,5"));
+    assert_eq!(s.legend[0].label, "forward");
+    assert!(s.panels[0].rules[0].label.starts_with("уравновешено") && s.panels[0].rules[0].label.contains("0,25"));
 }

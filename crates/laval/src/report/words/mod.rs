@@ -5,8 +5,9 @@ mod catalogue;
 pub use catalogue::Language;
 
 use super::units::Units;
-use crate::outcome::{Arg, Finding, Message, Quantity, Role, quantity_to};
+use crate::outcome::{Arg, Finding, Message, Outcome, Quantity, Role, quantity_to};
 use fluent_bundle::{FluentArgs, FluentValue};
+use std::fmt;
 
 /// Language and units of a reader.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -69,6 +70,20 @@ impl Style {
         }
     }
 
+    /// A word of a table: a fixed phrase with blanks for underscores, or several joined by commas, with or without a number before each.
+    pub fn word(&self, text: &str) -> String {
+        let text = text.replace('_', " ");
+        let whole = self.language.term(&text);
+        if whole != text || !text.contains(' ') {
+            return whole;
+        }
+        let piece = |p: &str| match p.split_once(' ') {
+            Some((n, rest)) if n.bytes().all(|b| b.is_ascii_digit()) => format!("{n} {}", self.language.term(rest)),
+            _ => self.language.term(p),
+        };
+        text.split(", ").map(piece).collect::<Vec<_>>().join(", ")
+    }
+
     fn list(&self, all: &[Arg]) -> String {
         let words: Vec<String> = all.iter().map(|a| self.arg(a)).collect();
         match words.split_last() {
@@ -122,5 +137,47 @@ impl Finding {
     /// The finding in English, numbers in SI units with prefixes.
     pub fn sentence(&self) -> String {
         Style::default().sentence(self)
+    }
+}
+
+impl Outcome {
+    /// The end of the study as one English sentence, with the place where it stopped.
+    pub fn end_in_words(&self) -> String {
+        self.end_message().to_string()
+    }
+}
+
+/// In English, numbers in SI units with prefixes.
+impl fmt::Display for Arg {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&Style::default().arg(self))
+    }
+}
+
+/// The English text.
+impl PartialEq<str> for Arg {
+    fn eq(&self, text: &str) -> bool {
+        Style::default().arg(self) == text
+    }
+}
+
+/// The English text.
+impl PartialEq<String> for Arg {
+    fn eq(&self, text: &String) -> bool {
+        *self == **text
+    }
+}
+
+/// The English text.
+impl PartialEq<&str> for Arg {
+    fn eq(&self, text: &&str) -> bool {
+        *self == **text
+    }
+}
+
+/// In English, numbers in SI units with prefixes.
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&Style::default().message(self))
     }
 }

@@ -14,7 +14,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Field, FieldKind, Values};
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, Points, Table};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Message, Outcome, Panel, Points, Table};
 use crate::solve::pencil::{MachineMode, Spectrum};
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Sweep, sweep};
@@ -200,16 +200,15 @@ impl Approximation {
     }
 
     fn figure(&self) -> Figure {
-        let (top, degree) = (1.25 * self.fastest, self.degree);
+        let top = 1.25 * self.fastest;
+        let degree = || Message::new("approximation-degree").arg("degree", Arg::count(self.degree));
         let frequency = Panel::new(Axis::new("frequency", "rad/s").range(0.0, top))
             .mark(Line::new("modes", "speed", "frequency").group("mode").reference())
-            .mark(Points::new("approximate_modes", "speed", "frequency").name(format!("degree {degree}")));
+            .mark(Points::new("approximate_modes", "speed", "frequency").name(degree()));
         let growth = Panel::new(Axis::new("growth rate", "1/s"))
             .mark(Line::new("modes", "speed", "growth").group("mode").reference())
-            .mark(Points::new("approximate_modes", "speed", "growth").name(format!("degree {degree}")));
-        let alt = format!(
-            "Grey lines: frequencies and growth rates of the machine over spin speed. Points: those of its approximation of degree {degree}."
-        );
+            .mark(Points::new("approximate_modes", "speed", "growth").name(degree()));
+        let alt = Message::new("approximation-alt").arg("degree", Arg::count(self.degree));
         Figure::new("approximation", "The whole machine and its approximation", alt)
             .x(Axis::new("spin speed", "rad/s"))
             .panel(frequency)

@@ -18,7 +18,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table};
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
@@ -296,13 +296,12 @@ impl<'a> Shown<'a> {
         let points = self.result.branches[k].points.iter();
         let mut words: Vec<&str> = points.map(|p| p.1.whirl.at(p.0)).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
         words.dedup();
-        let words = match words.as_slice() {
-            [] => "aperiodic".to_string(),
-            [one] => one.to_string(),
-            [first, .., last] if first != last => format!("{first} to {last}"),
-            [first, ..] => format!("mostly {first}"),
+        let word = match words.as_slice() {
+            [] => "aperiodic",
+            [one] => *one,
+            [first, .., last] => change(first, last),
         };
-        format!("{} {words}", k + 1)
+        format!("{} {word}", k + 1)
     }
 
     /// Its frequency is a fixed multiple of the speed: a wave of a liquid that turns with the rotor, which hardly moves the machine.
@@ -419,26 +418,25 @@ impl<'a> Shown<'a> {
         let axis = if outside.is_empty() { axis } else { axis.range(0.0, top) };
         let line = |y: &str| Line::new("modes", "speed", y).group("mode").solid_where("stable").classes("motion", MOTIONS).muted(GREY);
         let named = (0..branches.len()).filter(|k| !branches[*k].points.is_empty() && !outside.contains(k) && !self.wave(*k));
-        let named: Vec<(String, String)> = named.map(|k| (self.label(k), format!("mode {}", k + 1))).collect();
+        let named: Vec<(String, Arg)> = named.map(|k| (self.label(k), numbered(k))).collect();
         let named = if named.len() > MOST_NAMED { Vec::new() } else { named };
         let operating = operating(self.system, range.from, range.to);
         let mut frequency = Panel::new(axis).height(1.5);
         frequency = operating.iter().fold(frequency, |p, o| p.mark(o.margin()).mark(o.rule()));
         frequency = frequency.mark(line("frequency").ends(named));
         for k in &self.drawn_orders() {
-            frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
+            frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(times(*k)).reference());
         }
         frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
         let growth = Panel::new(Axis::new("growth rate", "1/s"));
         let growth = operating.iter().fold(growth, |p, o| p.mark(o.margin()).mark(o.rule()));
         let growth =
             growth.mark(line("growth")).mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));
-        let alt = format!(
-            "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.{}",
-            branches.len(),
-            self.result.crossings.len(),
-            beyond(top, &outside.iter().map(|&k| self.label(k)).collect::<Vec<_>>())
-        );
+        let alt = Message::new("campbell-alt")
+            .arg("modes", Arg::count(branches.len()))
+            .arg("criticals", Arg::count(self.result.crossings.len()))
+            .arg("above", Arg::count(outside.len()))
+            .arg("top", Arg::frequency(top));
         let speeds = Axis::new("spin speed", "rad/s");
         Figure::new("campbell", "Campbell diagram", alt).x(speeds).panel(frequency).panel(growth)
     }
@@ -454,12 +452,27 @@ fn shown(branches: &[Branch], excited: f64) -> (f64, Vec<usize>) {
     (top, (0..branches.len()).filter(above).collect())
 }
 
-/// What the axis leaves out, in words.
-fn beyond(top: f64, modes: &[String]) -> String {
-    match modes {
-        [] => String::new(),
-        [one] => format!(" Above the axis, beyond {}: mode {one}.", quantity(top, "rad/s")),
-        many if many.len() > MOST_NAMED => format!(" Above the axis, beyond {}: {} modes.", quantity(top, "rad/s"), many.len()),
-        many => format!(" Above the axis, beyond {}: modes {}.", quantity(top, "rad/s"), many.join(", ")),
+/// A mode whose direction of whirl changes on the way, once or several times.
+fn change(first: &str, last: &str) -> &'static str {
+    match (first, last) {
+        ("forward", "backward") => "forward to backward",
+        ("forward", "mixed") => "forward to mixed",
+        ("backward", "forward") => "backward to forward",
+        ("backward", "mixed") => "backward to mixed",
+        ("mixed", "forward") => "mixed to forward",
+        ("mixed", "backward") => "mixed to backward",
+        ("forward", _) => "mostly forward",
+        ("backward", _) => "mostly backward",
+        _ => "mostly mixed",
     }
+}
+
+/// An order of the spin speed, as a label.
+fn times(k: f64) -> Message {
+    Message::new("label-order").arg("order", order(k))
+}
+
+/// The mode of a branch, as a label.
+fn numbered(k: usize) -> Arg {
+    Message::new("label-mode").arg("number", Arg::count(k + 1)).into()
 }

@@ -221,7 +221,7 @@ impl Shown<'_> {
         for p in self.peaks {
             let name = self.name(p);
             let point = SpecialPoint::new("response_peak", p.speed, p.bracket).of(&name);
-            outcome = outcome.special_point(point.evidence(format!("amplitude of {name}"), p.value, self.probe(p).unit()));
+            outcome = outcome.special_point(point.evidence(probes::size_of(self.probe(p)), p.value, self.probe(p).unit()));
         }
         outcome
     }
@@ -278,7 +278,7 @@ impl Shown<'_> {
         let peaks = self.peaks;
         let size = |tilt: bool| peaks.iter().map(|p| if self.probe(p).is_tilt() == tilt { p.value } else { f64::NAN }).collect();
         Table::new("response_peaks", "Maxima of the unbalance response")
-            .text("body", "body, point of a body, or tilt of a body", peaks.iter().map(|p| self.name(p)).collect())
+            .names("body", "body, point of a body, or tilt of a body", peaks.iter().map(|p| self.name(p)).collect())
             .float("speed", "rad/s", "spin speed", peaks.iter().map(|p| p.speed).collect())
             .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
             .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))

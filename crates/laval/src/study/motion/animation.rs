@@ -4,7 +4,7 @@ use super::history::Columns;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::Outline;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{Animation, Circle, Outcome, significant};
+use crate::outcome::{Animation, Arg, Circle, Message, Outcome};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use serde::{Deserialize, Serialize};
@@ -98,7 +98,7 @@ pub(in crate::study) fn report(system: &System, rotor: &RotorMotion, outcome: Ou
     let mut c = Columns::default();
     c.add("t", "s", "time", rotor.times.clone());
     c.add("phase", "rad", "spin angle", rotor.phases.clone());
-    let mut pair = |name: &str, doc: &str, points: &[[f64; 2]]| {
+    let mut pair = |name: &str, doc: &'static str, points: &[[f64; 2]]| {
         [("x", 0), ("y", 1)].map(|(k, i)| {
             let column = format!("{name}.{k}");
             c.add(&column, "m", doc, points.iter().map(|p| p[i]).collect());
@@ -109,7 +109,7 @@ pub(in crate::study) fn report(system: &System, rotor: &RotorMotion, outcome: Ou
     let mut largest = (0.0f64, 0.0f64);
     for (body, points) in system.bodies().iter().zip(&rotor.bodies) {
         let displacement = pair(&body.name, "displacement in axes that turn with the rotor", points);
-        circles.push(Circle { name: body.name.clone(), displacement, place: None, radius: 0.0, movable: false });
+        circles.push(Circle { name: Arg::name(&body.name), displacement, place: None, radius: 0.0, movable: false });
     }
     for own in &rotor.circles {
         let name = &own.name;
@@ -118,13 +118,10 @@ pub(in crate::study) fn report(system: &System, rotor: &RotorMotion, outcome: Ou
         let place = own.movable.then(|| pair(name, "place from there in axes that turn with the rotor", &own.places));
         largest.0 = own.displacements.iter().fold(largest.0, |most, [x, y]| most.max(x.hypot(*y)));
         largest.1 = largest.1.max(own.radius);
-        circles.push(Circle { name: name.clone(), displacement, place, radius: own.radius, movable: own.movable });
+        circles.push(Circle { name: Arg::name(name), displacement, place, radius: own.radius, movable: own.movable });
     }
     let enlarged = round(SHARE * largest.1 / largest.0);
-    let alt = format!(
-        "Seen along the axis: the centres of the bodies with the key mark, tracks and balls. Displacements are drawn {} times as large as the tracks.",
-        significant(enlarged, 6)
-    );
+    let alt = Message::new("animation-alt").arg("enlarged", Arg::number(enlarged).digits(6));
     let animation = Animation {
         name: "motion".into(),
         title: "Rotor, tracks and balls".into(),

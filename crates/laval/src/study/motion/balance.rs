@@ -87,15 +87,11 @@ pub(in crate::study) fn report(system: &System, record: &MotionRecord, mut outco
         "spin speed times unbalance over mass (ISO 21940-11)",
         column(&|i| at[i].grade(at[i].moment.abs(), record.spin[i].speed)),
     );
-    let line = |column: &str| Line::new("balance", "t", column).name(column);
-    let figure = Figure::new(
-        "balance",
-        "Unbalance",
-        "Unbalance with and without the balls, what they can cancel, and the balancing grade against time.",
-    )
-    .x(Axis::new("time", "s"))
-    .panel(Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance")).mark(line("without")).mark(line("capacity")))
-    .panel(Panel::new(Axis::new("grade", "mm/s").factor(1e3)).mark(line("grade")));
+    let line = |column: &'static str| Line::new("balance", "t", column).name(column);
+    let figure = Figure::new("balance", "Unbalance", "balance-alt")
+        .x(Axis::new("time", "s"))
+        .panel(Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance")).mark(line("without")).mark(line("capacity")))
+        .panel(Panel::new(Axis::new("grade", "mm/s").factor(1e3)).mark(line("grade")));
     outcome = outcome.table(c.table("balance", "Unbalance against time")?).figure(figure);
     outcome = match angles(system) {
         Some(figure) => outcome.figure(figure),
@@ -166,10 +162,9 @@ fn angles(system: &System) -> Option<Figure> {
         system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad").map(|c| c.name.as_str()).collect();
     let mut panel = Panel::new(Axis::new("angle in the rotor", "°").factor(360.0 / TAU).range(-180.0, 180.0));
     for name in &inside {
-        panel = panel.mark(Line::new("motion", "t", *name).wrapped().name(*name));
+        panel = panel.mark(Line::new("motion", "t", *name).wrapped().name(Arg::name(*name)));
     }
-    let text = "Angles inside the rotor against time, from -180 to 180 degrees: balls from the node line, tilts of free rings.";
-    (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", text).x(Axis::new("time", "s")).panel(panel))
+    (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", "balance-alt-angles").x(Axis::new("time", "s")).panel(panel))
 }
 
 /// Findings of the unbalance.

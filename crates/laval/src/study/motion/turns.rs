@@ -3,7 +3,7 @@
 use super::history::Columns;
 use super::record::{LastTurns, Series};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::Table;
+use crate::outcome::{Arg, Message, Table};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use crate::solve::programme::Spin;
@@ -69,7 +69,8 @@ pub(in crate::study) fn table(last: &LastTurns) -> Result<Table, Diagnostic> {
     let mut columns = Columns::default();
     columns.add("t", "s", "time", last.times.clone());
     columns.all(&last.coordinates, "coordinate");
-    columns.table("last turns", &format!("Motion of the bodies over the last {TURNS} turns, {SAMPLES} samples in each"))
+    columns
+        .table("last turns", Message::new("history-table-last-turns").arg("turns", Arg::count(TURNS)).arg("samples", Arg::count(SAMPLES)))
 }
 
 /// Two rising lists of times as one, each time once.

@@ -308,6 +308,19 @@ impl Shown<'_> {
         }
     }
 
+    /// The same for the legend, by what the table has.
+    fn called(&self) -> Vec<(String, Arg)> {
+        let one = |(k, f): (usize, &Family)| {
+            let (word, frequency) = match f.origin {
+                Origin::Mode(_) => ("mode", self.named(f)),
+                Origin::Asymptote(a) => ("asymptote", self.found.asymptotes.get(a).map_or(f64::NAN, |a| a.value.im)),
+            };
+            let name = Message::new("backbone-begins").arg("origin", Arg::word(word)).arg("frequency", Arg::frequency(frequency));
+            (self.begins(k), name.into())
+        };
+        self.found.families.iter().enumerate().map(one).collect()
+    }
+
     /// Frequencies have a sign.
     fn directed(&self) -> bool {
         matches!(self.found.discretisation.symmetry, Symmetry::Circular | Symmetry::Quarter)
@@ -356,7 +369,7 @@ impl Shown<'_> {
         let axis = Axis::new("amplitude of the deflection", "m").metres(most);
         let top = most * axis.factor;
         let mut panel = Panel::new(if cut { axis.range(0.0, top) } else { axis })
-            .mark(Line::new("backbone", "frequency", "amplitude").group("begins").valid_where(VALID));
+            .mark(Line::new("backbone", "frequency", "amplitude").group("begins").called(self.called()).valid_where(VALID));
         let w = self.request.speed;
         let shown = self.found.families.iter().flat_map(|f| &f.motions).map(|m| m.frequency);
         let (least, highest) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
@@ -371,16 +384,12 @@ impl Shown<'_> {
         if (least..=highest).contains(&w) {
             panel = panel.mark(Rule::x(w, "spin"));
         }
-        let alt = format!(
-            "Amplitude of the deflection against whirl frequency at {}, {} families.",
-            quantity(w, "rad/s"),
-            self.found.families.len()
-        );
+        let alt = Message::new("backbone-alt").arg("speed", Arg::speed(w)).arg("families", Arg::count(self.found.families.len()));
         let x = Axis::new("whirl frequency", "rad/s");
         let (from, to) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), m| (l.min(m.frequency), h.max(m.frequency)));
         let margin = 0.1 * (to - from);
         let x = if cut { x.range(from - margin, to + margin) } else { x };
-        Figure::new("backbone", "Free whirls", alt).x(x).panel(panel)
+        Figure::new("backbone", "Nonlinear normal modes", alt).x(x).panel(panel)
     }
 }
 

@@ -464,7 +464,7 @@ impl Shown<'_> {
         let top = BEYOND * most * axis.factor;
         let mut panel = Panel::new(if cut { axis.range(0.0, top) } else { axis });
         for (from, to) in found.rest.unstable_ranges(0.0) {
-            panel = panel.mark(Band::x(from, to).name("rest unstable").strip());
+            panel = panel.mark(Band::x(from, to).name("equilibrium unstable").strip());
         }
         panel = panel.mark(marked(grouped(Line::new("cycles", "speed", column))));
         for o in &found.onsets {
@@ -475,13 +475,10 @@ impl Shown<'_> {
         let margin = 0.05 * (high - low);
         let frequency = Panel::new(Axis::new("whirl frequency", "rad/s").range(low - margin, high + margin))
             .mark(marked(grouped(Line::new("cycles", "speed", "frequency"))));
-        let alt = format!(
-            "Largest displacement and frequency of self-excited whirls over the spin speed, {} families from {} edges of the instability of rest.",
-            found.families.len(),
-            found.onsets.len()
-        );
+        let alt =
+            Message::new("limit-cycles-alt").arg("families", Arg::count(found.families.len())).arg("edges", Arg::count(found.onsets.len()));
         let speeds = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.speed);
         let (lo, hi) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)));
-        Figure::new("cycles", "Self-excited whirls", alt).x(Axis::new("spin speed", "rad/s").range(lo, hi)).panel(panel).panel(frequency)
+        Figure::new("cycles", "Limit cycles", alt).x(Axis::new("spin speed", "rad/s").range(lo, hi)).panel(panel).panel(frequency)
     }
 }

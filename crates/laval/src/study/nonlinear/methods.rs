@@ -168,7 +168,7 @@ impl Methods {
                 .float(
                     format!("{} largest {component}", probes::owner(probe)),
                     probe.unit(),
-                    format!("largest |{component}| over a period; NaN when the method has no state near the converged one"),
+                    Arg::noted("largest size over a period", "NaN when the method has no state near the converged one"),
                     column(&peak),
                 )
                 .float(
@@ -204,7 +204,7 @@ impl Methods {
             if all.iter().any(|v| v.deviation > 0.0) && !self.speed.is_one() {
                 let axis = Axis::log("deviation of the peak", "%").factor(100.0);
                 let points = Points::new("methods", "speed", "deviation").classes("method", &["averaging", "harmonic balance to order 1"]);
-                let alt = "Deviation of each method from the converged peak over the spin speed, all states.";
+                let alt = "methods-alt";
                 out = out.figure(
                     Figure::new("methods", "Methods side by side", alt)
                         .x(Axis::new("spin speed", "rad/s"))

@@ -1,5 +1,6 @@
 //! Code that studies of several rooms use.
 
+pub(in crate::study) mod headings;
 pub mod limits;
 pub mod operation;
 pub mod presentation;

@@ -60,8 +60,24 @@ pub fn arg(probe: &Probe) -> Arg {
     }
 }
 
+/// The body or point of a body to which a size belongs, as a label.
+pub fn label(probe: &Probe) -> Arg {
+    match probe.sight {
+        Sight::Displacement(z) if z != 0.0 => {
+            let height = Arg::quantity(z, "m").digits(probe.digits as u8);
+            Message::new("label-point").arg("body", Arg::name(&probe.name)).arg("height", height).into()
+        }
+        _ => Arg::name(&probe.name),
+    }
+}
+
+/// Its size, as a label: `amplitude of drum`, `tilt of drum`.
+pub fn size_of(probe: &Probe) -> Arg {
+    Arg::of(if probe.is_tilt() { "tilt" } else { "amplitude" }, label(probe))
+}
+
 /// An axis of its sizes, in a unit in which `most` is read easily.
-pub fn axis(label: impl Into<String>, probe: &Probe, most: f64) -> Axis {
+pub fn axis(label: impl Into<Arg>, probe: &Probe, most: f64) -> Axis {
     match (probe.is_tilt(), most < 1e-3) {
         (true, _) => Axis::new(label, "mrad").factor(1e3),
         (false, true) => Axis::new(label, "µm").factor(1e6),

@@ -120,7 +120,7 @@ const OF_THE_METHOD: [&str; 16] = [
 /// The spin speeds that a finding names.
 fn speeds(f: &Finding) -> impl Iterator<Item = f64> + '_ {
     let own = f.value.filter(|_| f.unit == "rad/s" && !NO_PLACE.contains(&f.id.as_str()));
-    let named = f.evidence.iter().filter(|e| e.unit == "rad/s" && !NO_SPEED.iter().any(|word| e.what.contains(word)));
+    let named = f.evidence.iter().filter(|e| e.unit == "rad/s" && !NO_SPEED.iter().any(|word| e.what.to_string().contains(word)));
     own.into_iter().chain(named.map(|e| e.value))
 }
 

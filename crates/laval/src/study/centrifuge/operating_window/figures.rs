@@ -1,9 +1,8 @@
 //! Figures of an operating window.
 
 use super::margins::NAMES;
-use super::report::{Shown, rpm};
-use crate::outcome::{Axis, Band, Figure, Heat, Line, Outcome, Panel, Points, Rule, Text, parameter_name, significant};
-use crate::study::shared::support::RPM;
+use super::report::Shown;
+use crate::outcome::{Arg, Axis, Band, Figure, Heat, Line, Message, Outcome, Panel, Points, Rule, Text, parameter_name};
 
 /// A requirement in a figure.
 fn words(name: &str, flow: bool) -> &'static str {
@@ -26,10 +25,10 @@ const LEAST_ROOM: f64 = 0.05;
 impl Shown<'_> {
     pub fn figures(&self, mut out: Outcome) -> Outcome {
         let m = &self.found.main;
-        let speed = || Axis::new("spin speed", "rpm").factor(RPM);
+        let speed = || Axis::new("spin speed", "rad/s");
         let required = self.required();
         let n = required.len() as f64;
-        let names = required.iter().enumerate().map(|(k, r)| (n - k as f64, words(NAMES[*r], self.flow().is_some()).to_string())).collect();
+        let names = required.iter().enumerate().map(|(k, r)| (n - k as f64, words(NAMES[*r], self.flow().is_some()).into())).collect();
         let mut panel = Panel::new(Axis::new("requirement", "").range(0.4, n + 0.6).names(names));
         for i in &m.intervals {
             panel = panel.mark(Band::x(i.low.speed, i.high.speed).name("window: all kept").good());
@@ -49,18 +48,14 @@ impl Shown<'_> {
             for (k, r) in required.iter().enumerate() {
                 let margin = best.margins.iter().find(|x| x.name == *r).map(|x| x.value).filter(|v| v.is_finite());
                 if let Some(v) = margin {
-                    panel = panel.mark(Text::new(best.speed, n - k as f64 - 0.08, significant(v, 2)));
+                    panel = panel.mark(Text::new(best.speed, n - k as f64 - 0.08, Arg::number(v).digits(2)));
                 }
             }
         }
-        let spans: Vec<String> = m.intervals.iter().map(|i| format!("{} to {}", rpm(i.low.speed), rpm(i.high.speed))).collect();
-        let alt = if spans.is_empty() {
-            "Margins of all requirements over the spin speed; nowhere are all of them above zero.".to_string()
-        } else {
-            format!("Margins of all requirements over the spin speed; all are above zero from {}.", spans.join(" and from "))
-        };
+        let alt = if m.intervals.is_empty() { "operating-window-alt-none" } else { "operating-window-alt" };
         out = out.figure(Figure::new("window", "Operating window", alt).x(speed()).panel(panel));
-        let at_hand = if self.flow().is_some() { "residence time" } else { "time at hand" };
+        let flow = self.flow().is_some();
+        let at_hand = if flow { "residence time" } else { "available time" };
         if self.task.is_some() && m.points.iter().any(|p| p.needed.is_finite()) {
             let (unit, factor) = if self.task.as_ref().is_some_and(|d| d.time >= 600.0) { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
             let mut panel = Panel::new(Axis::log("time needed", unit).factor(factor));
@@ -72,7 +67,7 @@ impl Shown<'_> {
             if let Some(best) = &m.best {
                 panel = panel.mark(Rule::x(best.speed, "recommended"));
             }
-            let alt = "Time that the recovery takes over the spin speed, with the time there is for it.";
+            let alt = "operating-window-alt-time";
             out = out.figure(Figure::new("time", "Time of the separation", alt).x(speed()).panel(panel));
         }
         if out.find_table("trade").is_some_and(|t| t.rows() > 0) {
@@ -92,11 +87,11 @@ impl Shown<'_> {
                     .mark(Points::new("trade", "time", "high").name("highest speed"))
             };
             if let Some(task) = &self.task {
-                panel = panel.mark(Rule::x(task.time, format!("{at_hand} required")));
+                panel = panel.mark(Rule::x(task.time, if flow { "residence time required" } else { "available time required" }));
             }
-            let alt = format!("Lowest and highest speed of the window over the {at_hand}.");
+            let title = if flow { "Window over the residence time" } else { "Window over the available time" };
             let x = Axis::log(at_hand, "min").factor(1.0 / 60.0);
-            out = out.figure(Figure::new("trade", format!("Window over the {at_hand}"), alt).x(x).panel(panel));
+            out = out.figure(Figure::new("trade", title, "operating-window-alt-trade").x(x).panel(panel));
         }
         if let Some(map) = &self.found.map {
             let (unit, factor) = match map.unit {
@@ -114,7 +109,7 @@ impl Shown<'_> {
             if let Some(best) = &m.best {
                 panel = panel.mark(Rule::x(best.speed, "recommended"));
             }
-            let alt = format!("Least margin over spin speed and {}; the curve is the edge of the window.", map.path);
+            let alt = Message::new("operating-window-alt-map").arg("parameter", parameter_name(&map.path));
             out = out.figure(Figure::new("map", "Window over speed and parameter", alt).x(speed()).panel(panel));
         }
         out

@@ -35,7 +35,7 @@ impl Shown<'_> {
             None => f.arg("duty", Arg::word("time")).arg("time", Arg::quantity(best.needed, "s")),
         };
         for margin in &best.margins {
-            f = f.evidence(format!("margin of {}", NAMES[margin.name]), margin.value, "");
+            f = f.evidence(Arg::of("margin", NAMES[margin.name]), margin.value, "");
         }
         f = f.evidence("largest growth rate", best.growth, "1/s");
         out = out.finding(f.evidence("tilt", best.tilt, "rad").evidence("unbalance of the cups", best.unbalance, "kg m"));

@@ -5,11 +5,10 @@ use super::request::{policy, requested};
 use super::{Found, OperatingWindow, Policy};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Arg, Finding, Message, Outcome, OutcomeError, SpecialPoint, Status, significant};
+use crate::outcome::{Arg, Finding, Message, Outcome, OutcomeError, SpecialPoint, Status};
 use crate::study::Study;
 use crate::study::centrifuge::cups::task::Task;
 use crate::study::shared::limits::Limits;
-use crate::study::shared::support::RPM;
 
 pub(super) struct Shown<'a> {
     pub study: &'a OperatingWindow,
@@ -23,10 +22,6 @@ pub(super) struct Shown<'a> {
 }
 
 pub(super) type Built<T> = Result<T, OutcomeError>;
-
-pub(super) fn rpm(w: f64) -> String {
-    format!("{} rpm", significant(w * RPM, 5))
-}
 
 /// A requirement, or the range of speeds, as a phrase; `flow`: of a machine that liquid flows through.
 pub(super) fn requirement(name: &str, flow: bool) -> Message {

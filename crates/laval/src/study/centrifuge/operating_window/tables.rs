@@ -4,7 +4,7 @@ use super::MAP_PLACES;
 use super::margins::{Margin, NAMES, Point};
 use super::report::{Built, Shown};
 use super::window::End;
-use crate::outcome::Table;
+use crate::outcome::{Arg, Message, Table, parameter_name};
 
 impl Shown<'_> {
     pub fn margins_table(&self) -> Built<Table> {
@@ -81,7 +81,7 @@ impl Shown<'_> {
     pub fn points_table(&self) -> Built<Table> {
         let p = &self.found.main.points;
         let column = |f: &dyn Fn(&Point) -> f64| p.iter().map(|x| finite(f(x))).collect::<Vec<f64>>();
-        Table::new("speeds", "The machine at every speed looked at")
+        Table::new("speeds", "The machine at every speed computed")
             .float("speed", "rad/s", "spin speed", column(&|x| x.speed))
             .flag("inside", "all requirements are kept", p.iter().map(Point::feasible).collect())
             .float("least margin", "", "least margin; NaN where a requirement is not defined", column(&|x| x.least()))
@@ -108,7 +108,7 @@ impl Shown<'_> {
             .float(
                 "energy",
                 "J",
-                "kinetic energy of the spin and work of the drive in the time at hand; NaN where it cannot be computed",
+                "kinetic energy of the spin and work of the drive in the available time; NaN where it cannot be computed",
                 column(&|x| x.energy),
             )
             .build()
@@ -136,7 +136,7 @@ impl Shown<'_> {
             .build()
     }
 
-    /// Window over the time at hand: in each mechanical interval, from the speed at which the time needed falls below it.
+    /// Window over the available time: in each mechanical interval, from the speed at which the time needed falls below it.
     pub fn trade_table(&self) -> Built<Option<Table>> {
         let m = &self.found.main;
         let Some(task) = &self.task else { return Ok(None) };
@@ -161,8 +161,8 @@ impl Shown<'_> {
                 high.push(i.high.speed);
             }
         }
-        Table::new("trade", "Window over the time at hand (lower end interpolated in the scan)")
-            .float("time", "s", "time at hand", time)
+        Table::new("trade", "Window over the available time (lower end interpolated in the scan)")
+            .float("time", "s", "available time", time)
             .float("low", "rad/s", "lowest speed", low)
             .float("high", "rad/s", "highest speed", high)
             .build()
@@ -172,12 +172,13 @@ impl Shown<'_> {
     pub fn map_table(&self) -> Built<Option<Table>> {
         let Some(map) = &self.found.map else { return Ok(None) };
         let c = &map.cells;
-        let mut table =
-            Table::new("map", format!("Least margin over spin speed and {} (separation from at most {MAP_PLACES} places)", map.path))
-                .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.speed).collect())
-                .float(map.path.clone(), map.unit, "parameter", c.iter().map(|c| c.value).collect())
-                .float("margin", "", "least margin, not below -1", c.iter().map(|c| c.margin).collect())
-                .text("binding", "requirement with the least margin", c.iter().map(|c| c.binding.into()).collect());
+        let doc =
+            Message::new("operating-window-table-map").arg("parameter", parameter_name(&map.path)).arg("places", Arg::count(MAP_PLACES));
+        let mut table = Table::new("map", doc)
+            .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.speed).collect())
+            .float(&map.path, map.unit, "parameter", c.iter().map(|c| c.value).collect())
+            .float("margin", "", "least margin, not below -1", c.iter().map(|c| c.margin).collect())
+            .text("binding", "requirement with the least margin", c.iter().map(|c| c.binding.into()).collect());
         if map.unit == "K" {
             table = table.float("celsius", "degC", "parameter in degrees Celsius", c.iter().map(|c| c.value - 273.15).collect());
         }

@@ -2,7 +2,7 @@
 
 use super::report::{Built, Shown};
 use super::result::{Demand, PARAMETERS, Released};
-use crate::outcome::{Table, significant};
+use crate::outcome::{Arg, Message, Table};
 use crate::separation::ensemble::{cut_size, efficiency};
 use crate::separation::exit::{Exit, Surface};
 use crate::separation::machine::{Separator, Turning};
@@ -36,13 +36,13 @@ impl Shown<'_> {
             .iter()
             .map(|d| efficiency(taus, medium.rates(&Particle { radius: 0.5 * d, density }).sedimentation.abs() * t))
             .collect();
-        let grade = Table::new("grade", "Share caught in the time at hand over the size of the particles, without inertia")
+        let grade = Table::new("grade", "Share caught in the available time over the size of the particles, without inertia")
             .float("diameter", "m", "diameter", diameters)
             .float("efficiency", "", "share caught", grade)
             .build()?;
         let finite = |q: f64| if size(q).is_finite() { size(q) } else { f64::NAN };
         let shares = vec![0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 1.0];
-        let cuts = Table::new("cut_size", "Diameter of which a share is caught in the time at hand, without inertia")
+        let cuts = Table::new("cut_size", "Diameter of which a share is caught in the available time, without inertia")
             .float("diameter", "m", "diameter; NaN where the share is never caught", shares.iter().map(|&q| finite(q)).collect())
             .float("share", "", "share caught", shares)
             .build()?;
@@ -78,7 +78,7 @@ impl Shown<'_> {
                     "time in the other rotor",
                     measures::transfer(s.time, k, other),
                     "s",
-                    "clears as much as the time at hand does here",
+                    "clears as much as the available time does here",
                 ));
             }
         }
@@ -113,7 +113,7 @@ impl Shown<'_> {
                 "value in the unit beside it; NaN where there is none",
                 rows.iter().map(|r| if r.1.is_finite() { r.1 } else { f64::NAN }).collect(),
             )
-            .text("unit", "SI unit", rows.iter().map(|r| r.2.into()).collect())
+            .names("unit", "SI unit", rows.iter().map(|r| r.2.into()).collect())
             .text("meaning", "meaning", rows.iter().map(|r| r.3.into()).collect())
             .build()
     }
@@ -123,7 +123,7 @@ impl Shown<'_> {
         let (g, speeds) = (s.suspension.medium.gravity, &demand.speeds);
         let times = demand.times.iter().map(|&t| if t.is_finite() { t } else { f64::NAN }).collect();
         let turned: Vec<Turning> = speeds.iter().map(|&w| s.vessel.separator.at(w)).collect();
-        let mut table = Table::new("demand", format!("Time that catches {} % over the speed", significant(100.0 * s.recovery, 4)))
+        let mut table = Table::new("demand", Message::new("separation-table-demand").arg("share", Arg::percent(s.recovery).digits(4)))
             .float("time", "s", "time (residence time where liquid flows through); NaN where it is never caught", times)
             .float(
                 "rcf",
@@ -171,7 +171,7 @@ impl Shown<'_> {
         }
         Table::new(
             "pellet",
-            "Where particles leave the liquid: along the cup for the wall, by distance from its axis for bottom and surface",
+            "Places where particles leave the liquid: along the cup for the wall, by distance from its axis for bottom and surface",
         )
         .text("where", "surface", surface)
         .float("middle", "m", "middle of the interval", low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).collect())
@@ -190,7 +190,7 @@ impl Shown<'_> {
         let column = |f: &dyn Fn(&Place) -> f64| rows().map(|r| f(r.2)).collect();
         // across the plane of a bowl nothing moves but rounding
         let plain = |x: f64, p: &Place| if x.abs() <= 1e-12 * p.radius { 0.0 } else { x };
-        Table::new("paths", "Paths of some particles in the axes of the cup, until they leave or the time at hand ends")
+        Table::new("paths", "Paths of some particles in the axes of the cup, until they leave or the available time ends")
             .int("particle", "", "number of the particle", rows().map(|r| r.0 as i64 + 1).collect())
             .float("diameter", "m", "its diameter", rows().map(|r| r.1).collect())
             .float("time", "s", "time", column(&|p| p.time))

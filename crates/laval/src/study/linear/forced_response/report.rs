@@ -4,7 +4,7 @@ use super::{ForcedResponse, ForcedResponseResult, largest};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity, significant};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Table};
 use crate::solve::extrema::Extremum;
 use crate::solve::linear_response::Response;
 use crate::solve::pencil::time_forms;
@@ -18,6 +18,12 @@ use crate::study::shared::support::{inconsistent, probe_name};
 const LABELLED: usize = 4;
 const ONE_PEAK: f64 = 0.02;
 const SHARPEST: f64 = 1e4;
+
+/// Columns of a displacement and of a tilt.
+const COLUMNS: [[&str; 7]; 2] = [
+    ["amplitude", "minor", "direction", "forward", "phase", "backward", "backward_phase"],
+    ["tilt", "tilt_minor", "tilt_direction", "tilt_forward", "tilt_phase", "tilt_backward", "tilt_backward_phase"],
+];
 
 pub(super) struct Shown<'a> {
     study: &'a ForcedResponse,
@@ -176,27 +182,24 @@ impl<'a> Shown<'a> {
         let one = |e: &Extremum| {
             let kind = if e.maximum { "resonance" } else { "antiresonance" };
             let (name, unit) = (self.name(e), self.probes()[e.probe].unit());
-            SpecialPoint::new(kind, e.speed, e.bracket).of(&name).evidence(format!("amplitude of {name}"), e.value, unit)
+            SpecialPoint::new(kind, e.speed, e.bracket).of(name).evidence(probes::size_of(&self.probes()[e.probe]), e.value, unit)
         };
         self.result.curve.extrema.iter().map(one).collect()
     }
 
     fn response_table(&self) -> Result<Table, Diagnostic> {
         let points = self.points();
-        let reported = |what: &str| format!("{what}; NaN beside a resonance without bound");
+        let reported = |what: &'static str| Arg::noted(what, "NaN beside a resonance without bound");
         let column = |f: &dyn Fn(&Response) -> f64| points.iter().map(f).collect::<Vec<f64>>();
         let mut table = Table::new("response", "Linear response to unbalance").float("speed", "rad/s", "spin speed", column(&|r| r.speed));
         for p in self.probes() {
             // the tilt of a body has its own columns, a point those of a body of that name
-            let (n, of, unit) = match p.is_tilt() {
-                true => (p.name.clone(), "tilt_", "rad"),
-                false => (probe_name(p), "", "m"),
-            };
-            let amplitude = if p.is_tilt() { "tilt" } else { "amplitude" };
+            let (n, unit) = (probes::owner(p), p.unit());
+            let [amplitude, minor, direction, forward, phase, backward, backward_phase] = COLUMNS[usize::from(p.is_tilt())];
             table = table
                 .float(format!("{amplitude}.{n}"), unit, reported("semi-major axis of the orbit"), column(&|r| r.size(p)))
                 .float(
-                    format!("{of}minor.{n}"),
+                    format!("{minor}.{n}"),
                     unit,
                     reported("semi-minor axis of the orbit, negative for backward whirl"),
                     column(&|r| {
@@ -205,21 +208,21 @@ impl<'a> Shown<'a> {
                     }),
                 )
                 .float_if_any(
-                    format!("{of}direction.{n}"),
+                    format!("{direction}.{n}"),
                     "rad",
                     "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
                     column(&|r| r.direction_of(p)),
                 )
-                .float(format!("{of}forward.{n}"), unit, reported("forward amplitude"), column(&|r| r.circles_of(p).0.abs()))
+                .float(format!("{forward}.{n}"), unit, reported("forward amplitude"), column(&|r| r.circles_of(p).0.abs()))
                 .float(
-                    format!("{of}phase.{n}"),
+                    format!("{phase}.{n}"),
                     "rad",
                     reported("angle of the forward amplitude from the key mark"),
                     column(&|r| r.circles_of(p).0.arg()),
                 )
-                .float(format!("{of}backward.{n}"), unit, reported("backward amplitude"), column(&|r| r.circles_of(p).1.abs()))
+                .float(format!("{backward}.{n}"), unit, reported("backward amplitude"), column(&|r| r.circles_of(p).1.abs()))
                 .float(
-                    format!("{of}backward_phase.{n}"),
+                    format!("{backward_phase}.{n}"),
                     "rad",
                     reported("angle of the backward amplitude"),
                     column(&|r| r.circles_of(p).1.arg()),
@@ -238,7 +241,7 @@ impl<'a> Shown<'a> {
         let (extrema, probes) = (&self.result.curve.extrema, self.probes());
         let size = |tilt: bool| extrema.iter().map(|e| if probes[e.probe].is_tilt() == tilt { e.value } else { f64::NAN }).collect();
         Table::new("extrema", "Resonances and antiresonances of every body")
-            .text("body", "body, point of a body, or tilt of a body", extrema.iter().map(|e| self.name(e)).collect())
+            .names("body", "body, point of a body, or tilt of a body", extrema.iter().map(|e| self.name(e)).collect())
             .text(
                 "kind",
                 "maximum or minimum of the amplitude",
@@ -294,16 +297,16 @@ impl<'a> Shown<'a> {
     }
 
     /// The highest peaks at different speeds, with their factors of amplification.
-    fn peaks(&self) -> Vec<(f64, String)> {
+    fn peaks(&self) -> Vec<(f64, Message)> {
         let mut found: Vec<&Extremum> =
             self.result.curve.extrema.iter().filter(|e| e.maximum && !e.unbounded && !self.probes()[e.probe].is_tilt()).collect();
         found.sort_by(|a, b| b.value.total_cmp(&a.value));
-        let mut out: Vec<(f64, String)> = Vec::new();
+        let mut out: Vec<(f64, Message)> = Vec::new();
         for e in found {
             let factor = self.amplification(e);
             if factor.is_finite() && factor < SHARPEST && out.len() < LABELLED && out.iter().all(|o| (o.0 / e.speed - 1.0).abs() > ONE_PEAK)
             {
-                out.push((e.speed, format!("AF {}", significant(factor, 2))));
+                out.push((e.speed, Message::new("forced-response-amplification").arg("factor", Arg::number(factor).digits(2))));
             }
         }
         out
@@ -318,11 +321,12 @@ impl<'a> Shown<'a> {
         let mut tilt = Panel::new(Axis::log("tilt", "mrad").factor(1e3));
         for p in probes {
             if p.is_tilt() {
-                tilt = tilt.mark(Line::new("response", "speed", format!("tilt.{}", p.name)).name(p.name.clone()));
+                tilt = tilt.mark(Line::new("response", "speed", format!("tilt.{}", p.name)).name(probes::label(p)));
             } else {
                 let name = probe_name(p);
-                amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{name}")).name(name.clone()));
-                phase = phase.mark(Line::new("response", "speed", format!("phase.{name}")).name(name).cyclic(std::f64::consts::TAU));
+                amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{name}")).name(probes::label(p)));
+                phase = phase
+                    .mark(Line::new("response", "speed", format!("phase.{name}")).name(probes::label(p)).cyclic(std::f64::consts::TAU));
             }
         }
         amplitude = self.peaks().into_iter().fold(amplitude, |p, (speed, label)| p.mark(Rule::x(speed, label)));
@@ -333,17 +337,16 @@ impl<'a> Shown<'a> {
         if let Some(o) = operating(self.system, self.study.speed.from, self.study.speed.to) {
             [&mut amplitude, &mut phase, &mut tilt].into_iter().for_each(|p| *p = p.clone().mark(o.margin()).mark(o.rule()));
         }
-        let bodies = self.system.bodies().len();
         let [moved, tilted] = self.largest;
-        let alt = match moved.or(tilted) {
-            Some(e) if e.unbounded => {
-                format!("Amplitudes of {bodies} bodies over spin speed, without bound at {}.", quantity(e.speed, "rad/s"))
-            }
-            Some(e) => {
-                format!("Amplitudes of {bodies} bodies over spin speed; the largest resonance is at {}.", quantity(e.speed, "rad/s"))
-            }
-            None => format!("Amplitudes of {bodies} bodies over spin speed, without resonance."),
+        let bounded = match moved.or(tilted) {
+            Some(e) if e.unbounded => "no",
+            Some(_) => "yes",
+            None => "none",
         };
+        let alt = Message::new("forced-response-alt")
+            .arg("bodies", Arg::count(self.system.bodies().len()))
+            .arg("bounded", Arg::word(bounded))
+            .arg("speed", Arg::speed(moved.or(tilted).map_or(0.0, |e| e.speed)));
         // of a machine that only tilts there is nothing to draw of displacements, of one that does not tilt nothing of tilts
         let largest = |p: &Probe| points.iter().map(|r| r.size(p)).filter(|x| x.is_finite()).fold(0.0, f64::max);
         let loud = probes::loudest(probes.iter().map(|p| (p, largest(p))));

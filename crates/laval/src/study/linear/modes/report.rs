@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::{DofKind, Domain, Words};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Outcome, Panel, Points, Rule, Table, quantity, significant};
+use crate::outcome::{Arg, Axis, Figure, Message, Outcome, Panel, Points, Rule, Table};
 use crate::solve::pencil::{Linearised, MachineMode};
 use crate::solve::roots::LEAST;
 use crate::study::Study;
@@ -72,7 +72,7 @@ impl<'a> Shown<'a> {
     fn table(&self) -> Result<Table, Diagnostic> {
         let (modes, speed) = (self.modes(), self.study.speed);
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
-        let mut table = Table::new("modes", format!("Natural modes about {}", self.study.about.word()))
+        let mut table = Table::new("modes", Message::new("modes-table").arg("state", Arg::term(self.study.about.word())))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
             .float("frequency", "rad/s", "whirl frequency", column(MachineMode::frequency))
@@ -125,7 +125,7 @@ impl<'a> Shown<'a> {
 
     fn figure(&self) -> Figure {
         let (modes, threshold) = (self.modes(), self.study.threshold);
-        let alt = format!("{} modes at {}; {}.", modes.len(), quantity(self.study.speed, "rad/s"), worst_in_words(modes));
+        let alt = Message::new("modes-alt").arg("modes", Arg::count(modes.len())).arg("speed", Arg::speed(self.study.speed));
         let mut panel = Panel::new(Axis::new("growth rate", "1/s"));
         panel = panel.mark(Rule::y(threshold, if threshold == 0.0 { "unstable above" } else { "threshold" }));
         panel = panel.mark(Points::new("modes", "frequency", "growth").classes("whirl", WHIRLS).filled_where("stable"));
@@ -184,11 +184,4 @@ fn tilt_share(mass: &Mat, tilts: &[bool], mode: &MachineMode) -> f64 {
 /// Logarithm of the ratio of amplitudes one period apart.
 fn log_decrement(m: &MachineMode) -> f64 {
     if m.frequency() > 0.0 { -std::f64::consts::TAU * m.growth() / m.frequency() } else { f64::NAN }
-}
-
-fn worst_in_words(modes: &[MachineMode]) -> String {
-    match modes.iter().max_by(|a, b| a.growth().total_cmp(&b.growth())) {
-        Some(m) => format!("the largest growth rate is {} 1/s at {} rad/s", significant(m.growth(), 4), significant(m.frequency(), 4)),
-        None => "there is none".into(),
-    }
 }

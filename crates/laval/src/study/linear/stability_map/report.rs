@@ -4,7 +4,7 @@ use super::{StabilityMap, StabilityMapResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{
-    Axis, Band, Figure, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, TableBuilder, quantity, significant,
+    Arg, Axis, Band, Figure, Heat, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, TableBuilder, parameter_name,
 };
 use crate::solve::roots::transcendental;
 use crate::solve::stability::{Edge, Peak, Row, Sample};
@@ -128,7 +128,7 @@ impl<'a> Shown<'a> {
 
     fn special_points(&self) -> Vec<SpecialPoint> {
         let mut out = Vec::new();
-        let at = |p: SpecialPoint, k: usize| if self.two() { p.evidence(self.name.clone(), self.value(k), self.unit) } else { p };
+        let at = |p: SpecialPoint, k: usize| if self.two() { p.evidence(parameter_name(&self.name), self.value(k), self.unit) } else { p };
         for &(k, e) in &self.edges {
             let kind = if e.onset { "instability_onset" } else { "instability_end" };
             let status = if e.located { Status::Located } else { Status::Bracketed };
@@ -146,7 +146,7 @@ impl<'a> Shown<'a> {
     fn places(&self, table: TableBuilder, speeds: Vec<f64>, rows: impl Iterator<Item = usize>) -> TableBuilder {
         let table = table.float("speed", "rad/s", "spin speed", speeds);
         let values = rows.map(|k| self.value(k)).collect();
-        if self.two() { table.float(self.name.clone(), self.unit, "parameter", values) } else { table }
+        if self.two() { table.float(&self.name, self.unit, "parameter", values) } else { table }
     }
 
     fn map_table(&self) -> Result<Table, Diagnostic> {
@@ -246,13 +246,13 @@ impl<'a> Shown<'a> {
             let growth = Panel::new(Axis::new("growth rate", "1/s"))
                 .mark(Line::new("map", name.clone(), "growth").name("largest growth rate"))
                 .mark(Rule::y(threshold, "threshold"));
-            let at = quantity(self.study.speed.from, "rad/s");
-            let figure = Figure::new("stability", "Largest growth rate", format!("Largest growth rate over {name} at {at}."));
+            let alt = Message::new("stability-map-alt-parameter").arg("parameter", parameter_name(&name));
+            let figure = Figure::new("stability", "Largest growth rate", alt.arg("speed", Arg::speed(self.study.speed.from)));
             return figure.x(Axis::parameter(&name, unit)).panel(growth);
         }
         if self.two() {
             let heat = Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(threshold);
-            let alt = format!("Largest growth rate over spin speed and {name}, with the boundary of stability.");
+            let alt = Message::new("stability-map-alt-map").arg("parameter", parameter_name(&name));
             let mut panel = Panel::new(Axis::parameter(&name, unit)).mark(heat);
             if let Some(o) = &operating {
                 panel = panel.mark(o.rule());
@@ -268,9 +268,8 @@ impl<'a> Shown<'a> {
         let here = operating.as_ref().map(|o| (o, self.growth_at(o.speed())));
         let mut growth = Panel::new(self.growth_axis(here.as_ref().map_or(f64::NAN, |h| h.1)));
         if let Some((o, value)) = &here {
-            let label =
-                if value.is_finite() { format!("operating speed: {} 1/s", significant(*value, 3)) } else { "operating speed".into() };
-            growth = growth.mark(Rule::x(o.speed(), label));
+            let growing = Message::new("stability-map-operating").arg("growth", Arg::quantity(*value, "1/s"));
+            growth = growth.mark(if value.is_finite() { Rule::x(o.speed(), growing) } else { o.rule() });
         }
         for (from, to) in self.rows()[0].unstable_ranges(threshold) {
             growth = growth.mark(Band::x(from, to).name("unstable").strip());
@@ -282,14 +281,7 @@ impl<'a> Shown<'a> {
             .mark(Points::new("peaks", "speed", "growth").name("peak"))
             .mark(Points::new("boundary", "speed", "growth").name("boundary"));
         let frequency = Line::new("map", "speed", "frequency").name("its frequency").begins_where("other_mode");
-        let figure = Figure::new(
-            "stability",
-            "Largest growth rate",
-            "Largest growth rate over spin speed, with the ranges where it exceeds the threshold; below, the frequency of that mode, with a gap where \
-             another mode becomes the strongest.",
-        )
-        .x(speed_axis)
-        .panel(growth);
+        let figure = Figure::new("stability", "Largest growth rate", "stability-map-alt").x(speed_axis).panel(growth);
         let below = Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(frequency);
         if whirls { figure.panel(below) } else { figure }
     }

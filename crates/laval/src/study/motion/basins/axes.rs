@@ -5,6 +5,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{RangeValue, Values};
 use crate::model::part::DofKind;
 use crate::model::system::System;
+use crate::outcome::Arg;
 use crate::study::shared::support::{apart, range};
 
 /// Points along an axis that says none.
@@ -34,8 +35,12 @@ impl InitialValueAxis {
         (self.range.to - self.range.from) / (self.range.points.unwrap_or(DEFAULT_POINTS).max(2) - 1) as f64
     }
     /// What its values are.
-    pub fn meaning(&self) -> String {
-        if self.index.is_some() { format!("initial value of {}", self.name) } else { "duration of the run-up".into() }
+    pub fn meaning(&self) -> Arg {
+        if self.index.is_some() { Arg::of("initial value", Arg::name(&self.name)) } else { "duration of the run-up".into() }
+    }
+    /// Its name in a figure.
+    pub fn label(&self) -> Arg {
+        if self.index.is_some() { Arg::name(&self.name) } else { "duration of the run-up".into() }
     }
     /// A value lies between its ends.
     pub fn holds(&self, x: f64) -> bool {

@@ -9,7 +9,7 @@ use super::{Basins, BasinsResult, MotionBasins};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, End, Figure, Finding, Heat, Message, Outcome, Panel, Points, Table, quantity, quantity_to};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Heat, Message, Outcome, Panel, Points, Table, quantity_to};
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
@@ -97,6 +97,19 @@ impl<'a> Map<'a> {
         }
     }
 
+    /// The same in the legend.
+    fn sized_phrase(&self, k: usize) -> Arg {
+        let size = self.probes.get(self.lead).map(|p| (self.peak(&self.found.attractors[k], self.lead), p)).filter(|s| s.0.is_finite());
+        match size {
+            Some((size, p)) => Message::new("basins-sized")
+                .arg("body", Arg::name(&p.name))
+                .arg("size", Arg::quantity(size, p.unit()))
+                .arg("attractor", Arg::count(k + 1))
+                .into(),
+            None => self.attractor(k).into(),
+        }
+    }
+
     /// What a row ends in, as figures name it.
     fn shown(&self, row: usize) -> String {
         self.found.of[row].map_or_else(|| self.word(row), |k| self.sized(k))
@@ -150,7 +163,7 @@ pub(super) fn report(
     outcome = undecided(&map, outcome);
     let at = |row: usize, f: Finding| {
         let place = map.place[row];
-        f.evidence(axes[0].name.clone(), place[0], axes[0].unit.clone()).evidence(axes[1].name.clone(), place[1], axes[1].unit.clone())
+        (0..2).fold(f, |f, k| f.evidence(axes[k].label(), place[k], axes[k].unit.clone()))
     };
     outcome = stored::limits(results, at, outcome);
     let steps = results.numbers("steps").iter().sum::<f64>();
@@ -245,17 +258,22 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
     let inside = map.cells().filter(nearer).filter(|&r| at_home(r)).map(distance).fold(0.0, f64::max);
     let unknown = map.cells().filter(nearer).filter(|&r| map.found.of[r].is_none()).count();
     let same = axes[0].unit == axes[1].unit && scale[0] == scale[1];
-    let (unit, factor, shown) = if same { (axes[0].unit.as_str(), scale[0], "") } else { ("", 1.0, " over typical sizes") };
+    let (unit, factor, shown) = if same {
+        (axes[0].unit.as_str(), scale[0], "farthest nearer cell that does not")
+    } else {
+        ("", 1.0, "farthest nearer cell that does not, over typical sizes")
+    };
     let mut finding = from(Finding::info("smallest_disturbance", "basins-smallest-disturbance"))
         .value(d * factor, unit)
         .arg("scale", Arg::word(if same { "same" } else { "typical" }))
         .arg("target", map.attractor(target))
         .arg("disturbed", map.at(map.place[row]))
-        .evidence(format!("farthest nearer cell that does not{shown}"), inside * factor, unit);
+        .evidence(shown, inside * factor, unit);
     for k in 0..2 {
-        finding = finding.evidence(format!("grid step of {}", axes[k].name), axes[k].step(), axes[k].unit.clone());
+        let named = |key: &str| Message::new(key).arg("state", Arg::name(&axes[k].name));
+        finding = finding.evidence(named("basins-grid-step"), axes[k].step(), axes[k].unit.clone());
         if !same {
-            finding = finding.evidence(format!("typical size of {}", axes[k].name), scale[k], axes[k].unit.clone());
+            finding = finding.evidence(named("basins-typical-size"), scale[k], axes[k].unit.clone());
         }
     }
     if unknown > 0 {
@@ -318,14 +336,17 @@ fn undecided(map: &Map, mut outcome: Outcome) -> Outcome {
     outcome
 }
 
+fn largest(probe: &Probe) -> &'static str {
+    if probe.is_tilt() { "largest tilt" } else { "largest displacement" }
+}
+
 fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let (results, rows) = (&map.data.motions, map.cells());
     let axes = &map.study.axes;
     let of_cells = |values: &[f64]| values[rows.clone()].iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect::<Vec<f64>>();
-    let mut cells = Table::new("cells", "The motion every cell of the grid settles on");
+    let mut cells = Table::new("cells", "Attractor reached from every cell of the grid");
     for k in 0..2 {
-        let doc = format!("initial value of {}", axes[k].name);
-        cells = cells.float(PLACE[k], &axes[k].unit, doc, rows.clone().map(|r| map.place[r][k]).collect());
+        cells = cells.float(PLACE[k], &axes[k].unit, axes[k].meaning(), rows.clone().map(|r| map.place[r][k]).collect());
     }
     let number = |r: usize| map.found.of[r].map_or(0, |a| i64::try_from(a + 1).unwrap_or(0));
     cells = cells
@@ -344,7 +365,7 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
             of_cells(&results.numbers("period")),
         );
     for (k, p) in map.probes.iter().enumerate() {
-        let doc = format!("largest {}; NaN where it failed", probes::quality(p));
+        let doc = Arg::noted(largest(p), "NaN where it failed");
         cells = cells.float(probes::column(p), p.unit(), doc, of_cells(&map.amplitude[k]));
     }
     cells = cells
@@ -360,7 +381,7 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
 
     let all = &map.found.attractors;
     let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
-    let mut table = Table::new("attractors", "Settled motions that differ")
+    let mut table = Table::new("attractors", "Attractors")
         .int(
             "attractor",
             "",
@@ -377,7 +398,7 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
         .float("share", "", "share p of all cells", column(&|a| share(map.count(a), rows.len()).0))
         .float("share_error", "", "sampling error sqrt(p (1 - p)/N) for N cells", column(&|a| share(map.count(a), rows.len()).1));
     for (k, p) in map.probes.iter().enumerate() {
-        table = table.float(probes::column(p), p.unit(), format!("largest {}", probes::quality(p)), column(&|a| map.peak(a, k)));
+        table = table.float(probes::column(p), p.unit(), largest(p), column(&|a| map.peak(a, k)));
         if let Some(rms) = map.rms.get(k) {
             let doc = "root of the mean squared displacement of its best motion";
             table = table.float(format!("rms.{}", p.name), "m", doc, column(&|a| rms[a.best]));
@@ -409,8 +430,8 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     outcome = outcome.table(poincare(map)?);
     if let Some(&place) = map.place.first() {
         let start = Table::new("undisturbed", "The start that no initial value of the grid disturbs")
-            .float(PLACE[0], &axes[0].unit, format!("initial value of {}", axes[0].name), vec![place[0]])
-            .float(PLACE[1], &axes[1].unit, format!("initial value of {}", axes[1].name), vec![place[1]])
+            .float(PLACE[0], &axes[0].unit, axes[0].meaning(), vec![place[0]])
+            .float(PLACE[1], &axes[1].unit, axes[1].meaning(), vec![place[1]])
             .text("end", "what it ends in", vec![map.word(0)]);
         outcome = outcome.table(start.build().map_err(inconsistent)?);
     }
@@ -430,8 +451,8 @@ fn poincare(map: &Map) -> Result<Table, Diagnostic> {
     Table::new("poincare", "States of the attractors at phase zero: what `initial` of another study may be given")
         .int("attractor", "", "number of the attractor", rows.iter().map(|r| r.0).collect())
         .int("turn", "", "turns since its first point", rows.iter().map(|r| r.1).collect())
-        .text("state", "coordinate, rate or internal state", rows.iter().map(|r| r.2.into()).collect())
-        .text("unit", "unit of the value", rows.iter().map(|r| r.3.into()).collect())
+        .names("state", "coordinate, rate or internal state", rows.iter().map(|r| r.2.into()).collect())
+        .names("unit", "unit of the value", rows.iter().map(|r| r.3.into()).collect())
         .float("value", "", "value", rows.iter().map(|r| r.4).collect())
         .build()
         .map_err(inconsistent)
@@ -444,25 +465,26 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
     let axes = &map.study.axes;
     let drawn = |k: usize| {
         let a = &axes[k];
+        let label = a.label();
         let largest = map.place.iter().map(|p| p[k].abs()).fold(0.0, f64::max);
         match a.unit.as_str() {
-            "m" if largest < 1e-3 => Axis::new(&a.name, "µm").factor(1e6),
-            "m" => Axis::new(&a.name, "mm").factor(1e3),
-            unit => Axis::new(&a.name, unit),
+            "m" if largest < 1e-3 => Axis::new(label, "µm").factor(1e6),
+            "m" => Axis::new(label, "mm").factor(1e3),
+            unit => Axis::new(label, unit),
         }
     };
     // words that every map may have first: they have the same colours in all
     let mut classes: Vec<String> = ["not settled", "failed", "does not repeat"].map(String::from).to_vec();
     let repeating = (0..map.found.attractors.len()).filter(|&k| map.found.attractors[k].period.is_some());
-    classes.extend(repeating.map(|k| map.sized(k)));
+    let called: Vec<(String, Arg)> = repeating.map(|k| (map.sized(k), map.sized_phrase(k))).collect();
+    classes.extend(called.iter().map(|c| c.0.clone()));
     let colours = Axis::new("ends in", "");
-    let mut panel = Panel::new(drawn(1)).mark(Heat::new("cells", PLACE[0], PLACE[1], "motion", colours).of_classes(classes));
+    let mut panel = Panel::new(drawn(1)).mark(Heat::new("cells", PLACE[0], PLACE[1], "motion", colours).of_classes(classes).called(called));
     let start = map.place[0];
     if axes[0].holds(start[0]) && axes[1].holds(start[1]) {
         panel = panel.mark(Points::new("undisturbed", PLACE[0], PLACE[1]).name("undisturbed start"));
     }
-    let speed = quantity(map.study.speed, "rad/s");
-    let alt = format!("The motion each start settles on at {speed}, over the initial values {} and {}.", axes[0].name, axes[1].name);
+    let alt = Message::new("basins-alt").arg("speed", Arg::speed(map.study.speed)).arg("x", axes[0].meaning()).arg("y", axes[1].meaning());
     let mut figure = Figure::new("basins", "Basins of attraction", alt).x(drawn(0)).panel(panel);
     let (x, y) = (drawn(0), drawn(1));
     let spans = [0, 1].map(|k| axes[k].values().last().copied().unwrap_or(0.0) - axes[k].values()[0]);

@@ -32,7 +32,7 @@ pub(super) const PLACE: [&str; 2] = ["x", "y"];
 pub(super) fn columns(study: &Basins, members: &Members) -> Vec<RowColumn<Row>> {
     let mut out: Vec<RowColumn<Row>> = Vec::new();
     for (k, axis) in study.axes.iter().enumerate() {
-        out.push(number(PLACE[k], &axis.unit, &format!("initial value of {}", axis.name), move |r: &Row| r.place[k]));
+        out.push(number(PLACE[k], &axis.unit, &axis.meaning().to_string(), move |r: &Row| r.place[k]));
     }
     out.extend(columns::verdict_columns(&study.rules));
     for (b, own) in members.bodies.iter().enumerate() {

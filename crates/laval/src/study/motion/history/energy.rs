@@ -146,7 +146,7 @@ pub(in crate::study) fn shown(record: &MotionRecord, outcome: Outcome) -> Result
 const CLOSES: f64 = 1e-6;
 
 fn figure(energy: &EnergyAccount) -> Figure {
-    let line = |column: &str| Line::new("energy", "t", column).name(column);
+    let line = |column: &'static str| Line::new("energy", "t", column).name(column);
     let mut panel = Panel::new(Axis::new("energy", "J"));
     // the energy of the spin would dwarf all others
     panel = panel.mark(line("change").name("change of the stored energy"));
@@ -154,9 +154,7 @@ fn figure(energy: &EnergyAccount) -> Figure {
     for (column, _) in flows.into_iter().filter(|f| f.1.iter().any(|e| *e != 0.0)) {
         panel = panel.mark(line(column));
     }
-    let text =
-        "Change of the stored energy since the start, heat and the work done on the machine against time; below, what the balance misses.";
-    Figure::new("energy", "Energy since the start", text)
+    Figure::new("energy", "Energy since the start", "history-alt-energy")
         .x(Axis::new("time", "s"))
         .panel(panel)
         .panel(Panel::new(Axis::new("missing", "J")).mark(line("missing")))

@@ -3,7 +3,7 @@
 use super::energy;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Line, Outcome, OutcomeError, Panel, Table};
+use crate::outcome::{Arg, Axis, Figure, Line, Outcome, OutcomeError, Panel, Table};
 use crate::solve::motion::SpinLaw;
 use crate::solve::motion::envelope::Window;
 use crate::study::motion::passages::envelope;
@@ -20,17 +20,17 @@ fn misfit(e: OutcomeError) -> Diagnostic {
 
 /// Columns collected row by row.
 #[derive(Default)]
-pub(in crate::study) struct Columns(Vec<(String, String, String, Vec<f64>)>);
+pub(in crate::study) struct Columns(Vec<(String, String, Arg, Vec<f64>)>);
 
 impl Columns {
-    pub fn add(&mut self, name: impl Into<String>, unit: &str, doc: impl Into<String>, values: Vec<f64>) {
+    pub fn add(&mut self, name: impl Into<String>, unit: &str, doc: impl Into<Arg>, values: Vec<f64>) {
         self.0.push((name.into(), unit.into(), doc.into(), values));
     }
     /// The same meaning for all of them.
-    pub fn all(&mut self, series: &[Series], doc: &str) {
+    pub fn all(&mut self, series: &[Series], doc: &'static str) {
         series.iter().for_each(|s| self.add(&s.name, &s.unit, doc, s.values.clone()));
     }
-    pub fn table(self, name: &str, doc: &str) -> Result<Table, Diagnostic> {
+    pub fn table(self, name: &str, doc: impl Into<Arg>) -> Result<Table, Diagnostic> {
         let mut builder = Table::new(name, doc);
         for (name, unit, doc, values) in self.0 {
             builder = builder.float(name, unit, doc, values);
@@ -94,10 +94,11 @@ fn motion_figures(
         && (coarse || seen.iter().any(|s| decays(s)))
     {
         outcome = outcome.table(envelope_table(system, record, seen)?);
-        let alt = "Largest displacement of each body from rest within a turn, against time.";
+        let alt = "history-alt-envelope";
         let mut figure = Figure::new("envelope", "Envelope against time", alt).x(Axis::new("time", "s"));
         for (b, sizes) in bodies.iter().zip(seen) {
-            let axis = if decays(sizes) { Axis::log(&b.name, "m") } else { Axis::new(&b.name, "m") };
+            let label = Arg::of("amplitude", Arg::name(&b.name));
+            let axis = if decays(sizes) { Axis::log(label, "m") } else { Axis::new(label, "m") };
             let panel = Panel::new(axis.metres(most(sizes.iter().copied())));
             figure = figure.panel(panel.mark(Line::new("envelope", "t", format!("{} amplitude", b.name))));
         }
@@ -108,23 +109,23 @@ fn motion_figures(
         _ => ("motion", &record.coordinates),
     };
     let names = |x: usize| [&system.coordinates()[x].name, &system.coordinates()[x + 1].name];
-    let mut lateral =
-        Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
+    let mut lateral = Figure::new("lateral", "Lateral motion of the bodies", "history-alt-lateral").x(Axis::new("time", "s"));
     let reach = most(bodies.iter().flat_map(|b| names(b.x)).flat_map(|name| values(shown, name)).copied());
     let mut plane = Panel::new(Axis::new("y", "m").metres(reach));
     for b in &bodies {
         let own = names(b.x);
         let size = most(own.iter().flat_map(|name| values(&record.coordinates, name)).copied());
-        let line = |column: &String| Line::new("motion", "t", column).name(column);
-        lateral = lateral.panel(Panel::new(Axis::new(&b.name, "m").metres(size)).mark(line(own[0])).mark(line(own[1])));
-        plane = plane.mark(Line::new(path, own[0], own[1]).name(&b.name).path());
+        let line = |column: &String| Line::new("motion", "t", column).name(Arg::name(column));
+        lateral = lateral.panel(
+            Panel::new(Axis::new(Arg::of("displacement", Arg::name(&b.name)), "m").metres(size)).mark(line(own[0])).mark(line(own[1])),
+        );
+        plane = plane.mark(Line::new(path, own[0], own[1]).name(Arg::name(&b.name)).path());
     }
     if !coarse {
         outcome = outcome.figure(lateral);
     }
-    let title = if coarse { "Orbits of the bodies over the last turns" } else { "Orbits of the bodies" };
-    let alt = "Path of each body in the plane, to scale; a dot at its start, an arrow in its direction.";
-    let orbit = Figure::new("orbit", format!("{title} (dot: start)"), alt).x(Axis::new("x", "m").metres(reach)).equal().panel(plane);
+    let title = if coarse { "Orbits of the bodies over the last turns (dot: start)" } else { "Orbits of the bodies (dot: start)" };
+    let orbit = Figure::new("orbit", title, "history-alt-orbit").x(Axis::new("x", "m").metres(reach)).equal().panel(plane);
     Ok(match (&record.last_turns, coarse) {
         (Some(last), true) => outcome.table(turns::table(last)?).figure(orbit),
         (None, true) => outcome,

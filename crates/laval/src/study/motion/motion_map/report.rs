@@ -4,7 +4,7 @@ use super::{GridAxis, MotionMap, MotionMapResult, REFUSED, place};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Message, Outcome, Panel, Table};
+use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Message, Outcome, Panel, Table, parameter_name};
 use crate::store::{Collected, Kind};
 use crate::study::Study;
 use crate::study::motion::steady_state::period::LONGEST;
@@ -45,7 +45,7 @@ impl Map<'_> {
     /// The place as evidence.
     fn with_place(&self, f: Finding, row: usize) -> Finding {
         let (at, axes) = (place(&self.values, row), &self.study.axes);
-        (0..2).fold(f, |f, k| f.evidence(axes[k].name(), at[k], axes[k].unit))
+        (0..2).fold(f, |f, k| f.evidence(parameter_name(axes[k].name()), at[k], axes[k].unit))
     }
 
     fn count(&self, of: impl Fn(&str) -> bool) -> usize {
@@ -57,8 +57,10 @@ impl Map<'_> {
 fn class(motion: &str, period: f64) -> String {
     match motion {
         "periodic" if period == 1.0 => "every turn".into(),
-        "periodic" if period <= NAMED as f64 => format!("every {period} turns"),
-        "periodic" => format!("after more than {NAMED} turns"),
+        "periodic" if period == 2.0 => "every 2 turns".into(),
+        "periodic" if period == 3.0 => "every 3 turns".into(),
+        "periodic" if period <= NAMED as f64 => "every 4 turns".into(),
+        "periodic" => "after more than 4 turns".into(),
         other => other.into(),
     }
 }
@@ -192,10 +194,11 @@ fn table(map: &Map, results: &Collected) -> Result<Table, Diagnostic> {
     let mut t = Table::new("map", "Motions, along x and then along y").leading();
     for (i, (c, _)) in results.columns.iter().enumerate() {
         if c.kind == Kind::Text {
-            t = t.text(&c.name, &c.doc, results.words(&c.name));
+            t = t.text(&c.name, Arg::term(&c.doc), results.words(&c.name));
         } else {
             let finite = results.numbers(&c.name).into_iter().map(|x| if x.is_finite() { x } else { f64::NAN }).collect();
-            let doc = if i < 2 { c.doc.clone() } else { format!("{}; NaN where there is none", c.doc) };
+            let doc = Arg::term(&c.doc);
+            let doc = if i < 2 { doc } else { Arg::noted(doc, "NaN where there is none") };
             t = t.float(&c.name, &c.unit, doc, finite);
         }
     }
@@ -203,7 +206,7 @@ fn table(map: &Map, results: &Collected) -> Result<Table, Diagnostic> {
 }
 
 /// Lengths in units that people read.
-fn drawn(label: &str, unit: &str, largest: f64, log: bool) -> Axis {
+fn drawn(label: impl Into<Arg>, unit: &str, largest: f64, log: bool) -> Axis {
     let (unit, factor) = match unit {
         "m" if largest < 1e-3 => ("µm", 1e6),
         "m" => ("mm", 1e3),
@@ -218,22 +221,24 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
         return outcome;
     }
     let axes = &map.study.axes;
-    let side = |k: usize| drawn(axes[k].name(), axes[k].unit, map.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
+    let side =
+        |k: usize| drawn(parameter_name(axes[k].name()), axes[k].unit, map.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
     let [x, y] = [0, 1].map(|k| axes[k].name());
-    let figure = |name: String, title: String, heat: Heat| {
-        let alt = format!("{title} over {x} and {y}.");
+    let figure = |name: String, title: Arg, heat: Heat| {
+        let alt = Message::new("motion-map-alt").arg("what", title.clone()).arg("x", parameter_name(x)).arg("y", parameter_name(y));
         Figure::new(name, title, alt).x(side(0)).panel(Panel::new(side(1)).mark(heat))
     };
     for (probe, sizes) in &map.sizes {
         let known = sizes.iter().filter(|a| a.is_finite());
         let (least, most) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
         if least <= most {
-            let (column, what, owner) = (probes::column(probe), probes::quality(probe), probes::owner(probe));
-            let label = format!("largest {what}");
+            let column = probes::column(probe);
+            let label = if probe.is_tilt() { "largest tilt" } else { "largest displacement" };
             let log = least > 0.0 && most > WIDE * least;
-            let colours = if probe.is_tilt() { probes::axis(label, probe, most) } else { drawn(&label, "m", most, log) };
+            let colours = if probe.is_tilt() { probes::axis(label, probe, most) } else { drawn(label, "m", most, log) };
             let heat = Heat::new("map", x, y, &column, colours);
-            outcome = outcome.figure(figure(column.replace('.', "-"), format!("Largest {what} of {owner}"), heat));
+            let title = if probe.is_tilt() { "Largest tilt" } else { "Largest displacement" };
+            outcome = outcome.figure(figure(column.replace('.', "-"), Arg::of(title, probes::label(probe)), heat));
         }
     }
     let classes = all_classes();
@@ -241,5 +246,5 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
         return outcome;
     }
     let heat = Heat::new("map", x, y, "class", Axis::new("the motion repeats", "")).of_classes(classes);
-    outcome.figure(figure("motions".into(), "How motions repeat".into(), heat))
+    outcome.figure(figure("motions".into(), "Period of the motions".into(), heat))
 }

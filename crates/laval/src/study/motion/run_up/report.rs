@@ -99,7 +99,7 @@ fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Resul
     columns.add("torque", "N m", "torque the drive must bring", torque.clone());
     columns.add("power", "W", "power the drive must bring", power);
     let line = |column: &str| Line::new("drive", "t", column);
-    let figure = Figure::new("drive", "Drive", "Spin speed, torque and power of the drive against time.")
+    let figure = Figure::new("drive", "Drive", "run-up-alt-drive")
         .x(Axis::new("time", "s"))
         .panel(Panel::new(Axis::new("speed", "rad/s")).mark(line("speed")))
         .panel(Panel::new(Axis::new("torque", "N m")).mark(line("torque")))
@@ -128,12 +128,7 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
     let mut columns = Columns::default();
     columns.add("t", "s", "middle of the window", middle);
     columns.add("speed", "rad/s", "spin speed there", speeds);
-    let mut figure = Figure::new(
-        "envelope",
-        "Envelope against speed",
-        "Largest displacement of each body from rest within a turn, against the spin speed.",
-    )
-    .x(Axis::new("speed", "rad/s"));
+    let mut figure = Figure::new("envelope", "Envelope against speed", "run-up-alt-envelope").x(Axis::new("speed", "rad/s"));
     let natures = result.passages.iter().flat_map(|p| &p.passages).map(|p| p.nature);
     let mut unstable: Vec<(f64, f64)> = Vec::new();
     for nature in natures {
@@ -147,8 +142,10 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
         let amplitude = |i: usize| seen[k][i].amplitude;
         let doc = "largest distance from rest in the window and within half a turn of it";
         columns.add(format!("{} amplitude", b.name), "m", doc, (0..count).map(amplitude).collect());
-        let mut panel = Panel::new(Axis::new(&b.name, "m").metres(seen[k].iter().map(|p| p.amplitude).fold(0.0, f64::max)))
-            .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
+        let mut panel = Panel::new(
+            Axis::new(Arg::of("amplitude", Arg::name(&b.name)), "m").metres(seen[k].iter().map(|p| p.amplitude).fold(0.0, f64::max)),
+        )
+        .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
         let own = result.passages.iter().filter(|p| p.body == b.name && !p.tilt).flat_map(|p| &p.passages);
         for p in own.filter(|p| p.nature == Nature::Resonance) {
             panel = panel.mark(Rule::x(p.speed, "resonance"));
@@ -164,7 +161,7 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
                 "largest |x + i y| of the steady linear response, at any point of the body, at this speed; NaN where nothing holds or damps the machine",
                 linear[k].clone(),
             );
-            panel = panel.mark(Line::new("envelope", "speed", name).name("steady linear response"));
+            panel = panel.mark(Line::new("envelope", "speed", name).name("linear steady-state response"));
         }
         figure = figure.panel(panel);
     }

@@ -174,14 +174,13 @@ fn figure(
         _ => axis,
     };
     let title = if y == "order" { "Order spectra" } else { "Waterfall" };
-    let alt = format!(
-        "Amplitudes of \"{}\" over {} and {y}; positive turns with the rotor, negative against it.",
-        spectra.body.name,
-        if along_speed { "spin speed" } else { "time" }
-    );
+    let alt = Message::new("spectra-alt")
+        .arg("body", Arg::name(&spectra.body.name))
+        .arg("along", Arg::word(if along_speed { "speed" } else { "time" }))
+        .arg("over", Arg::word(if y == "order" { "order" } else { "frequency" }));
     let mut panel = Panel::new(axis).mark(Heat::new(name, x, y, "amplitude", colours));
     for k in drawn_orders(spectra) {
-        let word = format!("{k}×").replace('-', "−");
+        let word = Message::new("label-order").arg("order", Arg::number(f64::from(k)));
         panel = match y {
             "order" => panel.mark(Rule::y(f64::from(k), word)),
             _ => panel.mark(Line::new("spin_orders", x, format!("order {k}")).name(word).reference()),

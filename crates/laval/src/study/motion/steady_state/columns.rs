@@ -47,8 +47,8 @@ pub fn body<R: Row>(name: impl Into<String>, b: usize, doc: &str, of: impl Fn(&B
 /// The largest displacements of points beside the reference points of bodies, and the largest tilts.
 pub fn others<R: Row>(system: &System) -> Vec<RowColumn<R>> {
     let of = |(k, probe): (usize, Probe)| {
-        let doc = format!("largest {}", probes::quality(&probe));
-        number(probes::column(&probe), probe.unit(), &doc, move |r: &R| {
+        let doc = if probe.is_tilt() { "largest tilt" } else { "largest displacement" };
+        number(probes::column(&probe), probe.unit(), doc, move |r: &R| {
             r.steady_state().measure.as_ref().map_or(f64::NAN, |m| m.bodies[k].peak)
         })
     };

@@ -393,15 +393,16 @@ fn exponents(study: &Sweep, results: &Collected, outcome: Outcome) -> Outcome {
 
 fn tables(shown: &Shown, results: &Collected, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let skipped = |name: &str| ["point_", "spectrum_"].iter().any(|p| name.starts_with(p)) || name.starts_with(STATE);
-    let mut table = Table::new("sweep", "Settled motion at every speed");
+    let mut table = Table::new("sweep", "Steady-state motion at every speed");
     for (c, _) in results.columns.iter().filter(|c| !skipped(&c.0.name)) {
         table = match c.kind {
-            Kind::Text => table.text(&c.name, &c.doc, results.words(&c.name)),
+            Kind::Text => table.text(&c.name, Arg::term(&c.doc), results.words(&c.name)),
             _ => {
                 // infinity marks what has no bound
                 let values: Vec<f64> = results.numbers(&c.name).iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect();
-                let none = if values.iter().any(|x| x.is_nan()) { "; NaN where there is none" } else { "" };
-                table.float(&c.name, &c.unit, format!("{}{none}", c.doc), values)
+                let doc = Arg::term(&c.doc);
+                let doc = if values.iter().any(|x| x.is_nan()) { Arg::noted(doc, "NaN where there is none") } else { doc };
+                table.float(&c.name, &c.unit, doc, values)
             }
         };
     }
@@ -444,9 +445,9 @@ fn tables(shown: &Shown, results: &Collected, jumps: &[Jump], mut outcome: Outco
     outcome = outcome.table(end_states(results)?);
     let column = |f: &dyn Fn(&Jump) -> f64| jumps.iter().map(f).collect::<Vec<f64>>();
     let size = |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if shown.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
-    let mut table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
+    let mut table = Table::new("jumps", "Jumps between neighbouring speeds")
         .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
-        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&shown.probes[j.probe])).collect())
+        .names("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&shown.probes[j.probe])).collect())
         .float("before", "rad/s", "last speed before", column(&|j| j.before))
         .float("after", "rad/s", "first speed after", column(&|j| j.after))
         .float("placed_before", "rad/s", "last speed before, in smaller steps", column(&|j| j.placed.0))
@@ -479,8 +480,8 @@ fn end_states(results: &Collected) -> Result<Table, Diagnostic> {
     }
     Table::new("end_states", "State at the last speed of each way, at phase zero: what `initial` of another sweep may be given")
         .text("start", "how the motion began", rows.iter().map(|r| r.0.into()).collect())
-        .text("state", "coordinate, rate or internal state", rows.iter().map(|r| r.1.into()).collect())
-        .text("unit", "unit of the value", rows.iter().map(|r| r.2.into()).collect())
+        .names("state", "coordinate, rate or internal state", rows.iter().map(|r| r.1.into()).collect())
+        .names("unit", "unit of the value", rows.iter().map(|r| r.2.into()).collect())
         .float("value", "", "value; NaN where the motion failed", rows.iter().map(|r| r.3).collect())
         .build()
         .map_err(inconsistent)

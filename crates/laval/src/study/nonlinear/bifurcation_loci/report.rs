@@ -3,7 +3,9 @@
 use super::{BifurcationLoci, BifurcationLociResult, Measured};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{self, Axis, Figure, Line, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, quantity, significant};
+use crate::outcome::{
+    self, Arg, Axis, Figure, Line, Message, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, parameter_name,
+};
 use crate::solve::harmonic::loci::search::{Corner, Loci, Locus, LocusKind, LocusPoint, Request};
 use crate::study::Study;
 use crate::study::shared::probes;
@@ -180,7 +182,7 @@ impl<'a> Shown<'a> {
         } else {
             line
         };
-        let mut panel = Panel::new(Axis::new(path, unit).factor(factor)).mark(line);
+        let mut panel = Panel::new(Axis::new(parameter_name(path), unit).factor(factor)).mark(line);
         if corners {
             panel = panel.mark(Points::new("turns", "speed", path).group("kind"));
         }
@@ -196,22 +198,15 @@ impl<'a> Shown<'a> {
         if lo <= hi { axis.range(lo - margin, hi + margin) } else { axis }
     }
 
-    fn alt(&self) -> String {
+    fn alt(&self) -> Message {
         let loci = &self.found.loci;
-        let count = |kind: &dyn Fn(&Locus) -> bool| loci.iter().filter(|l| kind(l)).count();
-        let folds = count(&|l| l.kind == LocusKind::Fold);
-        let cusps: Vec<String> = loci
-            .iter()
-            .flat_map(|l| l.corners.iter().filter(|c| corner_name(l, c) == "cusp"))
-            .map(|c| format!("{} rad/s, {}", significant(c.speed, 5), quantity(c.turn.value, self.unit)))
-            .collect();
-        let none = if self.found.stopped { "no cusp before the study stopped" } else { "no cusp" };
-        let cusps = if cusps.is_empty() { none.to_string() } else { format!("cusps at {}", cusps.join("; ")) };
-        format!(
-            "Loci in the plane of spin speed and {}: {folds} of folds, {} of other changes of stability; {cusps}.",
-            self.request.parameter,
-            loci.len() - folds
-        )
+        let folds = loci.iter().filter(|l| l.kind == LocusKind::Fold).count();
+        let cusps = loci.iter().map(|l| l.corners.iter().filter(|c| corner_name(l, c) == "cusp").count()).sum();
+        Message::new("bifurcation-loci-alt")
+            .arg("parameter", parameter_name(&self.request.parameter))
+            .arg("folds", Arg::count(folds))
+            .arg("others", Arg::count(loci.len() - folds))
+            .arg("cusps", Arg::count(cusps))
     }
 }
 

@@ -151,7 +151,7 @@ pub(super) fn outcome(
         .int("motion", "", "number by the displacement of the first body", (1..=count as i64).collect())
         .int("turns", "", "period in turns of the rotor", found.iter().map(|m| m.turns as i64).collect());
     for (i, p) in probes.iter().enumerate() {
-        let doc = format!("largest {} over a period", probes::quality(p));
+        let doc = if p.is_tilt() { "largest tilt over a period" } else { "largest displacement over a period" };
         table = table.float(probes::column(p), p.unit(), doc, found.iter().map(|m| m.amplitudes[i]).collect());
     }
     let table = table

@@ -6,7 +6,7 @@
 use super::measuring::Measuring;
 use super::shown::{Shown, branch};
 use super::tables::label;
-use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Message, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Response, State, Traced};
@@ -338,18 +338,17 @@ impl Shown<'_> {
                 .flag("not unstable", "stable, or not assessed", rows.iter().map(|r| !traced(r).points[r.point].unstable()).collect());
         for (k, name) in self.bodies.iter().enumerate() {
             let column = |f: &dyn Fn(Whirl) -> f64| rows.iter().map(|r| f(all[r.branch].values[r.point][r.index][k])).collect::<Vec<f64>>();
-            let none = "NaN where the motion could not be had";
+            let noted = |doc: &'static str| Arg::noted(doc, "NaN where the motion could not be had");
             t = t
-                .float(format!("{name} forward"), "m", format!("modulus of the forward amplitude; {none}"), column(&|w| w.0))
-                .float(format!("{name} backward"), "m", format!("modulus of the backward amplitude; {none}"), column(&|w| w.1))
-                .float(format!("{name} amplitude"), "m", format!("semi-major axis, their sum; {none}"), column(&axis));
+                .float(format!("{name} forward"), "m", noted("modulus of the forward amplitude"), column(&|w| w.0))
+                .float(format!("{name} backward"), "m", noted("modulus of the backward amplitude"), column(&|w| w.1))
+                .float(format!("{name} amplitude"), "m", noted("semi-major axis, their sum"), column(&axis));
         }
         t.build()
     }
 
     fn order_figure(&self, stretches: &[Stretch], threshold: f64) -> Figure {
-        let names = self.bodies.iter().take(MOST_PANELS).map(String::as_str).collect::<Vec<_>>().join(", ");
-        let alt = format!("Semi-major axes of the orders beside the synchronous one over spin speed ({names}), with the threshold.");
+        let alt = Message::new("nonlinear-response-alt-orders").arg("bodies", Arg::names(self.bodies.iter().take(MOST_PANELS)));
         let mut figure = Figure::new("orders", "Sub- and superharmonics", alt).x(Axis::new("spin speed", "rad/s"));
         // what lies far below the threshold is no matter
         let largest = stretches.iter().map(|s| axis(s.largest)).fold(threshold, f64::max);
@@ -357,7 +356,7 @@ impl Shown<'_> {
         for name in self.bodies.iter().take(MOST_PANELS) {
             let line =
                 Line::new("orders", "speed", format!("{name} amplitude")).group("order").begins_where("begins").solid_where("not unstable");
-            let panel = Panel::new(Axis::log(name, "µm").factor(1e6).range(1e6 * DRAWN * threshold, top))
+            let panel = Panel::new(Axis::log(Arg::of("amplitude", Arg::name(name)), "µm").factor(1e6).range(1e6 * DRAWN * threshold, top))
                 .mark(line)
                 .mark(Rule::y(threshold, "threshold"));
             figure = figure.panel(panel);

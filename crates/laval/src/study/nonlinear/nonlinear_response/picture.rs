@@ -4,7 +4,7 @@ use super::shown::{Shown, assessed};
 use super::stretches::unstable_throughout;
 use super::sweeps::reached;
 use crate::model::probe::Probe;
-use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
+use crate::outcome::{Arg, Axis, Band, Figure, Line, Message, Panel, Rule};
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Response, Traced};
 use crate::study::shared::probes;
@@ -21,7 +21,7 @@ impl Shown<'_> {
             self.measured.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s)).filter(|(p, _)| !p.is_tilt()).map(|s| *s.1);
         let values: Vec<f64> = moved.filter(|a| *a > 0.0 && a.is_finite()).collect();
         let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
-        let factor_of = |label: String| {
+        let factor_of = |label: Arg| {
             // on a linear axis families lie apart that on a logarithmic one do not
             let axis = if most > 100.0 * least && !all { Axis::log(label, "m") } else { Axis::new(label, "m") };
             Panel::new(axis.metres(most))
@@ -36,36 +36,36 @@ impl Shown<'_> {
         };
         // mixed states are as large as the larger of their planes, but not in the mean
         let measure = if all { "rms" } else { "largest" };
-        let column = |column: String, shown: &str| {
+        let column = |column: String, shown: Arg| {
             let line = grouped(Line::new("response", "speed", column).name(shown));
             let line = line.solid_where("not unstable");
             if whole { line } else { line.meaning("stable or not assessed", "unstable") }
         };
-        let line = |name: &str, shown: &str| column(format!("{name} {measure} displacement"), shown);
+        let line = |name: &str| column(format!("{name} {measure} displacement"), Arg::default());
         let displaced = self.displaced();
         let mut panels: Vec<Panel> = if !displaced {
             vec![]
         } else if all {
-            self.bodies.iter().map(|name| factor_of(format!("rms displacement of {name}")).mark(line(name, ""))).collect()
+            self.bodies.iter().map(|name| factor_of(Arg::of("rms displacement", Arg::name(name))).mark(line(name))).collect()
         } else {
             let panel = factor_of("largest displacement".into());
             let shown = self.probes.iter().filter(|p| !p.is_tilt());
-            vec![shown.fold(panel, |panel, p| panel.mark(column(probes::largest_column(p), &probes::owner(p))))]
+            vec![shown.fold(panel, |panel, p| panel.mark(column(probes::largest_column(p), probes::label(p))))]
         };
         // the largest tilts are among what parts show
         let tilt = |p: &&Probe| p.is_tilt() && self.measured.observed.iter().any(|o| o.0 == format!("{} tilt", p.name));
         let tilts: Vec<&Probe> = self.probes.iter().filter(tilt).collect();
         if !tilts.is_empty() {
             let panel = Panel::new(Axis::new("largest tilt", "mrad").factor(1e3));
-            panels.push(tilts.iter().fold(panel, |panel, p| panel.mark(column(format!("{} tilt", p.name), &p.name))));
+            panels.push(tilts.iter().fold(panel, |panel, p| panel.mark(column(format!("{} tilt", p.name), Arg::name(&p.name)))));
         }
         let main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
         let [up, down] = [true, false].map(|up| reached(response, up, speeds));
         if let Some(first) = panels.first_mut() {
             for f in main.flat_map(|b| &b.folds) {
                 let words = match f.upper {
-                    true if up.contains(&f.speed) => "jump up-sweep",
-                    false if down.contains(&f.speed) => "jump down-sweep",
+                    true if up.contains(&f.speed) => "jump (run-up)",
+                    false if down.contains(&f.speed) => "jump (run-down)",
                     _ => "fold",
                 };
                 *first = first.clone().mark(Rule::x(f.speed, words));
@@ -82,7 +82,7 @@ impl Shown<'_> {
             }
         }
         let alt = self.alt(response);
-        let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s"));
+        let mut figure = Figure::new("response", "Steady-state unbalance response", alt).x(Axis::new("speed", "rad/s"));
         figure = panels.into_iter().fold(figure, Figure::panel);
         if assessed {
             let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
@@ -109,7 +109,7 @@ impl Shown<'_> {
         let mut panel = figure.panels.first()?.clone();
         panel.y.range = None;
         let x = Axis::new("speed", "rad/s").range((lo - margin).max(from), (hi + margin).min(to));
-        Some(Figure::new("jumps", "Steady response at the jumps", "The largest displacement near the folds, enlarged.").x(x).panel(panel))
+        Some(Figure::new("jumps", "Steady-state response at the jumps", "nonlinear-response-alt-jumps").x(x).panel(panel))
     }
 
     /// Forces of bearings and to the ground over the speed, with what they tend to.
@@ -124,7 +124,7 @@ impl Shown<'_> {
                 .observed
                 .iter()
                 .find(|(n, unit)| unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
-            let line = Line::new("response", "speed", &column.0).name(name).solid_where("not unstable");
+            let line = Line::new("response", "speed", &column.0).name(Arg::name(name)).solid_where("not unstable");
             let line = match (all, response.branches.len()) {
                 (true, _) => line.group("states").begins_where("begins"),
                 (false, 1) => line,
@@ -132,25 +132,25 @@ impl Shown<'_> {
             };
             panel = panel.mark(line);
             for (_, limit) in limits.iter().filter(|l| l.0 == e.slot) {
-                panel = panel.mark(Rule::y(*limit, format!("{name}, high speed")));
+                panel = panel.mark(Rule::y(*limit, Message::new("nonlinear-response-limit").arg("part", Arg::name(name))));
             }
             count += 1;
         }
-        let alt = format!("Largest force over a period of {count} parts against speed.");
-        (count > 0).then(|| Figure::new("forces", "Forces of the steady response", alt).x(Axis::new("speed", "rad/s")).panel(panel))
+        let alt = Message::new("nonlinear-response-alt-forces").arg("parts", Arg::count(count));
+        (count > 0).then(|| Figure::new("forces", "Forces of the steady-state response", alt).x(Axis::new("speed", "rad/s")).panel(panel))
     }
 
-    fn alt(&self, response: &Response) -> String {
+    fn alt(&self, response: &Response) -> Message {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
+        let alt =
+            Message::new("nonlinear-response-alt").arg("branches", Arg::count(response.branches.len())).arg("folds", Arg::count(folds));
         match self.most() {
-            Some(l) if self.measured.rising.is_none() && self.displaced() => format!(
-                "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
-                response.branches.len(),
-                quantity(l.best().0, "m"),
-                l.owner,
-                significant(l.best().1, 5)
-            ),
-            _ => "Largest displacement of each body against speed.".into(),
+            Some(l) if self.measured.rising.is_none() && self.displaced() => alt
+                .arg("largest", Arg::word("known"))
+                .arg("value", Arg::quantity(l.best().0, "m"))
+                .arg("point", self.place(l))
+                .arg("speed", Arg::speed(l.best().1)),
+            _ => alt.arg("largest", Arg::word("unknown")),
         }
     }
 }

@@ -75,7 +75,11 @@ pub(super) fn checked(a: &Agreement) -> Finding {
     let difference = |k: usize| if a.assessed[k] > 0 { a.difference[k] } else { f64::NAN };
     finding
         .value(worst, "1/s")
-        .evidence(format!("map over the whole period, tolerance {TOLERANCE:.0e}: states"), a.assessed[0] as f64, "")
+        .evidence(
+            Message::new("nonlinear-response-map-evidence").arg("tolerance", Arg::number(TOLERANCE).digits(1)),
+            a.assessed[0] as f64,
+            "",
+        )
         .evidence("its largest difference of a growth rate", difference(0), "1/s")
         .evidence("Hill's method without sorting: states", a.assessed[1] as f64, "")
         .evidence("its largest difference of a growth rate", difference(1), "1/s")

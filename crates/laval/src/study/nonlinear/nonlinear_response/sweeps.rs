@@ -189,7 +189,8 @@ impl Jump<'_> {
         }
         let finding = match size(f) {
             Some((p, size)) => {
-                finding.evidence(format!("largest {} of \"{}\" at the fold", probes::quality(p), probes::owner(p)), size, p.unit())
+                let what = if p.is_tilt() { "largest tilt at the fold" } else { "largest displacement at the fold" };
+                finding.evidence(Arg::of(what, probes::label(p)), size, p.unit())
             }
             None => finding,
         };

@@ -1,7 +1,7 @@
 //! The tables: states, folds, other changes of stability, branches.
 
 use super::shown::{Shown, words};
-use crate::outcome::{self, OutcomeError, Table};
+use crate::outcome::{self, Arg, OutcomeError, Table};
 use crate::solve::harmonic::branches::bifurcation::Change;
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Fold, Response, State, Traced};
@@ -126,7 +126,7 @@ impl Shown<'_> {
             );
         for (k, p) in self.probes.iter().enumerate() {
             let sizes = self.measured.at_folds.iter().flatten().map(|f: &Vec<f64>| f[k]).collect();
-            t = t.float(probes::largest_column(p), p.unit(), format!("{} at the fold", probes::largest_doc(p)), sizes);
+            t = t.float(probes::largest_column(p), p.unit(), Arg::noted(probes::largest_doc(p), "at the fold"), sizes);
         }
         t.build()
     }

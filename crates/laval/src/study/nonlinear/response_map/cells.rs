@@ -73,10 +73,9 @@ pub(super) fn columns(axes: &[ParameterAxis; 2], tilts: bool) -> Vec<CellColumn>
     let mut number = |name: &str, unit: &str, doc: &str, get: fn(&Summary) -> f64| {
         out.push(CellColumn { column: Column::float(name, unit, doc), get: Get::Number(get) });
     };
-    let none = "NaN where there is none";
     number("folds", "", "folds of the branches; NaN where the response failed", |s| s.folds as f64);
-    number("jump_up", "rad/s", &format!("speed at which a slow sweep up jumps; {none}"), |s| s.sweeps[0].speed());
-    number("jump_down", "rad/s", &format!("speed at which a slow sweep down jumps; {none}"), |s| s.sweeps[1].speed());
+    number("jump_up", "rad/s", "speed at which a slow sweep up jumps; NaN where there is none", |s| s.sweeps[0].speed());
+    number("jump_down", "rad/s", "speed at which a slow sweep down jumps; NaN where there is none", |s| s.sweeps[1].speed());
     number(
         "hysteresis",
         "rad/s",
@@ -101,16 +100,18 @@ pub(super) fn columns(axes: &[ParameterAxis; 2], tilts: bool) -> Vec<CellColumn>
         number("tilt_speed", "rad/s", "its speed; NaN where it failed or was not reached", |s| of(s, |t| t.speed));
     }
     number("rising", "", "1 where the displacement or tilt still rose where a branch was left; NaN where it failed", |s| flag(s.rising));
-    number("unstable_from", "rad/s", &format!("lowest speed of unstable states that are not between two folds; {none}"), |s| {
+    number("unstable_from", "rad/s", "lowest speed of unstable states that are not between two folds; NaN where there is none", |s| {
         s.unstable.iter().map(|r| r.0).fold(f64::NAN, f64::min)
     });
-    number("unstable_to", "rad/s", &format!("highest such speed; {none}"), |s| s.unstable.iter().map(|r| r.1).fold(f64::NAN, f64::max));
+    number("unstable_to", "rad/s", "highest such speed; NaN where there is none", |s| {
+        s.unstable.iter().map(|r| r.1).fold(f64::NAN, f64::max)
+    });
     number("growth", "1/s", "fastest growth of these states; 0 where there are none, NaN where it failed or is not known", |s| s.growth);
     number("neimark_sacker", "", "Neimark-Sacker points; NaN where it failed", |s| count(s, Event::NeimarkSacker));
-    number("neimark_sacker_from", "rad/s", &format!("the lowest of them; {none}"), |s| {
+    number("neimark_sacker_from", "rad/s", "the lowest of them; NaN where there is none", |s| {
         s.neimark_sacker().first().copied().unwrap_or(f64::NAN)
     });
-    number("neimark_sacker_to", "rad/s", &format!("the highest of them; {none}"), |s| {
+    number("neimark_sacker_to", "rad/s", "the highest of them; NaN where there is none", |s| {
         s.neimark_sacker().last().copied().unwrap_or(f64::NAN)
     });
     number("symmetry_breakings", "", "places where states lose their symmetry; NaN where it failed", |s| count(s, Event::SymmetryBreaking));

@@ -5,7 +5,7 @@ use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, TILT, UP};
 use super::{ParameterAxis, ResponseMap, ResponseMapResult, figures};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Arg, Finding, Message, Outcome, Table};
+use crate::outcome::{Arg, Finding, Message, Outcome, Table, parameter_name};
 use crate::store::{Collected, Kind};
 use crate::study::Study;
 use crate::study::shared::probes;
@@ -54,7 +54,7 @@ impl Map<'_> {
         let value = |k: usize| Arg::quantity(place[k], axes[k].unit);
         let both = Message::new("response-map-place").arg("first", Arg::name(&axes[0].path)).arg("x", value(0));
         let f = f.arg("at", both.arg("second", Arg::name(&axes[1].path)).arg("y", value(1)));
-        (0..2).fold(f, |f, k| f.evidence(axes[k].path.clone(), place[k], axes[k].unit))
+        (0..2).fold(f, |f, k| f.evidence(parameter_name(&axes[k].path), place[k], axes[k].unit))
     }
 }
 
@@ -226,17 +226,18 @@ fn validity(map: &Map, results: &Collected) -> Vec<Finding> {
 }
 
 fn cell_table(map: &Map, results: &Collected) -> Result<Table, Diagnostic> {
-    let mut t = Table::new("map", "Machines, along x and then along y, and what their response comes to").leading();
+    let mut t = Table::new("map", "Machines, along x and then along y, with their response").leading();
     let finite = |x: &f64| if x.is_finite() { *x } else { f64::NAN };
     for (i, (c, _)) in results.columns.iter().enumerate() {
         if c.kind == Kind::Float {
             // both parameters always have a value
-            let doc = if i < 2 || c.doc.contains("NaN") { c.doc.clone() } else { format!("{}; NaN where there is none", c.doc) };
+            let doc = Arg::term(&c.doc);
+            let doc = if i < 2 || c.doc.contains("NaN") { doc } else { Arg::noted(doc, "NaN where there is none") };
             t = t.float(&c.name, &c.unit, doc, map.column(&c.name).iter().map(finite).collect());
         } else if c.name == "sweeps" {
-            t = t.text(&c.name, &c.doc, map.sweeps.clone());
+            t = t.text(&c.name, Arg::term(&c.doc), map.sweeps.clone());
         } else {
-            t = t.text(&c.name, &c.doc, results.words(&c.name));
+            t = t.text(&c.name, Arg::term(&c.doc), results.words(&c.name));
         }
     }
     debug_assert!(map.sweeps.iter().all(|s| SWEEPS.contains(&s.as_str())));
@@ -252,10 +253,10 @@ fn border_table(map: &Map) -> Result<Table, Diagnostic> {
         "border",
         "Border between machines that jump and machines that do not: two rows for each piece, half way between two machines",
     )
-    .float("x", axes[0].unit, axes[0].path.clone(), column(&|p, e| p.ends[e][0]))
-    .float("y", axes[1].unit, axes[1].path.clone(), column(&|p, e| p.ends[e][1]))
+    .float("x", axes[0].unit, parameter_name(&axes[0].path), column(&|p, e| p.ends[e][0]))
+    .float("y", axes[1].unit, parameter_name(&axes[1].path), column(&|p, e| p.ends[e][1]))
     .flag("begins", "first end of a piece", ends.iter().map(|e| e.1 == 0).collect())
-    .text("across", "the parameter that differs on both sides", ends.iter().map(|(p, _)| axes[p.across].path.clone()).collect())
+    .names("across", "the parameter that differs on both sides", ends.iter().map(|(p, _)| axes[p.across].path.clone()).collect())
     .float("side_below", "", "its value on one side, SI units: the border lies between", column(&|p, _| p.between[0]))
     .float("side_above", "", "its value on the other side, SI units", column(&|p, _| p.between[1]))
     .build()

@@ -414,7 +414,7 @@ fn reach(least: &Least, value: &dyn Fn(f64) -> Arg) -> Arg {
 }
 
 /// With what evidence has a value.
-fn backed(finding: Finding, more: &[(&str, f64, &str)]) -> Finding {
+fn backed(finding: Finding, more: &[(&'static str, f64, &str)]) -> Finding {
     more.iter().filter(|m| m.1.is_finite()).fold(finding, |f, m| f.evidence(m.0, m.1, m.2))
 }
 
@@ -460,10 +460,14 @@ fn unfinished(found: &Found) -> Option<Finding> {
     (!all.is_empty()).then(|| Finding::warning("unfinished", "stationary-unfinished").arg("branches", Arg::List(branches)))
 }
 
-/// Classes in a sentence for those who cannot see the figure.
-pub(super) fn alt(ranges: &[Range], branches: usize) -> String {
-    let each = ranges.iter().map(|r| format!("{} from {} to {} rad/s", r.class.words(), significant(r.from, 4), significant(r.to, 4)));
-    let stable = each.collect::<Vec<_>>().join("; ");
-    let stable = if stable.is_empty() { "no state is stable".to_string() } else { format!("stable: {stable}") };
-    format!("{branches} branches of states at rest in turning axes over the spin speed; {stable}.")
+/// The figure for those who cannot see it.
+pub(super) fn alt(ranges: &[Range], branches: usize) -> Message {
+    let each = ranges.iter().map(|r| {
+        let range = Message::new("stationary-alt-range").arg("state", Arg::term(r.class.words()));
+        range.arg("from", Arg::speed(r.from)).arg("to", Arg::speed(r.to)).into()
+    });
+    Message::new("stationary-alt")
+        .arg("branches", Arg::count(branches))
+        .arg("stable", Arg::count(ranges.len()))
+        .arg("ranges", Arg::List(each.collect()))
 }

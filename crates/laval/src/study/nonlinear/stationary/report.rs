@@ -11,7 +11,7 @@ use super::zones::{self, Zone};
 use super::{Row, StationaryResult, Study, Varied, unit_of};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Outcome, OutcomeError, SpecialPoint, Status, Table, TableBuilder, quantity};
+use crate::outcome::{Arg, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, TableBuilder, parameter_name};
 use crate::solve::stationary::{Change, Found, Located, Path, Search};
 use crate::study::shared::support::probe_name;
 use serde::{Deserialize, Serialize};
@@ -233,7 +233,7 @@ impl Report<'_> {
             self.found.paths.iter().enumerate().flat_map(|(k, p): (usize, &Path)| p.special.iter().map(move |l| (k, l))).collect();
         let doc = "fold: two states meet and vanish; branch_point: another branch crosses; hopf: an oscillation begins or ends; real_root: a root crosses zero";
         let column = |f: &dyn Fn(&Located) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
-        let t = Table::new("changes", "Where states vanish, cross, or change their stability, along each branch")
+        let t = Table::new("changes", "Folds, branch points and changes of stability along each branch")
             .int("branch", "", "number of the branch", all.iter().map(|a| a.0 as i64 + 1).collect())
             .text("change", doc, all.iter().map(|a| a.1.change.word().into()).collect())
             .float("speed", "rad/s", "spin speed", column(&|l| l.state.speed))
@@ -252,7 +252,7 @@ impl Report<'_> {
     fn continua(&self) -> Result<Table, OutcomeError> {
         let all = &self.continua.sheets;
         let column = |f: &dyn Fn(&super::continua::Sheet) -> f64| all.iter().map(f).collect::<Vec<f64>>();
-        Table::new("continua", "States that are not isolated, by samples: masses that balance in a continuum of ways")
+        Table::new("continua", "Continua of equilibria, by samples: balls that balance in a continuum of ways")
             .float("speed", "rad/s", "spin speed", column(&|s| s.speed))
             .text("kind", "what kind of states they are", all.iter().map(|s| s.class.word().into()).collect())
             .int("free", "", "directions in which they are free", all.iter().map(|s| s.free as i64).collect())
@@ -280,20 +280,19 @@ impl Report<'_> {
         let mut rows: Vec<(f64, f64, bool)> = least.growth.iter().map(|g| (g.0, g.1, false)).collect();
         rows.extend(least.edges.iter().map(|e| (e.value, 0.0, true)));
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Table::new(
-            "stabilised",
-            format!("Largest growth rate of the balanced state at {} over {}", quantity(requested.speed, "rad/s"), requested.path),
-        )
-        .float("value", unit, format!("value of {}", requested.path), rows.iter().map(|r| r.0).collect())
-        .float("growth", "1/s", "largest growth rate; NaN where there is no such state", rows.iter().map(|r| r.1).collect())
-        .flag("edge", "stability changes here", rows.iter().map(|r| r.2).collect())
-        .build()
+        let parameter = parameter_name(&requested.path);
+        let doc = Message::new("stationary-table-stabilised").arg("speed", Arg::speed(requested.speed)).arg("parameter", parameter.clone());
+        Table::new("stabilised", doc)
+            .float("value", unit, parameter, rows.iter().map(|r| r.0).collect())
+            .float("growth", "1/s", "largest growth rate; NaN where there is no such state", rows.iter().map(|r| r.1).collect())
+            .flag("edge", "stability changes here", rows.iter().map(|r| r.2).collect())
+            .build()
     }
 
     fn chart(&self, chart: &Chart) -> Result<Table, OutcomeError> {
         let all = &chart.cells;
         let kind = |c: &super::chart::Cell| c.class.map_or("none".to_string(), |c| c.word().to_string());
-        Table::new("chart", format!("The balanced state and the stable states over speed and {}", chart.path))
+        Table::new("chart", Message::new("stationary-table-chart").arg("parameter", parameter_name(&chart.path)))
             .float("speed", "rad/s", "spin speed", all.iter().map(|c| c.speed).collect())
             .float(chart.path.clone(), unit_of(self.system, &chart.path), "parameter", all.iter().map(|c| c.value).collect())
             .text("balanced", "kind of the state that balances best; none where there is none", all.iter().map(kind).collect())
@@ -313,7 +312,7 @@ impl Report<'_> {
         let all = &chart.edges;
         Table::new(
             "boundary",
-            "Where the balanced state begins, ends, or changes its stability, located along the speed and between the values",
+            "Boundary of the balanced state: begin, end or change of stability, located along the speed and between the values",
         )
         .float("speed", "rad/s", "spin speed", all.iter().map(|e| e.speed).collect())
         .float(chart.path.clone(), unit_of(self.system, &chart.path), "parameter", all.iter().map(|e| e.value).collect())
@@ -332,10 +331,12 @@ impl Report<'_> {
     }
 
     fn costs(&self, e: &Errors, k: usize) -> Result<Table, OutcomeError> {
-        let (path, at) = (&e.requested.path, quantity(e.requested.speed, "rad/s"));
+        let path = &e.requested.path;
+        let parameter = parameter_name(path);
+        let doc = Message::new("stationary-table-errors").arg("speed", Arg::speed(e.requested.speed)).arg("parameter", parameter.clone());
         let column = |f: &dyn Fn(&super::errors::Cost) -> f64| e.costs.iter().map(f).collect::<Vec<f64>>();
-        Table::new(format!("errors_{}", k + 1), format!("What errors of {path} cost at {at}"))
-            .float("value", unit_of(self.system, path), format!("value of {path}"), column(&|c| c.value))
+        Table::new(format!("errors_{}", k + 1), doc)
+            .float("value", unit_of(self.system, path), parameter, column(&|c| c.value))
             .int("stable", "", "number of stable states", e.costs.iter().map(|c| c.stable as i64).collect())
             .flag("balances", "one of them balances", e.costs.iter().map(|c| c.balances).collect())
             .float("unbalance_least", "kg m", "left by the best stable state; NaN where none is stable", column(&|c| c.unbalance.0))
@@ -397,11 +398,10 @@ fn special_point(place: &[(usize, &Located)]) -> SpecialPoint {
     // a root that was not located has no frequency
     let point = if l.frequency.is_finite() { point.evidence("frequency in turning axes", l.frequency, "rad/s") } else { point };
     place.iter().fold(point, |point, (k, l)| {
-        let of = if branches.len() > 1 { format!(", branch {}", k + 1) } else { String::new() };
-        point.evidence(format!("growing roots before{of}"), l.growing.0 as f64, "").evidence(
-            format!("growing roots behind{of}"),
-            l.growing.1 as f64,
-            "",
-        )
+        let roots = |side: &'static str| {
+            let several = Arg::word(if branches.len() > 1 { "yes" } else { "no" });
+            Message::new("stationary-growing-roots").arg("side", Arg::word(side)).arg("several", several).arg("branch", Arg::count(k + 1))
+        };
+        point.evidence(roots("before"), l.growing.0 as f64, "").evidence(roots("behind"), l.growing.1 as f64, "")
     })
 }

@@ -82,7 +82,7 @@ pub fn table(system: &System, sheets: &[Sheet], left: &[Left]) -> Result<Table, 
             "what kind of states they are without friction",
             lines.iter().map(|l| sheets[l.0.sheet].class.word().into()).collect(),
         )
-        .text("mass", "which mass", lines.iter().map(|l| column_of(system, l.1.coordinate)).collect())
+        .names("mass", "which mass", lines.iter().map(|l| column_of(system, l.1.coordinate)).collect())
         .float("friction", "N m", "largest torque that friction holds", column(&|_, h| h.friction))
         .float("angle", "rad", "where it is held and most unbalance is left, not wrapped", column(&|_, h| h.angle))
         .flag("closed", "friction gave way on all ways; else it holds the masses farther on", lines.iter().map(|l| l.0.closed).collect())

@@ -87,7 +87,7 @@ pub fn table(system: &System, rows: &[Row], zones: &[Zone]) -> Result<Table, Out
         .int("state", "", "number of the state", lines.iter().map(|l| l.0.row as i64 + 1).collect())
         .float("speed", "rad/s", "spin speed", column(&|z, _| rows[z.row].state.speed))
         .text("kind", "what kind of state it is without friction", lines.iter().map(|l| rows[l.0.row].class.word().into()).collect())
-        .text("mass", "which mass", lines.iter().map(|l| column_of(system, l.1.coordinate)).collect())
+        .names("mass", "which mass", lines.iter().map(|l| column_of(system, l.1.coordinate)).collect())
         .float("friction", "N m", "largest torque that friction holds", column(&|_, h| h.friction))
         .float("angle", "rad", "where it rests without friction, not wrapped", column(&|_, h| h.rest))
         .float(

@@ -4,9 +4,7 @@ use super::Optimum;
 use super::result::{Found, Run, Stray};
 use super::search::{KEPT, TEST};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{
-    Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, Table, TableBuilder, parameter_name, significant,
-};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, Table, TableBuilder, parameter_name};
 use crate::study::Study;
 use crate::study::shared::support::inconsistent;
 use laval_num::optimise::Ended;
@@ -214,9 +212,9 @@ fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Di
     let float = |f: &dyn Fn(usize) -> f64| all.iter().map(|&k| f(k)).collect::<Vec<f64>>();
     let end = |k: usize, side: usize| found.stray.get(k).map_or(f64::NAN, |s| s.ends[side].0);
     Table::new("optimum", "The recommended parameters")
-        .text("parameter", "path", study.vary.iter().map(|v| v.path.clone()).collect())
+        .names("parameter", "path", study.vary.iter().map(|v| v.path.clone()).collect())
         .float("value", "", "recommended, in its unit", float(&|k| study.vary[k].value(best.place[k])))
-        .text("unit", "of the parameter", study.vary.iter().map(|v| v.unit.to_string()).collect())
+        .names("unit", "of the parameter", study.vary.iter().map(|v| v.unit.to_string()).collect())
         .float("from", "", "lowest recommended value, the others at theirs; NaN when it was not sought", float(&|k| end(k, 0)))
         .float("to", "", "highest recommended value; NaN when it was not sought", float(&|k| end(k, 1)))
         .float("machine", "", "value of the machine as it is", float(&|k| study.vary[k].now))
@@ -234,6 +232,11 @@ fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Di
         .map_err(inconsistent)
 }
 
+/// A number in words: `critical speed order 1 forward`.
+fn readable(name: &str) -> Arg {
+    Arg::term(name.replace('_', " "))
+}
+
 /// Axis of the number.
 fn axis(study: &Optimum, found: &Found) -> Axis {
     let size = found.best.as_ref().map_or(1.0, |b| b.value.abs());
@@ -242,7 +245,7 @@ fn axis(study: &Optimum, found: &Found) -> Axis {
         "m" => ("mm", 1e3),
         u => (u, 1.0),
     };
-    Axis::new(study.aim.name.replace('_', " "), unit).factor(factor)
+    Axis::new(readable(&study.aim.name), unit).factor(factor)
 }
 
 fn searches(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome, Diagnostic> {
@@ -262,10 +265,11 @@ fn searches(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     let drawn = rows.iter().any(|r| r.2.is_finite());
     out = out.table(table);
     if drawn {
-        let panel =
-            Panel::new(axis(study, found)).mark(Line::new("search", "runs", "number").group("start")).mark(Rule::y(found.now, "as it is"));
-        let alt = format!("Best {} over the runs of {} searches.", study.aim.name, found.trails.len());
-        out = out.figure(Figure::new("search", "The search", alt).x(Axis::new("runs of the study", "")).panel(panel));
+        let panel = Panel::new(axis(study, found))
+            .mark(Line::new("search", "runs", "number").group("start"))
+            .mark(Rule::y(found.now, "present value"));
+        let alt = Message::new("optimum-alt-search").arg("aim", readable(&study.aim.name)).arg("searches", Arg::count(found.trails.len()));
+        out = out.figure(Figure::new("search", "Progress of the search", alt).x(Axis::new("runs of the study", "")).panel(panel));
     }
     Ok(out)
 }
@@ -275,7 +279,7 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     let Some(best) = found.best.as_ref().filter(|_| !found.profiles.is_empty()) else { return Ok(out) };
     let rows: Vec<(usize, &Run)> = found.profiles.iter().enumerate().flat_map(|(k, p)| p.iter().map(move |r| (k, r))).collect();
     let table = Table::new("profiles", "The number along each parameter, the others at their best")
-        .text("parameter", "path", rows.iter().map(|r| study.vary[r.0].path.clone()).collect())
+        .names("parameter", "path", rows.iter().map(|r| study.vary[r.0].path.clone()).collect())
         .float(
             "place",
             "",
@@ -286,7 +290,7 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
         .float("number", &found.unit, "the number; NaN where the study does not find it", rows.iter().map(|r| r.1.value).collect())
         .flag("kept", "all limits are kept", rows.iter().map(|r| r.1.kept(&study.limits)).collect());
     let marks = Table::new("best", "The optimum in the figures of profiles")
-        .text("parameter", "path", study.vary.iter().map(|v| v.path.clone()).collect())
+        .names("parameter", "path", study.vary.iter().map(|v| v.path.clone()).collect())
         .float("place", "", "place between the bounds", best.place.clone())
         .float("number", &found.unit, "the number", vec![best.value; study.vary.len()]);
     // each figure has its own parameter along x
@@ -312,16 +316,16 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     for (k, v) in study.vary.iter().enumerate() {
         let line = Line::new("profiles", own(k), "number").solid_where("kept").meaning("limits kept", "a limit broken");
         let panel = Panel::new(axis.clone())
-            .mark(line.name(study.aim.name.replace('_', " ")))
+            .mark(line.name(readable(&study.aim.name)))
             .mark(Points::new("best", own(k), "number").name("optimum"))
-            .mark(Rule::x(v.now, "as it is"))
-            .mark(Rule::y(allowed, format!("{} % worse", significant(100.0 * study.tolerance, 3))));
-        let name = parameter_name(&v.path);
-        let alt = format!("{} over {name} through the optimum, the other parameters at their best.", study.aim.name);
+            .mark(Rule::x(v.now, "present value"))
+            .mark(Rule::y(allowed, Message::new("optimum-worse").arg("share", Arg::percent(study.tolerance))));
+        let named = |key: &str| Message::new(key).arg("parameter", parameter_name(&v.path));
+        let alt = named("optimum-alt-profile").arg("aim", readable(&study.aim.name));
         let x = Axis::parameter(&v.path, v.unit);
         let x = if v.logarithmic() { Axis { scale: crate::outcome::Scale::Log, ..x } } else { x };
         let (from, to) = (v.from.min(v.to) * x.factor, v.from.max(v.to) * x.factor);
-        let figure = Figure::new(format!("profiles-{}", k + 1), format!("Around the optimum: {name}"), alt);
+        let figure = Figure::new(format!("profiles-{}", k + 1), named("optimum-title-profile"), alt);
         out = out.figure(figure.x(x.range(from, to)).panel(panel));
     }
     Ok(out)

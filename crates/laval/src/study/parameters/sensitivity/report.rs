@@ -26,6 +26,16 @@ impl Place {
         }
     }
 
+    /// The same as a phrase.
+    fn phrase(&self) -> Message {
+        let at = |key: &str| Message::new(key).arg("speed", Arg::speed(self.moved.speed).digits(5));
+        match self.kind {
+            Kind::Peak => at("sensitivity-place-peak").arg("point", probes::arg(&self.probe)),
+            Kind::JumpUp => at("sensitivity-place-jump").arg("way", Arg::word("up")),
+            Kind::JumpDown => at("sensitivity-place-jump").arg("way", Arg::word("down")),
+        }
+    }
+
     fn word(&self) -> &'static str {
         match self.kind {
             Kind::Peak => "peak",
@@ -174,7 +184,7 @@ fn places(found: &Derivatives) -> Result<Table, Diagnostic> {
             "peak of a displacement or tilt, or fold where a slow sweep jumps",
             all.iter().map(|p| p.word().to_string()).collect(),
         )
-        .text("body", "body, point of a body, or tilt of a body", all.iter().map(|p| probe_name(&p.probe)).collect())
+        .names("body", "body, point of a body, or tilt of a body", all.iter().map(|p| probe_name(&p.probe)).collect())
         .int("branch", "", "number of the branch", all.iter().map(|p| p.branch as i64 + 1).collect())
         .float("speed", "rad/s", "spin speed", float(&|p| p.moved.speed))
         .float("displacement", "m", "largest over a period; NaN of a tilt", size(false));
@@ -209,9 +219,9 @@ fn sensitivities(found: &Derivatives) -> Result<Table, Diagnostic> {
     let table = Table::new("sensitivities", "Derivatives of every place in every parameter, by falling relative influence")
         .int("place", "", "number of the place", rows.iter().map(|r| r.0 as i64 + 1).collect())
         .text("what", "the place", text(&|r| of(r).0.name()))
-        .text("parameter", "path; both halves of a lateral pair together where it has no .x", text(&|r| of(r).1.path.clone()))
+        .names("parameter", "path; both halves of a lateral pair together where it has no .x", text(&|r| of(r).1.path.clone()))
         .float("value", "", "of the parameter, in its unit", float(&|r| of(r).1.value))
-        .text("unit", "of the parameter", text(&|r| of(r).1.unit.to_string()))
+        .names("unit", "of the parameter", text(&|r| of(r).1.unit.to_string()))
         .float("speed slope", "", "d speed / d parameter, rad/s per unit of the parameter", float(&|r| of(r).2.speed))
         .float(
             "displacement slope",
@@ -266,7 +276,8 @@ fn tornado(mut out: Outcome, found: &Derivatives, i: usize, bars: usize) -> Resu
             high.extend([top; 3]);
         }
         let table = format!("bars {} {name}", i + 1);
-        let shape = Table::new(&table, format!("Bars of the figure: influence on the {name}, {}", place.name()))
+        let doc = Message::new("sensitivity-table-bars").arg("quality", Arg::word(name)).arg("place", place.phrase());
+        let shape = Table::new(&table, doc)
             .float("x", "", "foot and end of a bar; NaN between bars", x)
             .float("low", "", "lower side", low)
             .float("high", "", "upper side", high)
@@ -276,8 +287,9 @@ fn tornado(mut out: Outcome, found: &Derivatives, i: usize, bars: usize) -> Resu
         panel = panel.mark(if side == 1 { band.neutral() } else { band.good() });
         out = out.table(shape);
     }
-    let title = format!("What moves the {}", place.name());
-    let alt = format!("{title}: relative influence of the {count} parameters that matter most, one pair of bars each.");
-    let figure = Figure::new(format!("influence-{}", i + 1), title, alt).x(Axis::new("per cent for one per cent more", ""));
+    let title = Message::new("sensitivity-title").arg("place", place.phrase());
+    let alt = Message::new("sensitivity-alt").arg("count", Arg::count(count));
+    let figure = Figure::new(format!("influence-{}", i + 1), title, alt)
+        .x(Axis::new("change in per cent for one per cent more of the parameter", ""));
     Ok(out.figure(figure.panel(panel.mark(Rule::x(0.0, "")))))
 }

@@ -3,7 +3,7 @@
 use super::result::{Samples, Shares, Spread};
 use super::{Interval, Uncertainty};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Arg, Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table, parameter_name, quantity};
+use crate::outcome::{Arg, Axis, Band, Figure, Finding, Line, Message, Outcome, Panel, Rule, Table, parameter_name};
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::morris::Effects;
 use std::collections::BTreeMap;
@@ -49,7 +49,8 @@ pub fn distributions(
         let y: Vec<f64> = density.iter().flat_map(|d| [*d, *d]).collect();
         let unit_of_density = if unit.is_empty() { String::new() } else { format!("1/({unit})") };
         let bars = format!("histogram {name}");
-        let table = Table::new(&bars, format!("Histogram of {name}: both ends of every bar"))
+        let named = |key: &str| Message::new(key).arg("quantity", readable(name));
+        let table = Table::new(&bars, named("uncertainty-table-histogram"))
             .float("value", unit, "end of a bar", x.clone())
             .float("density", unit_of_density, "share of the samples per unit", y)
             .float("zero", "", "foot of the bars", vec![0.0; x.len()])
@@ -58,7 +59,7 @@ pub fn distributions(
         let curve = format!("distribution {name}");
         let n = sorted.len();
         let picked: Vec<usize> = (0..n.min(CURVE)).map(|j| if n <= CURVE { j } else { j * (n - 1) / (CURVE - 1) }).collect();
-        let steps = Table::new(&curve, format!("Share of the samples below a value of {name}"))
+        let steps = Table::new(&curve, named("uncertainty-table-distribution"))
             .float("value", unit, "value", picked.iter().map(|&j| sorted[j]).collect())
             .float("share", "", "share of the samples at or below it", picked.iter().map(|&j| (j + 1) as f64 / n as f64).collect())
             .build()
@@ -79,23 +80,19 @@ pub fn distributions(
             panel = panel.mark(Rule::x(*x, "machine"));
         }
         let alike = chosen.iter().filter(|&&j| j > i && study.show.is_empty() && proportional(&samples.values[i], &samples.values[j]));
-        let same = match alike.count() {
-            0 => String::new(),
-            1 => ", 1 number alike".into(),
-            n => format!(", {n} numbers alike"),
-        };
-        let alt = format!("Histogram of {name} over {n} samples, from {} to {}.", quantity(low, unit), quantity(high, unit));
+        let alt = named("uncertainty-alt-distribution").arg("samples", Arg::count(n));
+        let alt = alt.arg("low", Arg::quantity(low, unit)).arg("high", Arg::quantity(high, unit));
         let room = 0.06 * (high - low);
         let x = Axis::new(readable(name), unit).range(low - room, high + room);
-        let title = format!("Distribution of {} ({n} samples{same})", readable(name));
+        let title = named("uncertainty-title-distribution").arg("samples", Arg::count(n)).arg("alike", Arg::count(alike.count()));
         outcome = outcome.figure(Figure::new(format!("distribution-{name}"), title, alt).x(x).panel(panel));
     }
     Ok(outcome)
 }
 
 /// A number in words: `critical speed order 1 forward`.
-fn readable(name: &str) -> String {
-    name.replace('_', " ")
+fn readable(name: &str) -> Arg {
+    Arg::term(name.replace('_', " "))
 }
 
 /// Both rise and fall together in a straight line, as far as a picture shows.
@@ -127,10 +124,11 @@ fn histogram(sorted: &[f64]) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// Values of one kind of bar for one number, from the top parameter down.
-struct Bars<'a> {
-    title: &'a str,
+struct Bars {
+    /// Key of the title, which names the number.
+    title: &'static str,
     axis: Axis,
-    kinds: Vec<(&'a str, Vec<Interval>)>,
+    kinds: Vec<(&'static str, Vec<Interval>)>,
 }
 
 /// A horizontal bar per parameter and kind, with the confidence interval as a line.
@@ -155,7 +153,8 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
             centre.extend([top - 0.5 * each; 3]);
         }
         let table = format!("{what} {name} {kind}");
-        let shape = Table::new(&table, format!("Bars of the figure: {kind} of {name}"))
+        let doc = Message::new("uncertainty-table-bars").arg("kind", *kind).arg("quantity", readable(name));
+        let shape = Table::new(&table, doc)
             .float("x", "", "foot and end of a bar; NaN between bars and where there is none", x)
             .float("low", "", "lower side", low)
             .float("high", "", "upper side", high)
@@ -169,8 +168,9 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
             .mark(Line::new(&table, "interval", "centre").name("95 % interval").ink());
         outcome = outcome.table(shape);
     }
-    let alt = format!("{} of {name}: one bar for each of {k} parameters.", bars.title);
-    let figure = Figure::new(format!("{what}-{name}"), format!("{} of {}", bars.title, readable(name)), alt).x(bars.axis).panel(panel);
+    let title = Message::new(bars.title).arg("quantity", readable(name));
+    let alt = Message::new("uncertainty-alt-bars").arg("quantity", readable(name)).arg("parameters", Arg::count(k));
+    let figure = Figure::new(format!("{what}-{name}"), title, alt).x(bars.axis).panel(panel);
     Ok(outcome.figure(figure))
 }
 
@@ -185,9 +185,9 @@ pub fn indices(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
         let kinds =
             vec![("total", list.iter().map(|x| x.total).collect()), ("first order", list.iter().map(|x| x.first).collect::<Vec<_>>())];
         let n = study.sorted(&samples.values[i]).len();
-        let rough = if n < ROUGH { ": a rough estimate" } else { "" };
-        let axis = Axis::new(format!("share of the variance, from {n} samples{rough}"), "").range(0.0, 1.0);
-        let shape = Bars { title: "Sensitivity", axis, kinds };
+        let rough = Arg::word(if n < ROUGH { "yes" } else { "no" });
+        let label = Message::new("uncertainty-share-of-variance").arg("samples", Arg::count(n)).arg("rough", rough);
+        let shape = Bars { title: "uncertainty-title-indices", axis: Axis::new(label, "").range(0.0, 1.0), kinds };
         outcome = bars(outcome, study, &samples.names[i].0, "indices", shape)?;
     }
     Ok(outcome)
@@ -200,7 +200,8 @@ pub fn effects(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
             continue;
         }
         let list: Vec<Interval> = found[i].iter().map(|e| e.mu_star).collect();
-        let shape = Bars { title: "Elementary effects", axis: Axis::new("mu*", unit), kinds: vec![("mu*", list)] };
+        let shape =
+            Bars { title: "uncertainty-title-effects", axis: Axis::new("mean size of the effects", unit), kinds: vec![("mu*", list)] };
         outcome = bars(outcome, study, name, "effects", shape)?;
     }
     Ok(outcome)

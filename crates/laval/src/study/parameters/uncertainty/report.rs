@@ -51,10 +51,10 @@ fn table_of(study: &Uncertainty, samples: &Samples) -> Result<Table, Diagnostic>
     table.build().map_err(inconsistent)
 }
 
-fn interval(table: TableBuilder, name: &str, unit: &str, doc: &str, all: &[Interval]) -> TableBuilder {
+fn interval(table: TableBuilder, name: &str, unit: &str, doc: &'static str, all: &[Interval]) -> TableBuilder {
     let column = |f: fn(&Interval) -> f64| all.iter().map(f).collect();
     table
-        .float(name, unit, format!("{doc}; NaN where there are no values"), column(|i| i.value))
+        .float(name, unit, Arg::noted(doc, "NaN where there are no values"), column(|i| i.value))
         .float(
             format!("{name}_low"),
             unit,
@@ -122,7 +122,7 @@ fn distributions(
             .evidence("standard deviation", s.deviation, unit)
             .evidence("share of the samples", s.share.value, "");
         for (p, q) in study.quantiles.iter().zip(&s.quantiles) {
-            finding = finding.evidence(format!("{} % quantile", significant(100.0 * p)), q.value, unit);
+            finding = finding.evidence(Message::new("uncertainty-quantile").arg("share", Arg::percent(*p).digits(6)), q.value, unit);
         }
         findings.push(finding);
     }
@@ -132,7 +132,7 @@ fn distributions(
     }
     let names = || samples.names.iter().map(|n| n.0.clone()).collect::<Vec<_>>();
     let units = || samples.names.iter().map(|n| n.1.clone()).collect::<Vec<_>>();
-    let table = Table::new("quantities", "Every number found: over the samples, in its own unit").text("quantity", "name", names()).text(
+    let table = Table::new("quantities", "Every number found: over the samples, in its own unit").names("quantity", "name", names()).names(
         "unit",
         "unit of the numbers in this row",
         units(),
@@ -154,17 +154,13 @@ fn distributions(
 
     let rows: Vec<(usize, usize)> = (0..spreads.len()).flat_map(|i| (0..study.quantiles.len()).map(move |j| (i, j))).collect();
     let table = Table::new("quantiles", "Values below which a share of the samples lies")
-        .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
-        .text("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
+        .names("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
+        .names("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
         .float("share", "", "share below", rows.iter().map(|r| study.quantiles[r.1]).collect());
     let all: Vec<Interval> = rows.iter().map(|r| spreads[r.0].quantiles[r.1]).collect();
     let table = interval(table, "value", "", "quantile", &all);
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     figures::distributions(outcome, study, samples, spreads, own)
-}
-
-fn significant(x: f64) -> String {
-    crate::outcome::significant(x, 4)
 }
 
 /// Fewest base points, or trajectories, whose resampling gives a confidence interval of an index.
@@ -268,8 +264,8 @@ fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
         outcome = outcome.finding(finding);
     }
     let table = Table::new("indices", "Sensitivity indices of Sobol")
-        .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
-        .text("parameter", "path", rows.iter().map(|r| study.parameters[r.1].path.clone()).collect());
+        .names("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
+        .names("parameter", "path", rows.iter().map(|r| study.parameters[r.1].path.clone()).collect());
     let column = |f: fn(&Indices) -> Interval| rows.iter().map(|r| f(r.2)).collect::<Vec<_>>();
     let table = interval(table, "first", "", "share of the variance due to this parameter alone", &column(|i| i.first));
     let table = interval(table, "total", "", "with its interactions", &column(|i| i.total)).int(
@@ -307,9 +303,9 @@ fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found
     let rows: Vec<(usize, usize)> = (0..found.len()).flat_map(|q| (0..study.parameters.len()).map(move |p| (q, p))).collect();
     let at = |r: &(usize, usize)| found[r.0][r.1];
     let table = Table::new("effects", "Elementary effects of Morris, per unit of probability, in the unit of the number")
-        .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
-        .text("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
-        .text("parameter", "path", rows.iter().map(|r| study.parameters[r.1].path.clone()).collect());
+        .names("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
+        .names("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
+        .names("parameter", "path", rows.iter().map(|r| study.parameters[r.1].path.clone()).collect());
     let table = interval(table, "mu_star", "", "mean size", &rows.iter().map(|r| at(r).mu_star).collect::<Vec<_>>())
         .float("mu", "", "mean; NaN without effects", rows.iter().map(|r| at(r).mu).collect())
         .float(

@@ -250,7 +250,7 @@ fn columns(members: &Members) -> Vec<RowColumn<Row>> {
     let whole = |x: u64| i64::try_from(x).ok();
     let mut out: Vec<RowColumn<Row>> = Vec::new();
     for (k, axis) in members.study.axes.iter().enumerate() {
-        out.push(number(PLACE[k], &axis.unit, &axis.meaning(), move |r: &Row| r.place[k]));
+        out.push(number(PLACE[k], &axis.unit, &axis.meaning().to_string(), move |r: &Row| r.place[k]));
     }
     out.push(count(STATE, "number in the table of attractors; none where the motion ends in none of them", |r: &Row| {
         match r.course.goal {

@@ -8,7 +8,7 @@ use super::known::{MassAttractor, MassKind};
 use super::{EARLY, FAILURE, GOAL, Rehearsal, STATE, STEPS, TURNS};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
+use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Message, Outcome, Panel, Table};
 use crate::store::Collected;
 use crate::study::Study;
 use crate::study::motion::start;
@@ -173,7 +173,7 @@ fn tables(
 ) -> Result<Outcome, Diagnostic> {
     let (axes, results) = (&study.axes, &data.cells);
     let whole = |name: &str| results.numbers(name).into_iter().map(|x| if x >= 0.0 { x as i64 } else { 0 }).collect::<Vec<i64>>();
-    let mut cells = Table::new("cells", "What the motion from every cell of the grid ends in");
+    let mut cells = Table::new("cells", "Attractor reached from every cell of the grid");
     for (k, axis) in axes.iter().enumerate() {
         cells = cells.float(PLACE[k], &axis.unit, axis.meaning(), results.numbers(PLACE[k]));
     }
@@ -235,7 +235,7 @@ fn figure(study: &Basins, names: &[String], words: Vec<String>, outcome: Outcome
         return outcome;
     }
     let axes = &study.axes;
-    let drawn = |k: usize| Axis::new(&axes[k].name, &axes[k].unit);
+    let drawn = |k: usize| Axis::new(axes[k].label(), &axes[k].unit);
     // words that many maps have first: they have the same colours in all
     let mut classes: Vec<String> = FIRST.map(String::from).to_vec();
     let mut others: Vec<String> = words.iter().filter(|w| !names.contains(w)).cloned().collect();
@@ -246,8 +246,7 @@ fn figure(study: &Basins, names: &[String], words: Vec<String>, outcome: Outcome
         }
     }
     let heat = Heat::new("cells", PLACE[0], PLACE[1], "end", Axis::new("ends in", "")).of_classes(classes);
-    let speed = quantity(study.speed, "rad/s");
-    let alt = format!("What each start ends in at {speed}, over {} and {}.", axes[0].meaning(), axes[1].meaning());
+    let alt = Message::new("basins-alt").arg("speed", Arg::speed(study.speed)).arg("x", axes[0].meaning()).arg("y", axes[1].meaning());
     let mut figure = Figure::new("basins", "Basins of attraction", alt).x(drawn(0)).panel(Panel::new(drawn(1)).mark(heat));
     if axes[0].unit == axes[1].unit {
         figure = figure.equal();
