@@ -30,7 +30,7 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed) -> Figure 
             panel = panel.mark(Band::x(u.from, u.to).strip().name(Message::new("strip-unstable")));
         }
         if let Some((a, b)) = page.operating_range {
-            panel = panel.mark(Band::x(a, b).name(say("axis-operating-range")).neutral());
+            panel = panel.mark(Band::x(a, b).name(Message::new("axis-operating-range")).neutral());
         }
         if let Some(w) = page.operating.filter(|w| (from..=to).contains(w)) {
             panel = panel.mark(Rule::x(w, Message::new("axis-operating")));
