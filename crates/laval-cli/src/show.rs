@@ -3,8 +3,8 @@
 use crate::{DONE, WRONG, input, terminal};
 use laval::diagnostic::{Diagnostic, nearest};
 use laval::file::{catalog, docs, schema};
-use laval::report::RESULTS_SCHEMA;
 use laval::model::field::{BlockInfo, KindInfo};
+use laval::report::RESULTS_SCHEMA;
 
 /// What may be said to `parts` and `studies`.
 #[derive(clap::Args)]

@@ -20,7 +20,8 @@ fn walk(root: &Value, schema: &Value, value: &Value, path: &str, out: &mut Vec<S
             "const" => out.extend((value != rule).then(|| format!("{path}: {value} is not {rule}"))),
             "enum" => out.extend((!rule.as_array().unwrap().contains(value)).then(|| format!("{path}: {value} is none of {rule}"))),
             "type" => {
-                let names: Vec<&str> = rule.as_array().map_or_else(|| vec![rule.as_str().unwrap()], |a| a.iter().filter_map(Value::as_str).collect());
+                let names: Vec<&str> =
+                    rule.as_array().map_or_else(|| vec![rule.as_str().unwrap()], |a| a.iter().filter_map(Value::as_str).collect());
                 out.extend((!names.iter().any(|n| is(value, n))).then(|| format!("{path}: {value} is no {rule}")));
             }
             "required" => {

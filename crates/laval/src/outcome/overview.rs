@@ -25,6 +25,8 @@ pub struct Overview {
     pub machine: Vec<Block>,
     /// What to do next.
     pub next: Vec<Message>,
+    /// What the page does not take into account.
+    pub left_out: Vec<Message>,
 }
 
 /// How a check ended.

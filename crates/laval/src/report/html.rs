@@ -3,6 +3,7 @@
 use super::Report;
 use super::animation::animation;
 use super::embed::hash;
+use super::evidence;
 use super::first_page;
 use super::payload::{column_for, payload};
 use super::scene::Scene;
@@ -11,7 +12,7 @@ use super::text::escape;
 use super::words::Style;
 use super::write::Names;
 use crate::outcome::{
-    Arg, Column, Data, Evidence, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant, unit_text,
+    Arg, Column, Data, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant, unit_text,
 };
 use std::fmt::Write;
 
@@ -96,6 +97,7 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     for (i, (o, scenes)) in report.outcomes.iter().zip(&scenes).enumerate() {
         study(&mut s, report, scenes, i, column, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
     }
+    evidence::table(&mut s, report);
     if let Some(input) = &report.input {
         let name = style.message(&Message::new("page-input-file").arg("file", Arg::name(&p.input_name)));
         let _ = writeln!(
@@ -210,17 +212,6 @@ fn sentence(f: &Finding, style: &Style) -> String {
     format!("<li class=\"{}\">{tag}{}", f.level.word(), escape(&style.sentence(f)))
 }
 
-fn evidence(s: &mut String, style: &Style, list: &[Evidence]) {
-    if list.is_empty() {
-        return;
-    }
-    let _ = write!(s, "<details><summary>{}</summary><dl>", say(style, "page-evidence"));
-    for e in list {
-        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&style.arg(&e.what)), escape(&style.number(e.value, &e.unit)));
-    }
-    s.push_str("</dl></details>");
-}
-
 fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) -> Result<(), OutcomeError> {
     let (o, overview) = (&report.outcomes[i], &report.overview);
     // the question it answers, and its own name where it has one
@@ -233,14 +224,14 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
     if !o.findings.is_empty() {
         s.push_str("<ul class=\"findings\">\n");
         let (mut shown, mut left) = (0, 0);
-        for f in &o.findings {
+        for (k, f) in o.findings.iter().enumerate() {
             if f.level == Level::Info && shown >= MOST_SHOWN {
                 left += 1;
                 continue;
             }
             shown += 1;
             s.push_str(&sentence(f, &report.style));
-            evidence(s, &report.style, &f.evidence);
+            s.push_str(&evidence::link(&report.style, f, i, k));
             s.push_str("</li>\n");
         }
         s.push_str("</ul>\n");
@@ -278,7 +269,7 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
 }
 
 /// A sentence of the catalogues, escaped.
-fn say(style: &Style, key: &str) -> String {
+pub(super) fn say(style: &Style, key: &str) -> String {
     escape(&style.message(&Message::new(key)))
 }
 

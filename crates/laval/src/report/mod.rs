@@ -21,6 +21,7 @@ mod animation;
 mod colour;
 mod csv;
 mod embed;
+mod evidence;
 mod first_page;
 mod heat;
 mod html;

@@ -1,4 +1,5 @@
-//! The answer in the terminal: verdict, checks, a strip over the speed, at most three remarks, what to do next, in some 30 lines of 80 columns.
+//! The answer in the terminal: verdict, checks, a strip over the speed, at most three remarks, what to do next, in 25 lines of 80 columns with
+//! the name of the report behind it.
 
 use super::Report;
 use super::first_page::{required, sentence, verdict};
@@ -7,20 +8,48 @@ use super::words::Style;
 use crate::outcome::{Check, End, Level, Message, OverSpeed, Overview, Verdict};
 use crate::plain;
 
-/// Remarks below the strip.
-const MOST_REMARKS: usize = 3;
-/// Suggestions.
-const MOST_NEXT: usize = 2;
+/// Lines of the summary: of the 25 two are those of the files written.
+const MOST_LINES: usize = 23;
+
+/// How much room each kind of line has.
+struct Room {
+    /// Lines of the result of a check.
+    result: usize,
+    /// Remarks below the strip, and lines of each.
+    remarks: (usize, usize),
+    /// Suggestions.
+    next: usize,
+}
+
+/// From generous to narrow: the first that fits is taken.
+const ROOMS: [Room; 6] = [
+    Room { result: 2, remarks: (3, 2), next: 2 },
+    Room { result: 2, remarks: (3, 1), next: 2 },
+    Room { result: 2, remarks: (3, 1), next: 1 },
+    Room { result: 1, remarks: (3, 1), next: 1 },
+    Room { result: 1, remarks: (2, 1), next: 1 },
+    Room { result: 1, remarks: (1, 1), next: 1 },
+];
 /// Widths of the columns of checks, the last takes what is left.
 const WHAT: usize = 24;
 const REQUIRED: usize = 11;
 const VERDICT: usize = 10;
-/// Lines of one remark.
-const REMARK: usize = 2;
 
 /// The summary; empty where the report has no first page.
 pub fn summary(report: &Report, how: Terminal) -> String {
     let Some(page) = &report.overview else { return String::new() };
+    let texts = ROOMS.iter().map(|room| within(report, page, how, room));
+    let mut last = String::new();
+    for text in texts {
+        last = text;
+        if last.lines().count() <= MOST_LINES {
+            break;
+        }
+    }
+    last
+}
+
+fn within(report: &Report, page: &Overview, how: Terminal, room: &Room) -> String {
     let style = &report.style;
     let paint = |text: &str, code: &str| if how.colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() };
     let width = how.width.clamp(60, 100);
@@ -33,25 +62,26 @@ pub fn summary(report: &Report, how: Terminal) -> String {
     if !page.checks.is_empty() {
         out.push('\n');
         for c in &page.checks {
-            check(&mut out, c, style, width, &paint);
+            check(&mut out, c, style, width, room.result, &paint);
         }
     }
     if let Some(over) = &page.over_speed {
         strip(&mut out, page, over, style, width);
     }
-    let remarks = remarks(page, report);
+    let mut remarks = remarks(page, report);
+    remarks.truncate(room.remarks.0);
     if !remarks.is_empty() {
         out.push('\n');
     }
     for r in remarks {
-        for (k, line) in cut(wrapped(&plain::line(&r), width - 4), REMARK).into_iter().enumerate() {
+        for (k, line) in cut(wrapped(&plain::line(&r), width - 4), room.remarks.1).into_iter().enumerate() {
             out.push_str(&format!("{} {line}\n", if k == 0 { paint("!", "33") } else { " ".into() }));
         }
     }
     if !page.next.is_empty() {
         out.push('\n');
     }
-    for m in page.next.iter().take(MOST_NEXT) {
+    for m in page.next.iter().take(room.next) {
         for (k, line) in wrapped(&plain::line(&style.message(m)), width - 2).into_iter().enumerate() {
             out.push_str(&format!("{} {line}\n", if k == 0 { ">" } else { " " }));
         }
@@ -103,10 +133,10 @@ fn pad(text: &str, width: usize) -> String {
     format!("{text}{}", " ".repeat(width.saturating_sub(length(text))))
 }
 
-fn check(out: &mut String, c: &Check, style: &Style, width: usize, paint: &dyn Fn(&str, &str) -> String) {
+fn check(out: &mut String, c: &Check, style: &Style, width: usize, lines: usize, paint: &dyn Fn(&str, &str) -> String) {
     let room = width - WHAT - REQUIRED - VERDICT - 2;
     let what = wrapped(&plain::line(&style.message(&c.what)), WHAT - 1);
-    let result = cut(wrapped(&plain::line(&style.message(&c.result)), room - 3), 2);
+    let result = cut(wrapped(&plain::line(&style.message(&c.result)), room - 3), lines);
     let required = wrapped(&plain::line(&required(style, c)), REQUIRED - 1);
     let verdict = plain::line(&verdict(style, c, true)).into_owned();
     let cell = |lines: &[String], k: usize| lines.get(k).cloned().unwrap_or_default();
@@ -189,6 +219,5 @@ fn remarks(page: &Overview, report: &Report) -> Vec<String> {
             out.push(text);
         }
     }
-    out.truncate(MOST_REMARKS);
     out
 }

@@ -155,6 +155,19 @@ next-run-up = Simulate the run-up: add a study "run_up".
 next-nonlinear = Add a study "nonlinear_response": the machine has nonlinear parts, and jumps are not excluded.
 next-limits = Set [limits] displacement and force to have the vibration assessed.
 
+# What the page leaves out.
+page-left-out = What this page leaves out
+left-linear = Nonlinear parts ({ $parts }) are linearised about the equilibrium; large vibration and jumps need a study "nonlinear_response".
+left-linear-modes = Stability and modes linearise the nonlinear parts ({ $parts }) about the equilibrium.
+left-motions = { $tilt ->
+        [yes] Axial and torsional vibration, and bending of bodies.
+       *[no] Axial, torsional and tilting vibration, and bending of bodies.
+    }
+left-excitation = Excitation other than unbalance, such as misalignment, gears or an unsteady foundation.
+left-drive = The motor: the spin speed is prescribed, and a motor that is too weak to pass a resonance is not seen.
+left-steps = Unstable ranges narrower than { $step }.
+left-steps-near = Unstable ranges narrower than { $step }, near the operating speed narrower than { $near }.
+
 # Headings of the page.
 page-checks = Checks
 page-check = Check
@@ -189,7 +202,12 @@ caption-growth = Growth rate of the least stable mode.
 strip-resonance = resonance
 
 # The rest of the report.
-page-evidence = Evidence
+page-evidence = evidence
+page-evidence-all = Numerical evidence
+page-evidence-finding = finding
+page-evidence-value = value
+page-evidence-checked = checked by
+page-evidence-number = result
 page-warning = Warning
 page-outside = Outside validity
 page-stopped = Stopped early

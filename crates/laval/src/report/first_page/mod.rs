@@ -97,7 +97,7 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
     s.push_str("</div>\n");
 }
 
-/// Modes and what to do next.
+/// Modes, what to do next, what the page leaves out.
 pub(super) fn tail(s: &mut String, page: &Overview, style: &Style) {
     if let (Some(speed), false) = (page.operating, page.modes.is_empty()) {
         let heading = style.message(&Message::new("page-modes").arg("speed", Arg::speed(speed)));
@@ -105,10 +105,9 @@ pub(super) fn tail(s: &mut String, page: &Overview, style: &Style) {
         shapes::modes(s, page, style);
         s.push_str("</section>\n");
     }
-    if !page.next.is_empty() {
-        let _ =
-            writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", escape(&style.message(&Message::new("page-next"))));
-        for m in &page.next {
+    for (key, list) in [("page-next", &page.next), ("page-left-out", &page.left_out)].into_iter().filter(|l| !l.1.is_empty()) {
+        let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", escape(&style.message(&Message::new(key))));
+        for m in list {
             let _ = writeln!(s, "<li>{}</li>", escape(&style.message(m)));
         }
         s.push_str("</ul></section>\n");

@@ -48,7 +48,9 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             Some(Message::new("headline-several"))
         } else if let (Some(m), Some(o), true) = (near("check-resonance"), over, closer) {
             verdict = verdict.max(Verdict::Attention);
-            margins::resonance(o, speed).place(speed).map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
+            margins::resonance(o, speed)
+                .place(speed)
+                .map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
         } else if let Some(m) = near("check-instability") {
             verdict = verdict.max(Verdict::Attention);
             Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m)))

@@ -7,6 +7,7 @@
 
 mod checks;
 mod headline;
+mod left_out;
 mod machine;
 mod margins;
 mod nonlinear;
@@ -31,8 +32,8 @@ use crate::study::shared::operation::{self, Operation};
 use crate::study::shared::speed_range::{self, SpinSpeeds};
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
-use operating::Operating;
 use laval_num::work::watched;
+use operating::Operating;
 
 /// Most units of work of one check, about a second.
 const SECOND: u64 = 1_000_000_000;
@@ -150,7 +151,8 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         let speed = ordered(o.low, o.high, if o.is_one() { 1 } else { OPERATING });
         within(&ForcedResponse { speed }, system, context)
     });
-    let map = |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
+    let map =
+        |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
     let stability = within(&map(speed), system, context);
     let near = operating.filter(|_| stability.get().is_some()).and_then(|o| {
         let about = map(ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR));
@@ -202,6 +204,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         over_speed: over_speed::over_speed(&facts),
         modes: shapes::modes(&facts),
         machine: machine::blocks(system),
+        left_out: left_out::left_out(&facts),
         ..Overview::default()
     };
     out.checks = checks::checks(&facts, out.over_speed.as_ref());

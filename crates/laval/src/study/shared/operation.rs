@@ -108,6 +108,8 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
             format_si(low, "rad/s"),
             format_si(high, "rad/s")
         );
-        out.push(Diagnostic::error("operation.speed", message).at(place).help("give the speed in one of the two places, or change one of them"));
+        out.push(
+            Diagnostic::error("operation.speed", message).at(place).help("give the speed in one of the two places, or change one of them"),
+        );
     }
 }

@@ -60,4 +60,3 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     }
     Some(check)
 }
-

@@ -52,9 +52,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         .first()
         .map(|(p, _)| Message::new("vibration-velocity").arg("name", Arg::name(&p.name)).arg("peak", Arg::quantity(velocity(p), "m/s")));
     let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
-        let of = |l: &&Limit| {
-            probes.iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body })
-        };
+        let of = |l: &&Limit| probes.iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body });
         limits
             .iter()
             .filter_map(|l| Some((l, size(of(&l)?))))
@@ -128,7 +126,12 @@ pub(super) fn validity(facts: &Facts) -> Check {
         .filter(|f| f.level == Level::Invalid)
         .map(|f| if f.subject.is_empty() { f.id.as_str() } else { f.subject.as_str() })
         .collect();
-    let here = facts.response.as_ref().and_then(Known::get).filter(|r| !r.observed.validity.is_empty()).map(|r| largest(r.observed.validity.iter().copied()));
+    let here = facts
+        .response
+        .as_ref()
+        .and_then(Known::get)
+        .filter(|r| !r.observed.validity.is_empty())
+        .map(|r| largest(r.observed.validity.iter().copied()));
     let required = Some(Arg::from(Message::new("required-validity")));
     let (result, verdict) = match here {
         Some(x) if !(x <= 1.0) => (Message::new("validity-outside-here").arg("ratio", Arg::number(x)), Verdict::Failed),
@@ -141,4 +144,3 @@ pub(super) fn validity(facts: &Facts) -> Check {
     };
     Check { required, ..Check::new("check-validity", result, verdict) }
 }
-

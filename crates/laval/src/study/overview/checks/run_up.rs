@@ -38,7 +38,8 @@ fn simulated(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Optio
             return Some((String::new(), f64::INFINITY));
         }
         let covered: Vec<f64> = speeds(o).into_iter().map(|w| facts.sign * w).collect();
-        let whole = o.end.is_complete() && covered.iter().any(|w| *w >= 0.999 * speed.high) && covered.first().is_some_and(|w| *w <= lowest);
+        let whole =
+            o.end.is_complete() && covered.iter().any(|w| *w >= 0.999 * speed.high) && covered.first().is_some_and(|w| *w <= lowest);
         let largest = o.findings.iter().filter(|f| f.id == "largest_displacement").filter_map(|f| Some((f.subject.clone(), f.value?)));
         largest.filter(|_| whole).max_by(|a, b| a.1.total_cmp(&b.1))
     };

@@ -12,7 +12,10 @@ use std::f64::consts::TAU;
 
 /// The check of stability found motions that grow.
 pub(in super::super) fn grows(stability: &Check) -> bool {
-    matches!(stability.result.key.as_str(), "stability-unstable" | "stability-unstable-range" | "stability-no-state" | "stability-no-steady")
+    matches!(
+        stability.result.key.as_str(),
+        "stability-unstable" | "stability-unstable-range" | "stability-no-state" | "stability-no-steady"
+    )
 }
 
 /// Whether the machine is stable at its speed, in the words of the study of modes.
@@ -55,7 +58,8 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     if let (Some(over), Verdict::Passed | Verdict::Attention, false) = (over, verdict, speed.is_one())
         && let Some(first) = margins::instability(over, speed).inside.first()
     {
-        let within = over.unstable.iter().find(|u| u.to >= *first).map_or(speed.arg(), |u| span(u.from.max(speed.low), u.to.min(speed.high)));
+        let within =
+            over.unstable.iter().find(|u| u.to >= *first).map_or(speed.arg(), |u| span(u.from.max(speed.low), u.to.min(speed.high)));
         return of(Message::new("stability-unstable-range").arg("range", within), Verdict::Failed);
     }
     // the response that unbalance drives may be unstable where the machine at rest is stable

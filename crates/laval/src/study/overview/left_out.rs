@@ -1,0 +1,35 @@
+//! What the page does not take into account.
+
+use super::{Facts, NEAR, POINTS};
+use crate::model::system::Drive;
+use crate::outcome::{Arg, Message};
+use crate::study::Study;
+use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+
+/// Sentences, the most consequential first.
+pub(super) fn left_out(facts: &Facts) -> Vec<Message> {
+    let mut out = Vec::new();
+    let system = facts.system;
+    let nonlinear: Vec<&str> = system.slots().iter().filter(|s| !s.is_linear()).map(|s| s.name.as_str()).collect();
+    let kept = facts.outcomes.iter().any(|o| o.kind == NonlinearResponse::KIND);
+    if !nonlinear.is_empty() && !facts.balls {
+        let key = if kept { "left-linear-modes" } else { "left-linear" };
+        out.push(Message::new(key).arg("parts", Arg::names(nonlinear)));
+    }
+    let tilts = system.bodies().iter().any(|b| b.tilt.is_some());
+    out.push(Message::new("left-motions").arg("tilt", Arg::word(if tilts { "yes" } else { "no" })));
+    out.push(Message::new("left-excitation"));
+    if system.machine.drive == Drive::Prescribed {
+        out.push(Message::new("left-drive"));
+    }
+    if let (Some(row), false) = (facts.stability.get().and_then(|r| r.rows.first()), facts.balls) {
+        // edges are located between samples that differ; a range between two samples is not seen
+        let step = (facts.range.1 - facts.range.0) / (POINTS - 1) as f64;
+        let step = if row.samples.len() < POINTS / 2 { facts.range.1 - facts.range.0 } else { step };
+        let near = facts.near.is_some().then(|| facts.operating).flatten();
+        let fine = near.map(|o| ((1.0 + super::ABOUT) * o.high - (1.0 - super::ABOUT) * o.low) / (NEAR - 1) as f64);
+        let m = Message::new(if fine.is_some() { "left-steps-near" } else { "left-steps" }).arg("step", Arg::speed(step).digits(2));
+        out.push(m.arg("near", Arg::speed(fine.unwrap_or(step)).digits(2)));
+    }
+    out
+}
