@@ -59,6 +59,7 @@ check-stability = Stability
 check-instability = Nearest instability
 check-resonance = Nearest resonance (1×)
 check-vibration = Vibration
+check-velocity = Vibration velocity
 check-forces = Forces
 check-validity = Validity
 check-balls = Unbalance with balls
@@ -105,6 +106,7 @@ distance-no-resonance = none found from { $from } to { $to }
 item = { $name } { $value }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak } peak velocity
+velocity-is = largest { $value } (peak)
 vibration-nonlinear = largest stable response of the nonlinear machine
 vibration-contact = linear; { $parts } would touch, and the amplitude is not valid
 forces-without = without nonlinear parts: { $parts }
@@ -115,6 +117,7 @@ validity-inside = { $share } of the limits used
 validity-elsewhere = inside at this speed ({ $share } used); outside at other speeds
 validity-outside-here = { $ratio } times the limit of a part
 validity-nothing = no part was assessed at this speed
+validity-studies-inside = no study of the file found anything outside
 validity-studies = { $count ->
         [one] one finding is outside the validity of its model
        *[other] { $count } findings are outside the validity of their model

@@ -186,3 +186,27 @@ page-reset = Масштабты қалпына келтіру
 page-yes = иә
 page-no = жоқ
 vibration-unstable = орныққан тербеліс жоқ: машина орнықсыз
+
+# Operating range, further checks and studies left out.
+headline-several = Бірнеше орныққан тербелістің қайсысы болатыны екпіндеуге байланысты.
+check-window = Жұмыс аралығы
+check-speed = Ең жоғары айналу жиілігі
+check-others = Басқа шектер
+check-damping = Демпферлеу
+required-above = ≥ { $limit }
+stability-no-steady = бұл айналу жиілігінде ешбір орныққан тербеліс орнықты емес (бейсызық тербеліс)
+stability-several = бұл айналу жиілігінде { $count } орнықты орныққан тербеліс бар (бейсызық тербеліс)
+stability-outside-study = «stationary» зерттеуі бұл айналу жиілігін қамтымайды
+stability-unstable-range = жұмыстық айналу жиіліктерінде орнықсыз: { $range }
+damping-least = логарифмдік декременті { $decrement }, жиілігі { $frequency }
+distance-inside = жұмыстық айналу жиіліктерінің арасында: { $places }
+vibration-nonlinear = бейсызық машинаның ең үлкен орнықты тербелісі
+vibration-contact = сызықты есеп; мына бөлшектер жанасар еді: { $parts }; амплитуда жарамсыз
+forces-without = бейсызық бөлшектерсіз: { $parts }
+window-none = ешбір айналу жиілігі барлық талапты орындамайды
+window-ranges = { $ranges }
+speed-is = { $speed }
+limits-left-out = бұл бетте бағаланбаған: { $names }
+run-up-grows = орнықсыз аралықтарда ауытқу { $factor } есеге дейін өседі
+run-up-diverges = қозғалыс шексіз өседі
+axis-operating-range = жұмыстық айналу жиіліктері

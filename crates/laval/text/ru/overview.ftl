@@ -21,6 +21,7 @@ headline-not-proven = Устойчивость при { $speed } не доказ
 headline-unknown = Устойчивость при { $speed } не рассчитана.
 headline-no-speed = Рабочая частота вращения не задана.
 headline-limit = Не выполнено: { $checks }.
+headline-several = Какой из нескольких установившихся откликов возникнет, зависит от разгона.
 headline-resonance = Ближайший резонанс, { $resonance }, отстоит всего на { $margin }.
 headline-near-instability = Ближайшая неустойчивость отстоит всего на { $margin }.
 headline-crosses = { $count ->
@@ -57,16 +58,22 @@ check-stability = Устойчивость
 check-instability = Ближайшая неустойчивость
 check-resonance = Ближайший резонанс (1×)
 check-vibration = Вибрация
+check-velocity = Виброскорость
 check-forces = Силы
 check-validity = Применимость
 check-balls = Дисбаланс с шариками
 check-run-up = Разгон
+check-window = Рабочее окно
+check-speed = Наибольшая частота вращения
+check-others = Остальные пределы
+check-damping = Демпфирование
 
 required-decay = { $margin ->
         [none] затухание
        *[other] затухание ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-above = ≥ { $limit }
 required-validity = в пределах
 required-less-unbalance = меньше, чем без шариков
 
@@ -81,6 +88,11 @@ stability-balanced = уравновешенное состояние устой�
 stability-state = от { $from } до { $to } устойчиво состояние, которое не уравновешивает ротор
 stability-no-state = устойчивого синхронного состояния при этой частоте вращения нет
 stability-needs-stationary = в роторе движутся шарики: нужен расчёт «stationary»
+stability-no-steady = ни один установившийся отклик при этой частоте вращения не устойчив (нелинейный отклик)
+stability-several = устойчивых установившихся откликов при этой частоте вращения: { $count } (нелинейный отклик)
+stability-outside-study = расчёт «stationary» не охватывает эту частоту вращения
+stability-unstable-range = неустойчиво при рабочих частотах вращения: { $range }
+damping-least = логарифмический декремент { $decrement } на частоте { $frequency }
 stability-mode = на частоте { $frequency }, логарифмический декремент { $decrement }
 stability-no-mode = у машины нет мод
 distance-both = { $below } снизу, { $above } сверху
@@ -88,10 +100,15 @@ distance-below = { $below } снизу, сверху нет до { $to }
 distance-above = снизу нет, { $above } сверху
 distance-stable-throughout = не найдена от { $from } до { $to }
 distance-inside-unstable = рабочая частота вращения лежит в неустойчивом диапазоне
+distance-inside = среди рабочих частот вращения: { $places }
 distance-no-resonance = нет в диапазоне от { $from } до { $to }
 item = { $name } { $value }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak }, пик виброскорости
+velocity-is = наибольшее значение { $value } (пик)
+vibration-nonlinear = наибольший устойчивый отклик нелинейной машины
+vibration-contact = линейный расчёт; возник бы контакт ({ $parts }), амплитуда недействительна
+forces-without = без нелинейных элементов: { $parts }
 vibration-unstable = установившихся колебаний нет: машина неустойчива
 vibration-unbounded = резонанс без демпфирования при этой частоте вращения
 forces-sizes = { $sizes }
@@ -100,15 +117,22 @@ validity-inside = использовано { $share } пределов
 validity-elsewhere = в пределах при этой частоте вращения (использовано { $share }); при других — вне пределов
 validity-outside-here = отношение к пределу элемента { $ratio }
 validity-nothing = при этой частоте вращения не оценён ни один элемент
+validity-studies-inside = ни один расчёт файла не дал результатов вне области применимости
 validity-studies = вне области применимости модели { $count ->
         [one] { $count } вывод
         [few] { $count } вывода
        *[other] { $count } выводов
     }
+window-none = ни одна частота вращения не удовлетворяет всем требованиям
+window-ranges = { $ranges }
+speed-is = { $speed }
+limits-left-out = на этой странице не оценены: { $names }
 balls-no-study = нужен расчёт «stationary» или «transient»
 balls-left = осталось { $left } из { $without }
 run-up-computed = наибольшее перемещение { $value } («{ $body }»)
 run-up-unknown = что лежит ниже { $speed }, неизвестно
+run-up-grows = в неустойчивых диапазонах возмущение растёт с коэффициентом до { $factor }
+run-up-diverges = движение расходится
 run-up-free = без резонансов и неустойчивых диапазонов
 run-up-resonances = проходит через { $count ->
         [1] резонанс при { $resonances }
@@ -138,6 +162,17 @@ next-balls = Добавьте расчёт «stationary»: при каких ч�
 next-run-up = Рассчитайте разгон: добавьте расчёт «run_up».
 next-nonlinear = Добавьте расчёт «nonlinear_response»: в машине есть нелинейные элементы, скачки не исключены.
 next-limits = Задайте displacement и force в [limits], чтобы оценить вибрацию.
+page-left-out = Что не учтено на этой странице
+left-linear = Нелинейные элементы ({ $parts }) линеаризованы около положения равновесия; для больших колебаний и скачков нужен расчёт «nonlinear_response».
+left-linear-modes = Для устойчивости и мод нелинейные элементы ({ $parts }) линеаризованы около положения равновесия.
+left-motions = { $tilt ->
+        [yes] Осевые и крутильные колебания и изгиб тел.
+       *[no] Осевые, крутильные и угловые колебания и изгиб тел.
+    }
+left-excitation = Возбуждение, кроме дисбаланса: несоосность, зубчатые передачи, колебания основания.
+left-drive = Двигатель: частота вращения задана, поэтому не видно, хватает ли двигателя для прохождения резонанса.
+left-steps = Неустойчивые диапазоны уже { $step }.
+left-steps-near = Неустойчивые диапазоны уже { $step }, вблизи рабочей частоты вращения — уже { $near }.
 
 # Headings of the page.
 page-checks = Проверки
@@ -165,6 +200,7 @@ axis-growth = инкремент
 strip-unstable = неустойчиво
 axis-speed-plain = частота вращения
 axis-operating = рабочая частота вращения
+axis-operating-range = рабочие частоты вращения
 strip-stable-limit = ниже устойчиво
 caption-both = Амплитуда линейного отклика на дисбаланс и инкремент наименее устойчивой моды.
 caption-amplitude = Амплитуда линейного отклика на дисбаланс.
@@ -172,7 +208,12 @@ caption-growth = Инкремент наименее устойчивой мод
 strip-resonance = резонанс
 
 # The rest of the report.
-page-evidence = Подтверждающие данные
+page-evidence = подтверждающие данные
+page-evidence-all = Подтверждающие данные расчётов
+page-evidence-finding = вывод
+page-evidence-value = значение
+page-evidence-checked = чем проверено
+page-evidence-number = результат
 page-warning = Предупреждение
 page-outside = Вне области применимости
 page-stopped = Остановлено раньше времени

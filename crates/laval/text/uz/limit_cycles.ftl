@@ -35,3 +35,9 @@ limit-cycles-fold = { $family }-oilaning limit sikllari { $value } tezlikda bukl
 limit-cycles-unbounded = { $value } tezlik yaqinida bu pretsessiya cheksiz o‘sadi: unda chiziqsiz qismlar deyarli deformatsiyalanmaydi va uni cheklay olmaydi. Bu tezliklardan qoching yoki so‘ndirish qo‘shing.
 limit-cycles-family-unfinished = { $family }-oilaning limit sikllari faqat { $value } tezlikkacha kuzatildi. { $why }
 limit-cycles-stability-unknown = Limit sikllarning turg‘unligi baholanmagan: { $why }. Ular noturg‘un bo‘lishi mumkin.
+limit-cycles-bistable-invalid = { $from } – { $to } oralig‘ida bistabil: turg‘un muvozanat holati yonida pretsessiya ham turg‘un. Uning kattaligi haqiqiy emas: { $value } qismning qo‘llanish sohasidan tashqarida. U yerda katta g‘alayonlardan saqlaning.
+limit-cycles-largest-invalid = Haqiqiy emas: { $family }-oilaning eng katta turg‘un limit sikli qismning qo‘llanish sohasidan tashqarida. { $speed } tezlikda { $body } uchun hisoblangan { $quality ->
+        [tilt] og‘ish burchagi
+       *[displacement] siljish
+    } { $value } (pretsessiya chastotasi { $frequency }) natija hisoblanmaydi.
+limit-cycles-largest-valid = Barcha qismlarning qo‘llanish sohasi ichida uning eng katta qiymati { $size }, { $speed } tezlikda.

@@ -183,3 +183,27 @@ page-yes = ha
 page-no = yo‘q
 vibration-unstable = barqaror tebranish yo‘q: mashina noturg‘un
 why-same = xuddi shu sababga ko‘ra mavjud emas
+
+# Ish oralig‘i, oyna va chegaralar.
+headline-several = Bir nechta barqaror javobdan qaysi biri yuzaga kelishi tezlashishga bog‘liq.
+check-window = Ish oynasi
+check-speed = Eng yuqori tezlik
+check-others = Boshqa chegaralar
+check-damping = So‘ndirish
+required-above = ≥ { $limit }
+stability-no-steady = bu tezlikda birorta ham barqaror javob turg‘un emas (chiziqsiz javob)
+stability-several = bu tezlikda { $count } ta turg‘un barqaror javob bor (chiziqsiz javob)
+stability-outside-study = "stationary" hisobi bu tezlikni qamrab olmaydi
+stability-unstable-range = ish tezliklarida noturg‘un: { $range }
+damping-least = logarifmik dekrement { $decrement }, chastota { $frequency }
+distance-inside = ish tezliklari orasida: { $places }
+vibration-nonlinear = chiziqsiz mashinaning eng katta turg‘un javobi
+vibration-contact = chiziqli; kontakt yuzaga kelar edi ({ $parts }), amplituda haqiqiy emas
+forces-without = chiziqsiz qismlarsiz: { $parts }
+window-none = birorta tezlik ham barcha talablarni bajarmaydi
+window-ranges = { $ranges }
+speed-is = { $speed }
+limits-left-out = bu sahifada baholanmagan: { $names }
+run-up-grows = noturg‘un oraliqlarda g‘alayon { $factor } martagacha o‘sadi
+run-up-diverges = harakat cheksiz uzoqlashadi
+axis-operating-range = ish tezliklari

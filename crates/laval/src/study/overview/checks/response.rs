@@ -59,20 +59,25 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
             .max_by(|a, b| (a.1 / a.0.value).total_cmp(&(b.1 / b.0.value)))
             .map(|(l, x)| (l.value, x))
     };
-    let worst = [(kept(&facts.limits.displacement, &size), "m"), (kept(&facts.limits.velocity, &velocity), "m/s")];
-    let worst = worst.into_iter().filter_map(|(w, unit)| Some((w?, unit))).max_by(|a, b| (a.0.1 / a.0.0).total_cmp(&(b.0.1 / b.0.0)));
-    let (required, verdict) = against(worst);
+    let (required, verdict) = against(kept(&facts.limits.displacement, &size).map(|w| (w, "m")));
     let closes: Vec<&str> =
         facts.response.as_ref().and_then(Known::get).map_or(Vec::new(), |r| r.observed.closed.iter().map(|c| c.part.as_str()).collect());
     let (detail, verdict) = if nonlinear.is_some() {
         (Some(Message::new("vibration-nonlinear")), verdict)
     } else if !closes.is_empty() {
         // the linear response passes through a part that would hold it
-        (Some(Message::new("vibration-contact").arg("parts", Arg::names(closes))), Verdict::Attention)
+        (Some(Message::new("vibration-contact").arg("parts", Arg::names(closes.iter().copied()))), Verdict::Attention)
     } else {
         (detail, verdict)
     };
-    vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }]
+    let mut out = vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }];
+    if let Some(worst) = kept(&facts.limits.velocity, &velocity) {
+        let (required, verdict) = against(Some((worst, "m/s")));
+        let verdict = if closes.is_empty() || nonlinear.is_some() || verdict == Verdict::Failed { verdict } else { Verdict::Attention };
+        let result = Message::new("velocity-is").arg("value", Arg::quantity(worst.1, "m/s"));
+        out.push(Check { required, ..Check::new("check-velocity", result, verdict) });
+    }
+    out
 }
 
 /// Forces of the parts against their limits.
@@ -139,6 +144,9 @@ pub(super) fn validity(facts: &Facts) -> Check {
         Some(x) if x.is_nan() => (Message::new("validity-nothing"), Verdict::NotComputed),
         Some(x) if outside.is_empty() => (Message::new("validity-inside").arg("share", Arg::percent(x)), Verdict::Passed),
         Some(x) => (Message::new("validity-elsewhere").arg("share", Arg::percent(x)), Verdict::Passed),
+        None if outside.is_empty() && facts.outcomes.iter().any(|o| o.end.is_complete()) => {
+            (Message::new("validity-studies-inside"), Verdict::Passed)
+        }
         None if outside.is_empty() => (Message::new("validity-nothing"), Verdict::NotComputed),
         None => (Message::new("validity-studies").arg("count", Arg::count(outside.len())), Verdict::Attention),
     };
