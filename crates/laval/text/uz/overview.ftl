@@ -163,7 +163,7 @@ caption-growth = Eng kam turg‘un modaning o‘sish sur’ati.
 strip-resonance = rezonans
 
 # Hisobotning qolgan qismi.
-page-evidence = Asoslar
+page-evidence = asoslar
 page-warning = Ogohlantirish
 page-outside = Qo‘llanish sohasidan tashqarida
 page-stopped = Erta to‘xtatilgan
@@ -207,3 +207,23 @@ limits-left-out = bu sahifada baholanmagan: { $names }
 run-up-grows = noturg‘un oraliqlarda g‘alayon { $factor } martagacha o‘sadi
 run-up-diverges = harakat cheksiz uzoqlashadi
 axis-operating-range = ish tezliklari
+check-velocity = Tebranish tezligi
+velocity-is = eng kattasi { $value } (amplituda)
+validity-studies-inside = fayldagi birorta ham hisob sohadan tashqari natija topmadi
+# Sahifa nimani hisobga olmaydi.
+page-left-out = Bu sahifa nimani hisobga olmaydi
+left-linear = Chiziqsiz qismlar ({ $parts }) muvozanat holati atrofida chiziqlashtirilgan; katta tebranish va sakrashlar uchun "nonlinear_response" hisobi kerak.
+left-linear-modes = Turg‘unlik va modalar uchun chiziqsiz qismlar ({ $parts }) muvozanat holati atrofida chiziqlashtirilgan.
+left-motions = { $tilt ->
+        [yes] Bo‘ylama va buralma tebranishlar, shuningdek jismlarning egilishi.
+       *[no] Bo‘ylama, buralma va og‘ish tebranishlari, shuningdek jismlarning egilishi.
+    }
+left-excitation = Disbalansdan boshqa qo‘zg‘atishlar, masalan o‘qlarning nomuvofiqligi, tishli uzatmalar yoki harakatlanuvchi poydevor.
+left-drive = Dvigatel: aylanish tezligi berilgan deb olinadi, rezonansdan o‘tishga quvvati yetmaydigan dvigatel ko‘rinmaydi.
+left-steps = { $step } qadamdan tor noturg‘un oraliqlar.
+left-steps-near = { $step } qadamdan, ish tezligi yaqinida { $near } qadamdan tor noturg‘un oraliqlar.
+page-evidence-all = Sonli asoslar
+page-evidence-finding = xulosa
+page-evidence-value = qiymat
+page-evidence-checked = nima bilan tekshirilgan
+page-evidence-number = natija
