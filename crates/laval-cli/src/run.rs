@@ -73,7 +73,7 @@ fn style(requested: Option<Language>, input: &Input, loaded: &Loaded) -> Style {
     let units = match own.units.as_deref() {
         None | Some("file") => Units::new(written()),
         Some("si") => Units::default(),
-        Some(list) => Units::chosen(presentation::listed(list), written()),
+        Some(list) => Units::chosen(file::si_units(presentation::listed(list).map(String::from)), written()),
     };
     Style { language, units }
 }

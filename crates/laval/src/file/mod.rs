@@ -38,8 +38,7 @@ pub use constructed::{construct, construct_kind};
 pub use reader::{read, read_bytes, read_json};
 pub use render::{Form, render, to_json as diagnostics_json};
 pub use writer::{canonical, write, write_json};
-pub(crate) use written_units::si_units;
-pub use written_units::written_units;
+pub use written_units::{si_units, written_units};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{BlockInfo, Bounds, Field, FieldKind, KindInfo, Values};

@@ -46,17 +46,18 @@ pub fn written_units(text: &str) -> Vec<(String, f64, String)> {
     }
     let mut sorted: Vec<(String, usize)> = counts.into_iter().collect();
     sorted.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
-    si_units(sorted.into_iter().map(|s| s.0)).collect()
+    si_units(sorted.into_iter().map(|s| s.0))
 }
 
 /// Units with their size in the SI unit and the SI unit; what is no unit of results is left out.
-pub(crate) fn si_units(names: impl Iterator<Item = String>) -> impl Iterator<Item = (String, f64, String)> {
+pub fn si_units(names: impl IntoIterator<Item = String>) -> Vec<(String, f64, String)> {
     let known: Vec<_> = RESULTS.iter().filter_map(|si| Some((si, parse_unit(si).ok()?))).collect();
-    names.filter_map(move |name| {
+    let one = |name: String| {
         let unit = parse_unit(&name).ok()?;
         let (si, _) = known.iter().find(|k| k.1.dimension.same(&unit.dimension))?;
         Some((name, unit.factor(), si.to_string()))
-    })
+    };
+    names.into_iter().filter_map(one).collect()
 }
 
 fn walk(value: &Value, counts: &mut BTreeMap<String, usize>) {

@@ -22,6 +22,11 @@ impl Message {
         self
     }
 
+    /// The argument of this name.
+    pub fn arg_named(&self, name: &str) -> Option<&Arg> {
+        self.args.iter().find(|a| a.0 == name).map(|a| &a.1)
+    }
+
     /// One of the arguments is this fixed phrase.
     pub(crate) fn mentions(&self, term: &str) -> bool {
         self.key.contains(term) || self.args.iter().any(|a| matches!(&a.1, Arg::Term(t) if t == term))

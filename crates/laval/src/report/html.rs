@@ -9,6 +9,7 @@ use super::payload::{column_for, payload};
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
 use super::text::escape;
+use super::units::Rung;
 use super::words::Style;
 use super::write::Names;
 use crate::outcome::{
@@ -376,8 +377,15 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
         if many { " class=\"many\"" } else { "" }
     );
     let words = |c: &Column| if matches!(c.data, Data::Text(_)) { " class=\"w\"" } else { "" };
-    let rungs: Vec<_> = t.columns().iter().map(|c| style.units.column(&c.name, &c.unit)).collect();
-    for (c, rung) in t.columns().iter().zip(&rungs) {
+    let mut shown: Vec<(&Column, Option<Rung>)> = t.columns().iter().map(|c| (c, style.units.column(&c.name, &c.unit))).collect();
+    // a frequency that the table has in rad/s and in Hz stands once where both are read in Hz
+    let hertz = |name: &str, all: &[(&Column, Option<Rung>)]| {
+        all.iter().any(|(c, rung)| Some(c.name.as_str()) == name.strip_suffix("_hz") && rung.as_ref().is_some_and(|r| r.name == "Hz"))
+    };
+    let twice: Vec<bool> = shown.iter().map(|(c, _)| hertz(&c.name, &shown)).collect();
+    let mut twice = twice.into_iter();
+    shown.retain(|_| twice.next() != Some(true));
+    for (c, rung) in &shown {
         let unit = rung.as_ref().map_or(c.unit.as_str(), |r| r.name.as_str());
         let unit =
             if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&style.language.unit(&unit_text(unit)))) };
@@ -387,7 +395,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
     let digits = if many { 4 } else { 6 };
     for r in 0..rows.min(MOST_ROWS) {
         s.push_str("<tr>");
-        for (c, rung) in t.columns().iter().zip(&rungs) {
+        for (c, rung) in &shown {
             let size = rung.as_ref().map_or(1.0, |r| r.size);
             let cell = match &c.data {
                 Data::Float(v) if v[r].is_nan() => "–".into(),

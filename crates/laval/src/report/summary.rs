@@ -5,31 +5,16 @@ use super::Report;
 use super::first_page::{required, sentence, verdict};
 use super::terminal::Terminal;
 use super::words::Style;
-use crate::outcome::{Check, End, Level, Message, OverSpeed, Overview, Verdict};
+use crate::outcome::{Arg, Check, End, Level, Message, OverSpeed, Overview, Verdict};
 use crate::plain;
 
 /// Lines of the summary: of the 25 two are those of the files written.
 const MOST_LINES: usize = 23;
-
-/// How much room each kind of line has.
-struct Room {
-    /// Lines of the result of a check.
-    result: usize,
-    /// Remarks below the strip, and lines of each.
-    remarks: (usize, usize),
-    /// Suggestions.
-    next: usize,
-}
-
-/// From generous to narrow: the first that fits is taken.
-const ROOMS: [Room; 6] = [
-    Room { result: 2, remarks: (3, 2), next: 2 },
-    Room { result: 2, remarks: (3, 1), next: 2 },
-    Room { result: 2, remarks: (3, 1), next: 1 },
-    Room { result: 1, remarks: (3, 1), next: 1 },
-    Room { result: 1, remarks: (2, 1), next: 1 },
-    Room { result: 1, remarks: (1, 1), next: 1 },
-];
+/// Remarks below the strip, and suggestions.
+const MOST_REMARKS: usize = 3;
+const MOST_NEXT: usize = 2;
+/// Lines of the result of a check, and of a remark, where there is room.
+const LINES: usize = 2;
 /// Widths of the columns of checks, the last takes what is left.
 const WHAT: usize = 24;
 const REQUIRED: usize = 11;
@@ -38,55 +23,130 @@ const VERDICT: usize = 10;
 /// The summary; empty where the report has no first page.
 pub fn summary(report: &Report, how: Terminal) -> String {
     let Some(page) = &report.overview else { return String::new() };
-    let texts = ROOMS.iter().map(|room| within(report, page, how, room));
-    let mut last = String::new();
-    for text in texts {
-        last = text;
-        if last.lines().count() <= MOST_LINES {
-            break;
-        }
-    }
-    last
-}
-
-fn within(report: &Report, page: &Overview, how: Terminal, room: &Room) -> String {
     let style = &report.style;
     let paint = |text: &str, code: &str| if how.colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() };
     let width = how.width.clamp(60, 100);
     let (sign, code) = sign(page.verdict);
-    let headline: Vec<String> = page.headline.iter().map(|m| style.message(m)).collect();
-    let mut out = format!("{}\n\n", paint(&plain::line(&report.machine), "1"));
-    for (k, line) in wrapped(&plain::line(&headline.join(" ")), width - 2).into_iter().enumerate() {
-        out.push_str(&format!("{} {}\n", if k == 0 { paint(sign, code) } else { " ".into() }, paint(&line, "1")));
-    }
-    if !page.checks.is_empty() {
-        out.push('\n');
-        for c in &page.checks {
-            check(&mut out, c, style, width, room.result, &paint);
+    let texts: Vec<String> = page.headline.iter().map(|m| style.message(m)).collect();
+    let headline: Vec<String> = wrapped(&plain::line(&texts.join(" ")), width - 2);
+    let strip = page.over_speed.as_ref().map(|over| strip(page, over, style, width)).unwrap_or_default();
+    let checks: Vec<Cells> = page.checks.iter().map(|c| Cells::new(c, style, width)).collect();
+    let mut remarks: Vec<Lines> = remarks(page, report).iter().map(|r| Lines::new(wrapped(&plain::line(r), width - 4))).collect();
+    remarks.truncate(MOST_REMARKS);
+    let mut next: Vec<Lines> =
+        page.next.iter().take(MOST_NEXT).map(|m| Lines::new(wrapped(&plain::line(&style.message(m)), width - 2))).collect();
+    next.iter_mut().for_each(|n| n.shown = n.lines.len());
+
+    // one line each, then more for what matters most
+    let fixed = 1 + headline.len() + usize::from(!checks.is_empty()) + strip.len();
+    let used = |checks: &[Cells], remarks: &[Lines], next: &[Lines]| {
+        let blocks = usize::from(!remarks.is_empty()) + usize::from(!next.is_empty());
+        let lines = |l: &[Lines]| l.iter().map(|l| l.shown).sum::<usize>();
+        fixed + blocks + checks.iter().map(Cells::height).sum::<usize>() + lines(remarks) + lines(next)
+    };
+    let mut checks = checks;
+    while used(&checks, &remarks, &next) > MOST_LINES && (next.len() > 1 || remarks.len() > 1) {
+        if next.len() > 1 {
+            next.pop();
+        } else {
+            remarks.pop();
         }
     }
-    if let Some(over) = &page.over_speed {
-        strip(&mut out, page, over, style, width);
-    }
-    let mut remarks = remarks(page, report);
-    remarks.truncate(room.remarks.0);
-    if !remarks.is_empty() {
-        out.push('\n');
-    }
-    for r in remarks {
-        for (k, line) in cut(wrapped(&plain::line(&r), width - 4), room.remarks.1).into_iter().enumerate() {
-            out.push_str(&format!("{} {line}\n", if k == 0 { paint("!", "33") } else { " ".into() }));
+    let mut order: Vec<usize> = (0..checks.len()).collect();
+    order.sort_by_key(|&k| std::cmp::Reverse(page.checks[k].verdict));
+    for k in order {
+        let before = checks[k].result.shown;
+        checks[k].result.shown = checks[k].result.lines.len().min(LINES);
+        if used(&checks, &remarks, &next) > MOST_LINES {
+            checks[k].result.shown = before;
         }
     }
-    if !page.next.is_empty() {
-        out.push('\n');
-    }
-    for m in page.next.iter().take(room.next) {
-        for (k, line) in wrapped(&plain::line(&style.message(m)), width - 2).into_iter().enumerate() {
-            out.push_str(&format!("{} {line}\n", if k == 0 { ">" } else { " " }));
+    for k in 0..remarks.len() {
+        remarks[k].shown = remarks[k].lines.len().min(LINES);
+        if used(&checks, &remarks, &next) > MOST_LINES {
+            remarks[k].shown = 1;
         }
     }
-    out
+
+    let mut out = vec![paint(&plain::line(&report.machine), "1")];
+    out.extend(headline.iter().enumerate().map(|(k, line)| {
+        let sign = if k == 0 { paint(sign, code) } else { " ".into() };
+        format!("{sign} {}", paint(line, "1"))
+    }));
+    if !checks.is_empty() {
+        out.push(String::new());
+    }
+    for (c, cells) in page.checks.iter().zip(&checks) {
+        out.extend(cells.rows(&paint(&plain::line(&verdict(style, c, true)), self::sign(c.verdict).1)));
+    }
+    out.extend(strip);
+    for (block, mark) in [(&remarks, paint("!", "33")), (&next, ">".into())] {
+        if !block.is_empty() {
+            out.push(String::new());
+        }
+        for text in block {
+            let lines = text.cut();
+            out.extend(lines.iter().enumerate().map(|(k, line)| format!("{} {line}", if k == 0 { &mark } else { " " })));
+        }
+    }
+    out.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// A text in lines, of which the first are shown.
+struct Lines {
+    lines: Vec<String>,
+    shown: usize,
+}
+
+impl Lines {
+    fn new(lines: Vec<String>) -> Lines {
+        let shown = lines.len().min(1);
+        Lines { lines, shown }
+    }
+
+    /// The lines shown, with a mark where some are left out.
+    fn cut(&self) -> Vec<String> {
+        let mut out: Vec<String> = self.lines.iter().take(self.shown).cloned().collect();
+        if let Some(last) = out.last_mut().filter(|_| self.shown < self.lines.len()) {
+            last.push_str(" …");
+        }
+        out
+    }
+}
+
+/// A check: its name, what was found, what is required.
+struct Cells {
+    what: Vec<String>,
+    result: Lines,
+    required: Vec<String>,
+    room: usize,
+}
+
+impl Cells {
+    fn new(c: &Check, style: &Style, width: usize) -> Cells {
+        let room = width - WHAT - REQUIRED - VERDICT - 2;
+        Cells {
+            what: wrapped(&plain::line(&style.message(&c.what)), WHAT - 1),
+            result: Lines::new(wrapped(&plain::line(&style.message(&c.result)), room - 3)),
+            required: wrapped(&plain::line(&required(style, c)), REQUIRED - 1),
+            room,
+        }
+    }
+
+    fn height(&self) -> usize {
+        self.what.len().max(self.result.shown).max(self.required.len())
+    }
+
+    /// The lines of the table, the verdict behind the first.
+    fn rows(&self, verdict: &str) -> Vec<String> {
+        let result = self.result.cut();
+        let cell = |lines: &[String], k: usize, width: usize| pad(lines.get(k).map_or("", String::as_str), width);
+        let row = |k: usize| {
+            let last = if k == 0 { verdict } else { "" };
+            format!("  {}{}{}{last}", cell(&self.what, k, WHAT), cell(&result, k, self.room), cell(&self.required, k, REQUIRED))
+        };
+        (0..self.height()).map(row).collect()
+    }
 }
 
 fn sign(verdict: Verdict) -> (&'static str, &'static str) {
@@ -120,36 +180,12 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
     out
 }
 
-/// The first lines, with a mark where some are left out.
-fn cut(mut lines: Vec<String>, most: usize) -> Vec<String> {
-    if lines.len() > most {
-        lines.truncate(most);
-        lines[most - 1].push_str(" …");
-    }
-    lines
-}
-
 fn pad(text: &str, width: usize) -> String {
     format!("{text}{}", " ".repeat(width.saturating_sub(length(text))))
 }
 
-fn check(out: &mut String, c: &Check, style: &Style, width: usize, lines: usize, paint: &dyn Fn(&str, &str) -> String) {
-    let room = width - WHAT - REQUIRED - VERDICT - 2;
-    let what = wrapped(&plain::line(&style.message(&c.what)), WHAT - 1);
-    let result = cut(wrapped(&plain::line(&style.message(&c.result)), room - 3), lines);
-    let required = wrapped(&plain::line(&required(style, c)), REQUIRED - 1);
-    let verdict = plain::line(&verdict(style, c, true)).into_owned();
-    let cell = |lines: &[String], k: usize| lines.get(k).cloned().unwrap_or_default();
-    for k in 0..what.len().max(result.len()).max(required.len()) {
-        let last = if k == 0 { paint(&verdict, sign(c.verdict).1) } else { String::new() };
-        let line = format!("  {}{}{}{last}", pad(&cell(&what, k), WHAT), pad(&cell(&result, k), room), pad(&cell(&required, k), REQUIRED));
-        out.push_str(line.trim_end());
-        out.push('\n');
-    }
-}
-
 /// The range of speeds as one line: unstable ranges, resonances, jumps, the operating speed.
-fn strip(out: &mut String, page: &Overview, over: &OverSpeed, style: &Style, width: usize) {
+fn strip(page: &Overview, over: &OverSpeed, style: &Style, width: usize) -> Vec<String> {
     let unit = style.units.speed();
     let cells = width - 12;
     let (from, to) = over.shown;
@@ -184,8 +220,8 @@ fn strip(out: &mut String, page: &Overview, over: &OverSpeed, style: &Style, wid
         }
     }
     let name = style.language.unit(&unit.name);
-    out.push_str(&format!("\n  {}{}\n", pad(&name, 9), labels.iter().collect::<String>().trim_end()));
-    out.push_str(&format!("  {}{}\n", pad("", 9), line.iter().collect::<String>()));
+    let row = |head: &str, line: String| format!("  {}{}", pad(head, 9), line.trim_end());
+    let mut out = vec![String::new(), row(&name, labels.iter().collect()), row("", line.iter().collect())];
     let mut key = vec!["┃", "axis-operating"];
     if line.contains(&'█') {
         key.extend(["█", "strip-unstable"]);
@@ -194,7 +230,8 @@ fn strip(out: &mut String, page: &Overview, over: &OverSpeed, style: &Style, wid
         key.extend(["∧", "strip-resonance"]);
     }
     let words: Vec<String> = key.chunks(2).map(|k| format!("{} {}", k[0], style.message(&Message::new(k[1])))).collect();
-    out.push_str(&format!("  {}{}\n", pad("", 9), words.join("   ")));
+    out.push(row("", words.join("   ")));
+    out
 }
 
 /// What the checks do not say: unstable ranges first, then warnings of the studies.
@@ -203,7 +240,11 @@ fn remarks(page: &Overview, report: &Report) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     let stopped = report.outcomes.iter().filter(|o| !matches!(o.end, End::Reached | End::Refused));
     out.extend(stopped.map(|o| format!("{}: {}", o.name, style.message(&o.end_message()))));
+    // the headline names a single range that the run-up crosses
+    let crossed = page.headline.iter().find(|m| m.arg_named("count") == Some(&Arg::Count(1))).and_then(|m| m.arg_named("from")).cloned();
+    let said = |m: &Message| m.key == "remark-unstable" && crossed.is_some() && m.arg_named("from") == crossed.as_ref();
     let texts = page.remarks.iter().flat_map(|r| &r.1).filter(|m| m.key == "remark-unstable" || m.key == "remark-jump");
+    let texts = texts.filter(|m| !said(m));
     out.extend(texts.map(|m| sentence(style, m)));
     // what the page says already
     const SAID: [&str; 8] =

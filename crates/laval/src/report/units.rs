@@ -72,12 +72,10 @@ impl Units {
         out
     }
 
-    /// The units of a list, whatever their size, then those that a machine file writes.
-    pub fn chosen<'u>(list: impl IntoIterator<Item = &'u str>, written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
-        let chosen: Vec<_> = crate::file::si_units(list.into_iter().map(String::from)).collect();
-        let own: Vec<String> = chosen.iter().map(|c| c.2.clone()).collect();
+    /// Units chosen by the reader, whatever their size, then those that a machine file writes; both as in [`new`](Units::new).
+    pub fn chosen(chosen: Vec<(String, f64, String)>, written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
         let mut out = Units::new(written);
-        out.preferred.retain(|p| !own.contains(&p.0));
+        out.preferred.retain(|p| !chosen.iter().any(|c| c.2 == p.0));
         for (name, size, si) in chosen {
             if out.of(&si).is_none() {
                 out.preferred.push((si, Rung { name: if name == "deg" { "°".into() } else { name }, size }));
@@ -210,7 +208,7 @@ mod tests {
     #[test]
     fn chosen_units_come_before_those_of_the_file() {
         let written = || [("rpm".into(), TAU / 60.0, "rad/s".into()), ("N/mm".into(), 1e3, "N/m".into())];
-        let units = Units::chosen(["Hz", "mm", "furlong"], written());
+        let units = Units::chosen(vec![("Hz".into(), TAU, "rad/s".into()), ("mm".into(), 1e-3, "m".into())], written());
         assert_eq!(shown(&units, 314.159265, "rad/s", Role::Plain), "50 Hz");
         assert_eq!(shown(&units, 2e-5, "m", Role::Plain), "0.02 mm");
         assert_eq!(shown(&units, 3.26e5, "N/m", Role::Plain), "326 N/mm");

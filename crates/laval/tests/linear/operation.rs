@@ -113,7 +113,7 @@ fn mistakes_are_named_at_their_place() {
         ("speed = 300.0", "speed = { from = 100.0, to = 200.0 }", "operation.speed"),
         ("", "speed = { from = -100.0, to = 200.0 }", "operation.speed"),
         ("", "run_up_time = 3.0", "operation.speed"),
-        ("", "speed = 100.0\nresonance_margin = \"150 %\"", "value.range"),
+        ("", "speed = 100.0\nresonance_margin = \"150 %\"", "value.bounds"),
         ("", "speed = 100.0\n[report]\nunits = \"rpm, furlong\"", "report.units"),
         ("", "speed = 100.0\n[report]\nlanguage = \"de\"", "value.choice"),
     ] {

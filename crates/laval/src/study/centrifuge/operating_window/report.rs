@@ -53,10 +53,10 @@ impl<'a> Shown<'a> {
         out = self.shortest(out);
         out = self.remarks(out);
         for (k, i) in m.intervals.iter().enumerate() {
-            for (e, side) in [(&i.low, "low"), (&i.high, "high")] {
-                let other = e.speed + if side == "low" { -e.bracket } else { e.bracket };
+            for (e, kind) in [(&i.low, "window_low"), (&i.high, "window_high")] {
+                let other = e.speed + if kind == "window_low" { -e.bracket } else { e.bracket };
                 out = out.special_point(
-                    SpecialPoint::new(format!("window_{side}"), e.speed, (e.speed.min(other), e.speed.max(other)))
+                    SpecialPoint::new(kind, e.speed, (e.speed.min(other), e.speed.max(other)))
                         .status(if e.event == "domain limit" { Status::Bracketed } else { Status::Located })
                         .evidence("interval", (k + 1) as f64, ""),
                 );

@@ -247,7 +247,8 @@ impl<'a> Shown<'a> {
                 .mark(Line::new("map", name.clone(), "growth").name("largest growth rate"))
                 .mark(Rule::y(threshold, "threshold"));
             let alt = Message::new("stability-map-alt-parameter").arg("parameter", parameter_name(&name));
-            let figure = Figure::new("stability", "Largest growth rate", alt.arg("speed", Arg::speed(self.study.speed.from)));
+            let alt = alt.arg("speed", Arg::speed(self.study.speed.from));
+            let figure = Figure::new("stability", "Largest growth rate", alt);
             return figure.x(Axis::parameter(&name, unit)).panel(growth);
         }
         if self.two() {
