@@ -12,7 +12,7 @@ use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
 use laval::report::{self, Format, Language, Provenance, Report, Style, Units, WriteError};
 use laval::store::Keep;
-use laval::study::{self, Cancel, Context, presentation};
+use laval::study::{self, Cancel, Context, Silent, presentation};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::Ordering;
@@ -307,12 +307,10 @@ impl<'a> Run<'a> {
         if CANCEL.load(Ordering::Relaxed) {
             return;
         }
-        let bar = Bar::new("summary", self.args.quiet);
-        let context = Context { name: "summary", cancel: &CANCEL, progress: &bar, work_limit: u64::MAX, keep: None };
+        let context = Context { name: "summary", cancel: &CANCEL, progress: &Silent, work_limit: u64::MAX, keep: None };
         let system = &self.loaded.system;
         let speeds: Vec<_> = self.loaded.studies.iter().flat_map(|s| s.study.speeds(system)).collect();
         self.report.overview = guarded(|| study::overview(system, &speeds, &self.report.outcomes, &context));
-        bar.finish();
         self.paragraph(&report::summary(&self.report, terminal::findings()));
     }
 

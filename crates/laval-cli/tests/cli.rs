@@ -67,7 +67,7 @@ fn a_good_file_is_run_and_the_report_named() {
     assert_eq!(dir.laval(["check", "pump.toml"]).done(), "ok: 3 parts, 2 coordinates, study response\n");
     let said = dir.laval(["run", "pump.toml"]);
     let out = said.done();
-    assert!(out.starts_with("small\n\n✓ Stable at 1000 rpm.\n") && out.ends_with("\n\nout/pump/report.html\n"), "{out}");
+    assert!(out.starts_with("small\n✓ Stable at 1000 rpm.\n") && out.ends_with("\n\nout/pump/report.html\n"), "{out}");
     // all findings stand before the summary
     let all = dir.laval(["run", "pump.toml", "--all"]);
     assert!(all.done().starts_with("response\n  ") && all.out.ends_with(out), "{}", all.out);
