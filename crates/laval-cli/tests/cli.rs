@@ -258,11 +258,11 @@ fn reports_speak_the_language_requested() {
     assert!(page.contains("<html lang=\"ru\">") && page.contains("об/мин"));
     assert_eq!(dir.read("ru/results.json"), dir.read("en/results.json"));
     // the file comes after the request
-    dir.file("own.toml", &format!("{SMALL}[report]\nlanguage = \"ru\"\nunits = \"Hz\"\n"));
+    dir.file("own.toml", format!("{SMALL}[report]\nlanguage = \"ru\"\nunits = \"Hz\"\n"));
     let own = dir.laval(["run", "own.toml", "--out", "own"]).done().to_string();
     assert!(own.contains("Гц") && !own.contains("об/мин"), "{own}");
-    let asked = dir.laval(["run", "own.toml", "--out", "own", "--lang", "en"]).done().to_string();
-    assert!(asked.contains("Hz") && !asked.contains("Гц"), "{asked}");
+    let requested = dir.laval(["run", "own.toml", "--out", "own", "--lang", "en"]).done().to_string();
+    assert!(requested.contains("Hz") && !requested.contains("Гц"), "{requested}");
     dir.laval(["run", "pump.toml", "--lang", "xx"]).refused(&["xx", "en, ru, kk, uz"]);
 }
 

@@ -26,7 +26,7 @@ pub(super) fn left_out(facts: &Facts) -> Vec<Message> {
         // edges are located between samples that differ; a range between two samples is not seen
         let step = (facts.range.1 - facts.range.0) / (POINTS - 1) as f64;
         let step = if row.samples.len() < POINTS / 2 { facts.range.1 - facts.range.0 } else { step };
-        let near = facts.near.is_some().then(|| facts.operating).flatten();
+        let near = facts.near.as_ref().and(facts.operating);
         let fine = near.map(|o| ((1.0 + super::ABOUT) * o.high - (1.0 - super::ABOUT) * o.low) / (NEAR - 1) as f64);
         let m = Message::new(if fine.is_some() { "left-steps-near" } else { "left-steps" }).arg("step", Arg::speed(step).digits(2));
         out.push(m.arg("near", Arg::speed(fine.unwrap_or(step)).digits(2)));
