@@ -13,6 +13,8 @@ const MOST_LINES: usize = 23;
 /// Remarks below the strip, and suggestions.
 const MOST_REMARKS: usize = 3;
 const MOST_NEXT: usize = 2;
+/// Remarks that come before the whole results of checks.
+const FIRST: usize = 2;
 /// Lines of the result of a check, and of a remark, where there is room.
 const LINES: usize = 2;
 /// Widths of the columns of checks, the last takes what is left.
@@ -37,7 +39,7 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         page.next.iter().take(MOST_NEXT).map(|m| Lines::new(wrapped(&plain::line(&style.message(m)), width - 2))).collect();
     next.iter_mut().for_each(|n| n.shown = n.lines.len());
 
-    // one line each, then more for what matters most
+    // one line each, then the whole results of checks, the worst first, then more remarks and suggestions
     let fixed = 1 + headline.len() + usize::from(!checks.is_empty()) + strip.len();
     let used = |checks: &[Cells], remarks: &[Lines], next: &[Lines]| {
         let blocks = usize::from(!remarks.is_empty()) + usize::from(!next.is_empty());
@@ -45,12 +47,10 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         fixed + blocks + checks.iter().map(Cells::height).sum::<usize>() + lines(remarks) + lines(next)
     };
     let mut checks = checks;
-    while used(&checks, &remarks, &next) > MOST_LINES && (next.len() > 1 || remarks.len() > 1) {
-        if next.len() > 1 {
-            next.pop();
-        } else {
-            remarks.pop();
-        }
+    let (mut more_remarks, mut more_next) = (remarks.split_off(remarks.len().min(FIRST)), next.split_off(next.len().min(1)));
+    while used(&checks, &remarks, &next) > MOST_LINES && remarks.len() > 1 {
+        remarks.pop();
+        more_remarks.clear();
     }
     let mut order: Vec<usize> = (0..checks.len()).collect();
     order.sort_by_key(|&k| std::cmp::Reverse(page.checks[k].verdict));
@@ -59,6 +59,16 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         checks[k].result.shown = checks[k].result.lines.len().min(LINES);
         if used(&checks, &remarks, &next) > MOST_LINES {
             checks[k].result.shown = before;
+        }
+    }
+    for (all, more) in [(&mut remarks, &mut more_remarks), (&mut next, &mut more_next)] {
+        all.append(more);
+    }
+    while used(&checks, &remarks, &next) > MOST_LINES && (next.len() > 1 || remarks.len() > 1) {
+        if next.len() > 1 {
+            next.pop();
+        } else {
+            remarks.pop();
         }
     }
     for k in 0..remarks.len() {
