@@ -107,6 +107,40 @@ fn the_run_up_is_simulated_in_its_time() {
     assert_eq!(check(&long, "check-run-up").result.key, "run-up-resonances");
 }
 
+/// Above the limit of rotating damping the growth rate is (W - W0) c_i/(2 m w): over the time of the passage a disturbance grows by exp of its integral.
+#[test]
+fn growth_on_the_way_through_an_unstable_range_is_its_integral() {
+    let inner = "[[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\ndamping = 2.0\naxes = \"rotating\"\n";
+    let p = page(&jeffcott("", 2.0, &format!("{inner}[operation]\nspeed = 250.0\nrun_up_time = 20.0\n")));
+    let factor = number(check(&p, "check-run-up").detail.as_ref().unwrap(), "factor");
+    let slope = 2.0 / (2.0 * MASS * (STIFFNESS / MASS).sqrt());
+    let want = (0.5 * slope * 50.0f64.powi(2) * 20.0 / 250.0).exp();
+    assert!((factor.ln() / want.ln() - 1.0).abs() < 0.03, "{factor} and not {want}");
+}
+
+/// A range narrower than the steps over all speeds, within 20 % of the operating speed.
+#[test]
+fn a_narrow_unstable_range_beside_the_operating_speed_is_found() {
+    let text = |centre: f64| {
+        format!(
+            "[machine]\nspeed = 160.0\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 4.0\n[[part]]\nkind = \"bearing_linear\"\nname = \"film\"\n\
+             between = [\"disc\", \"ground\"]\ntable = {{ speed = [0.0, {:?}, {:?}, {:?}, 1000.0], kxx = [4e4, 4e4, 4e4, 4e4, 4e4], kyy = [4e4, 4e4, 4e4, 4e4, 4e4], \
+             kxy = [0.0, 0.0, 4e3, 0.0, 0.0], kyx = [0.0, 0.0, -4e3, 0.0, 0.0], cxx = [8.0, 8.0, 8.0, 8.0, 8.0], cyy = [8.0, 8.0, 8.0, 8.0, 8.0] }}\n",
+            centre - 0.85,
+            centre,
+            centre + 0.85
+        )
+    };
+    let p = page(&text(150.35));
+    let over = p.over_speed.as_ref().unwrap();
+    let step = over.growth_speed[1] - over.growth_speed[0];
+    let around = over.growth_speed.iter().filter(|w| (**w - 150.35).abs() < 0.85).count();
+    assert!(step > 1.7 && around == 0, "the steps over all speeds see it: {step}");
+    let near = check(&p, "check-instability");
+    assert!((near.margin.unwrap() - (160.0 - 150.35) / 160.0).abs() < 0.006, "{near:?}");
+    assert_eq!(near.verdict, Verdict::Attention);
+}
+
 #[test]
 fn mistakes_are_named_at_their_place() {
     for (speed, operation, code) in [
