@@ -122,6 +122,21 @@ mod tests {
     }
 
     #[test]
+    fn the_worse_of_two_speeds_counts() {
+        let of = |stable: Option<usize>, size: f64| Steady {
+            states: 1,
+            stable,
+            sizes: vec![("disc".into(), size)],
+            forces: vec![("spring".into(), 2.0 * size)],
+        };
+        let both = |a: Option<usize>, b: Option<usize>| of(a, 1.0).worse(of(b, 3.0));
+        assert_eq!((both(Some(0), Some(2)).stable, both(Some(2), Some(0)).stable, both(None, Some(0)).stable), (Some(0), Some(0), Some(0)));
+        assert_eq!((both(Some(1), Some(2)).stable, both(None, Some(1)).stable), (Some(2), None));
+        assert_eq!((both(None, None).sizes[0].1, both(None, None).forces[0].1), (3.0, 6.0));
+        assert!(of(None, f64::NAN).worse(of(None, 1.0)).sizes[0].1.is_nan());
+    }
+
+    #[test]
     fn sizes_are_interpolated_and_what_is_no_number_stays_none() {
         let known = at(&table(vec![1.0, 2.0, 4.0], vec![true; 3]), 15.0).unwrap();
         assert_eq!((known.states, known.stable, known.sizes[0].1), (1, Some(1), 3.0));

@@ -90,8 +90,13 @@ pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) 
 /// every slow passage.
 fn factor(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Message> {
     let (time, over) = (facts.operation.run_up_time?, over?);
-    let samples: Vec<(f64, f64)> = over.growth_speed.iter().copied().zip(over.growth.iter().copied()).filter(|s| s.0 < speed.low).collect();
-    let area: f64 = samples.windows(2).map(|w| 0.5 * (w[0].1.max(0.0) + w[1].1.max(0.0)) * (w[1].0 - w[0].0)).sum();
+    let samples: Vec<(f64, f64)> = over.growth_speed.iter().copied().zip(over.growth.iter().map(|g| g.max(0.0))).collect();
+    let piece = |w: &[(f64, f64)]| {
+        let (from, to) = (w[0].0, w[1].0.min(speed.low));
+        let end = w[0].1 + (w[1].1 - w[0].1) * (to - from) / (w[1].0 - from);
+        if to > from { 0.5 * (w[0].1 + end) * (to - from) } else { 0.0 }
+    };
+    let area: f64 = samples.windows(2).map(piece).sum();
     let exponent = area * time / speed.high;
     (exponent > 0.0).then(|| Message::new("run-up-grows").arg("factor", Arg::number(exponent.exp())))
 }
