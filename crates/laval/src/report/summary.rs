@@ -20,7 +20,7 @@ const LINES: usize = 2;
 /// Widths of the columns of checks, the last takes what is left.
 const WHAT: usize = 24;
 const REQUIRED: usize = 11;
-const VERDICT: usize = 10;
+const VERDICT: usize = 11;
 
 /// The summary; empty where the report has no first page.
 pub fn summary(report: &Report, how: Terminal) -> String {

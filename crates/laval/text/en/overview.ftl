@@ -13,6 +13,7 @@ short-no_limit = no limit
 short-not_computed = not run
 short-attention = attention
 short-failed = NOT MET
+short-near = near
 
 # Headline.
 headline-stable = Stable at { $speed }.

@@ -13,6 +13,7 @@ short-no_limit = шек жоқ
 short-not_computed = есеп жоқ
 short-attention = назар
 short-failed = САЙ ЕМЕС
+short-near = аз
 
 # Headline.
 headline-stable = { $speed } кезінде орнықты.

@@ -13,6 +13,7 @@ short-no_limit = не задано
 short-not_computed = нет данных
 short-attention = внимание
 short-failed = НАРУШЕНО
+short-near = мало
 
 # Headline.
 headline-stable = Устойчиво при { $speed }.

@@ -13,6 +13,7 @@ short-no_limit = chegara yo‘q
 short-not_computed = hisoblanmadi
 short-attention = e’tibor bering
 short-failed = BAJARILMADI
+short-near = kam
 
 # Sarlavha.
 headline-stable = { $speed } tezlikda turg‘un.

@@ -24,7 +24,12 @@ fn class(verdict: Verdict) -> &'static str {
 /// The word of a verdict, with the margin: the long word, or the `short` one of the terminal.
 pub(super) fn verdict(style: &Style, check: &Check, short: bool) -> String {
     let family = if short { "short-" } else { "verdict-" };
-    let word = style.message(&Message::new([family, check.verdict.word()].concat()));
+    // beside its margin, a requirement that is not kept needs no longer word
+    let key = match (check.verdict, check.margin) {
+        (Verdict::Attention, Some(_)) if short => "near",
+        _ => check.verdict.word(),
+    };
+    let word = style.message(&Message::new([family, key].concat()));
     match check.margin {
         Some(m) => format!("{word}{} {}", if short { "" } else { "," }, style.arg(&Arg::percent(m).digits(2))),
         None => word,
