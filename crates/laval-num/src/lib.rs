@@ -19,6 +19,7 @@ pub mod lanes;
 pub mod newton;
 pub mod ode;
 pub mod optimise;
+pub mod order;
 pub mod quadrature;
 pub mod rational;
 pub mod sampling;

@@ -113,7 +113,7 @@ impl fmt::Display for NotConverged {
 impl std::error::Error for NotConverged {}
 
 /// Solves `r(x, p) = 0` for `x` at fixed `p`, starting at `x`. On failure `x` is left as it was.
-pub fn newton<P: Zero + ?Sized>(problem: &mut P, x: &mut [f64], p: f64, options: &Options) -> Result<Converged, NotConverged> {
+pub fn newton(problem: &mut dyn Zero, x: &mut [f64], p: f64, options: &Options) -> Result<Converged, NotConverged> {
     let n = problem.dim();
     assert_eq!(x.len(), n, "length of the start differs from the number of unknowns");
     let mut scale = vec![1.0; n];
@@ -136,15 +136,15 @@ pub(crate) trait System {
 }
 
 /// The problem itself at a given parameter.
-pub(crate) struct FixedParameter<'a, P: ?Sized> {
-    pub problem: &'a mut P,
+pub(crate) struct FixedParameter<'a> {
+    pub problem: &'a mut dyn Zero,
     pub scale: &'a [f64],
     pub p: f64,
     /// Scratch.
     pub x: &'a mut [f64],
 }
 
-impl<P: Zero + ?Sized> System for FixedParameter<'_, P> {
+impl System for FixedParameter<'_> {
     fn size(&self) -> usize {
         self.scale.len()
     }
@@ -201,7 +201,7 @@ enum At {
 }
 
 impl Solver {
-    fn evaluate<S: System>(&mut self, system: &mut S, at: At, with_jac: bool) -> Result<(), Cause> {
+    fn evaluate(&mut self, system: &mut dyn System, at: At, with_jac: bool) -> Result<(), Cause> {
         let n = system.size();
         let (y, r) = match at {
             At::Iterate => (&self.y, &mut self.r),
@@ -243,7 +243,7 @@ impl Solver {
     }
 
     /// Solves from `y`; on failure `y` is left as it was.
-    pub fn solve<S: System>(&mut self, system: &mut S, y: &mut [f64], o: &Options) -> Result<Converged, NotConverged> {
+    pub fn solve(&mut self, system: &mut dyn System, y: &mut [f64], o: &Options) -> Result<Converged, NotConverged> {
         let mut seen = NotConverged { cause: Cause::Stalled, iterations: 0, residual: f64::NAN, step: f64::NAN };
         self.y.clear();
         self.y.extend_from_slice(y);
@@ -256,7 +256,7 @@ impl Solver {
         }
     }
 
-    fn iterate<S: System>(&mut self, system: &mut S, o: &Options, seen: &mut NotConverged) -> Result<f64, Cause> {
+    fn iterate(&mut self, system: &mut dyn System, o: &Options, seen: &mut NotConverged) -> Result<f64, Cause> {
         self.evaluate(system, At::Iterate, true)?;
         let (mut previous, mut rate) = (f64::INFINITY, 0.0);
         loop {
@@ -302,7 +302,7 @@ impl Solver {
     }
 
     /// Goes along `delta`, with damping only as far as the residual, weighed as before, falls.
-    fn advance<S: System>(&mut self, system: &mut S, damped: bool, residual: f64) -> Result<(), Cause> {
+    fn advance(&mut self, system: &mut dyn System, damped: bool, residual: f64) -> Result<(), Cause> {
         let mut length = 1.0;
         let mut last = Cause::Stalled;
         while length >= SHORTEST {

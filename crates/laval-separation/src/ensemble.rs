@@ -15,6 +15,7 @@ use super::halton::{self, Point};
 use super::law::Law;
 use super::machine::Turning;
 use super::particle::{Medium, Particle};
+use laval_num::order::ascending;
 use laval_num::work::Here;
 use rayon::prelude::*;
 
@@ -109,7 +110,7 @@ pub fn products(turning: &Turning, members: &[Member], sign: f64) -> Vec<Option<
 /// Exit times in increasing order, infinite at the end for particles that stay.
 pub fn sorted(times: impl Iterator<Item = Option<f64>>) -> Vec<f64> {
     let mut out: Vec<f64> = times.map(|t| t.filter(|t| !t.is_nan()).unwrap_or(f64::INFINITY)).collect();
-    out.sort_unstable_by(f64::total_cmp);
+    ascending(&mut out);
     out
 }
 

@@ -23,6 +23,7 @@ use super::motion::Lost;
 use super::particle::Particle;
 use super::ramp::Ramp;
 use super::slowest::Last;
+use laval_num::order::SortByNumber;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -202,7 +203,7 @@ impl<'a> Recovery<'a> {
                     })
                     .collect();
                 let mut all = all?;
-                all.sort_by(|a, b| a.0.total_cmp(&b.0));
+                all.sort_by_number(|a| a.0);
                 Kind::Counted(all)
             }
             None => {

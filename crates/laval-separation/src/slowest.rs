@@ -19,6 +19,7 @@ use super::motion::Lost;
 use super::particle::Particle;
 use super::tube::Filled;
 use super::vessel::Inside;
+use laval_num::order::SortByNumber;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -125,7 +126,7 @@ impl Spinning<'_> {
         };
         let times: Vec<f64> = grid.par_iter().map(|&s| counted(s)).collect::<Result<_, _>>()?;
         let mut best: Vec<(f64, Site)> = times.into_iter().zip(grid).collect();
-        best.sort_by(|a, b| b.0.total_cmp(&a.0));
+        best.sort_by_number_down(|a| a.0);
         best.truncate(FOLLOWED);
         let climbed: Vec<(f64, Site)> = best.into_par_iter().map(|from| climb(from, &counted)).collect::<Result<_, _>>()?;
         let top = climbed.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });

@@ -18,6 +18,7 @@ use super::sweep::{Sweep, spectrum};
 use super::ties::{rank, settle};
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
+use laval_num::order::SortByNumber;
 use laval_num::univariate::{maximum, root};
 use serde::{Deserialize, Serialize};
 
@@ -81,13 +82,13 @@ pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -
                     points.extend(beyond(system, state, order, &b.points[k - 1..k + 2]));
                 }
             }
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            points.sort_by_number(|a| a.0);
             for pair in points.windows(2) {
                 out.extend(between(system, state, order, (branch, &pair[0], &pair[1])));
             }
         }
     }
-    out.sort_by(|a, b| a.order.total_cmp(&b.order));
+    out.sort_by_number(|a| a.order);
     for same in out.chunk_by_mut(|a, b| a.order == b.order) {
         settle(same, |x| c(x.growth, x.speed), |x| rank(x.whirl));
     }

@@ -12,6 +12,7 @@ use super::sectors::Sector;
 use super::ties::settle_modes;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Lu, Mat};
+use laval_num::order::SortByNumber;
 use std::f64::consts::{PI, TAU};
 
 /// Iterates of Newton's method that are this many times farther from their start than a root may be: beside a pole of the fit there is no root, and
@@ -96,7 +97,7 @@ pub fn growing(t: &mut Characteristic, spectrum: &Spectrum) -> Option<usize> {
             heights.extend([centre - off, centre + off].into_iter().filter(|h| *h >= 0.0 && *h < radius));
         }
     }
-    heights.sort_by(|a, b| b.total_cmp(a));
+    heights.sort_by_number_down(|a| *a);
     heights.dedup();
     let path: Vec<C64> = arc.into_iter().chain(heights.into_iter().skip(1).map(|h| c(0.0, h))).collect();
     let mut last = phase.at(path[0])?;

@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use laval_num::complex::c;
+use laval_num::order::ascending;
 use serde::{Deserialize, Serialize};
 
 /// A maximum or minimum of an amplitude.
@@ -51,7 +52,7 @@ impl Curve {
     pub fn poles(&self) -> Vec<f64> {
         let maxima = self.extrema.iter().filter(|e| e.unbounded).map(|e| e.speed);
         let mut out: Vec<f64> = maxima.chain(self.singular.iter().copied()).collect();
-        out.sort_by(f64::total_cmp);
+        ascending(&mut out);
         out.dedup_by(|b, a| (*b - *a).abs() <= FAR * NARROW * a.abs());
         out
     }
@@ -163,7 +164,7 @@ pub fn curve(
     probes: &[Probe],
     each: &mut dyn FnMut(u64) -> bool,
 ) -> Result<Curve, Diagnostic> {
-    speeds.sort_by(f64::total_cmp);
+    ascending(&mut speeds);
     // two crossings at one speed seed the same points twice, but for rounding
     speeds.dedup_by(|b, a| *b - *a <= 1e-8 * b.abs());
     let mut out = Curve { complete: true, ..Curve::default() };

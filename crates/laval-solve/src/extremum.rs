@@ -10,6 +10,7 @@ use super::linear_response::{Response, response};
 use super::locate::State;
 use crate::model::probe::Probe;
 use crate::model::system::System;
+use laval_num::order::SortByNumber;
 use laval_num::univariate::{maximum, root};
 
 /// Most responses an interpolation uses.
@@ -61,7 +62,7 @@ impl<'a> Search<'a> {
         let log = |r: &Response| (r.speed, sign * r.size(sight).ln());
         let mut known: Vec<(f64, f64)> = around.iter().chain(self.points.iter().filter(|r| inside(r.speed))).map(log).collect();
         known.retain(|k| k.1.is_finite());
-        known.sort_by(|a, b| a.0.total_cmp(&b.0));
+        known.sort_by_number(|a| a.0);
         known.dedup_by(|a, b| a.0 == b.0);
         let mut last: Option<f64> = None;
         for turn in 0..=TRIES {
@@ -114,7 +115,7 @@ impl Polynomial {
     /// Through the points next to `origin`, in multiples of `unit` from it and as differences from its value.
     fn through(points: &[(f64, f64)], origin: (f64, f64), unit: f64) -> Self {
         let mut near: Vec<(f64, f64)> = points.iter().map(|p| ((p.0 - origin.0) / unit, p.1 - origin.1)).collect();
-        near.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        near.sort_by_number(|a| a.0.abs());
         let (mut nodes, mut coefficients) = (Vec::<f64>::new(), Vec::<f64>::new());
         for (t, y) in near {
             if nodes.len() == NODES || nodes.iter().any(|n| (n - t).abs() < 0.1 * APART) {

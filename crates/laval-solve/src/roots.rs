@@ -23,6 +23,7 @@ use laval_num::complex::{C64, c};
 use laval_num::contour::{Region, Sample, missing, zeros};
 use laval_num::dense::{Field, Lu, Mat};
 use laval_num::eig;
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -224,7 +225,7 @@ fn bands(domains: &[Domain], speed: f64, beside: bool, mirrored: bool) -> Vec<(f
         _ => (a, b),
     });
     let mut ranges: Vec<(f64, f64)> = ranges.filter(|(a, b)| b > a).collect();
-    ranges.sort_by(|a, b| a.0.total_cmp(&b.0));
+    ranges.sort_by_number(|a| a.0);
     let mut out: Vec<(f64, f64)> = Vec::new();
     for (a, b) in ranges {
         match out.last_mut() {

@@ -12,6 +12,7 @@ use super::sweep::{spectrum, sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
+use laval_num::order::SortByNumber;
 use laval_num::univariate::{maximum, root};
 use serde::{Deserialize, Serialize};
 
@@ -175,7 +176,7 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut ea
         all.extend(closer);
     }
     let on_grid = |w: f64| speeds.binary_search_by(|x| x.total_cmp(&w)).is_ok();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.sort_by_number(|a| a.0);
     // two samples at one speed differ by rounding: that of the grid stays
     all.dedup_by(|b, a| {
         let same = b.0 - a.0 <= APART * b.0.abs();

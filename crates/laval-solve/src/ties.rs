@@ -3,6 +3,7 @@
 use crate::pencil::{MachineMode, Whirl};
 use crate::sectors::Sector;
 use laval_num::complex::C64;
+use laval_num::order::SortByNumber;
 
 /// Roots nearer than this, relative to their size, are equal: two processors need not agree on which is larger.
 const EQUAL: f64 = 1e-9;
@@ -24,9 +25,9 @@ const EQUAL: f64 = 1e-9;
 /// ```
 pub fn settle<T>(roots: &mut [T], value: impl Fn(&T) -> C64, rank: impl Fn(&T) -> u8) {
     let equal = |a: f64, b: f64, of: &T| (b - a).abs() <= EQUAL * value(of).abs();
-    roots.sort_by(|a, b| value(a).im.total_cmp(&value(b).im));
+    roots.sort_by_number(|a| value(a).im);
     for alike in roots.chunk_by_mut(|a, b| equal(value(a).im, value(b).im, b)) {
-        alike.sort_by(|a, b| value(a).re.total_cmp(&value(b).re));
+        alike.sort_by_number(|a| value(a).re);
         for same in alike.chunk_by_mut(|a, b| equal(value(a).re, value(b).re, b)) {
             same.sort_by_key(&rank);
         }

@@ -28,6 +28,7 @@ use super::{Cavity, Truncation};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
 use laval_num::eig::{definite, modes};
+use laval_num::order::{SortByNumber, ascending};
 use laval_num::quadrature::gauss;
 use std::f64::consts::PI;
 
@@ -120,7 +121,7 @@ impl Cavity<f64> {
         let tops = |waves: &mut dyn Iterator<Item = Wave>, count: usize| {
             let inside = waves.filter(|w| w.place.re.abs() < BAND);
             let mut list: Vec<(f64, f64)> = inside.map(|w| (w.place.re, self.height(w, whole))).collect();
-            list.sort_by(|a, b| b.1.total_cmp(&a.1));
+            list.sort_by_number_down(|a| a.1);
             list.truncate(count);
             list
         };
@@ -379,7 +380,7 @@ impl Few<'_> {
             reached = reached.min(self.series + TOPS * worst);
             let before = span.len();
             let mut tops: Vec<usize> = (0..grid.len()).filter(|&i| errors[i] > goal && is_top(&errors, i)).collect();
-            tops.sort_by(|&i, &j| errors[j].total_cmp(&errors[i]));
+            tops.sort_by_number_down(|&i| errors[i]);
             for i in tops.into_iter().take(1 + before / 8) {
                 self.widen(&mut span, &mut images, grid[i]);
             }
@@ -438,7 +439,7 @@ impl Few<'_> {
             out.extend([off, -off, -1.0 + off, -1.0 - off]);
         }
         out.retain(|x| x.abs() <= BAND && (x + 1.0).abs() > 1e-6);
-        out.sort_by(f64::total_cmp);
+        ascending(&mut out);
         out.dedup();
         out
     }

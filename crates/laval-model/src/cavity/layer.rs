@@ -24,6 +24,7 @@ use super::rational::{Rational, Wave};
 use super::waves::BAND;
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
+use laval_num::order::ascending;
 use laval_num::rational::{least_squares, poles};
 use std::cell::Cell;
 
@@ -149,7 +150,7 @@ impl Reaction<'_> {
                 out.extend([centre - off, centre + off].into_iter().filter(|x| x.abs() <= far));
             }
         }
-        out.sort_by(f64::total_cmp);
+        ascending(&mut out);
         out.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
         out
     }

@@ -26,6 +26,7 @@ use super::{Cavity, Truncation};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
 use laval_num::eig::definite;
+use laval_num::order::SortByNumber;
 use laval_num::quadrature::gauss;
 use std::f64::consts::PI;
 
@@ -116,7 +117,7 @@ impl Cavity<f64> {
             sum += factor;
             found.extend(self.waves(k, degree)?.into_iter().map(|(x, a)| (x, factor * a)));
         }
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.sort_by_number(|a| a.0);
         let (places, shares) = found.into_iter().unzip();
         Some(Ladder { places, shares, sum })
     }

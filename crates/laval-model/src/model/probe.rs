@@ -4,6 +4,7 @@ use super::field::Attach;
 use super::part::Link;
 use super::system::System;
 use laval_num::complex::C64;
+use laval_num::order::ascending;
 use laval_num::scalar::Scalar;
 use serde::{Deserialize, Serialize};
 
@@ -73,7 +74,7 @@ pub(super) fn all(system: &System) -> Vec<Probe> {
         let reference = [0, 1].map(|i| vec![(body.x + i, 1.0)]);
         let named = system.machine.points.iter().filter(|p| p.0 == body.name).map(|p| p.1);
         let mut heights: Vec<f64> = attached(system, &body.name).chain(named).filter(|z| *z != 0.0).collect();
-        heights.sort_by(f64::total_cmp);
+        ascending(&mut heights);
         heights.dedup_by(|a, b| same_height(*a, *b));
         let digits = distinct_digits(&heights);
         let probe = |sight, rows| Probe { body: k, name: body.name.clone(), sight, digits, rows };

@@ -11,8 +11,8 @@ use super::step::{Scratch, extended, resized};
 use crate::dense::{Lu, Mat, Singular, dot, norm};
 use crate::newton::{Converged, NotConverged, Options, Solver, System};
 
-pub(super) struct Augmented<'a, P: ?Sized> {
-    problem: &'a mut P,
+pub(super) struct Augmented<'a> {
+    problem: &'a mut dyn Zero,
     scale: &'a [f64],
     /// Lengths of the rows of the Jacobian at the start.
     weight: Vec<f64>,
@@ -31,10 +31,10 @@ pub(super) struct Augmented<'a, P: ?Sized> {
     scratch: Scratch,
 }
 
-impl<'a, P: Zero + ?Sized> Augmented<'a, P> {
+impl<'a> Augmented<'a> {
     /// For rows of `C` near the null vectors, `b` from the Jacobian with rows of unit length at the scaled point `y`; `None` where a row is zero.
     pub fn new(
-        problem: &'a mut P,
+        problem: &'a mut dyn Zero,
         scale: &'a [f64],
         y: &[f64],
         c: Vec<Vec<f64>>,
@@ -122,7 +122,7 @@ impl<'a, P: Zero + ?Sized> Augmented<'a, P> {
 
 const SINGULAR: Failure = Failure::Undefined("the bordered Jacobian is singular: neither a simple fold nor a simple branch point");
 
-impl<P: Zero + ?Sized> System for Augmented<'_, P> {
+impl System for Augmented<'_> {
     fn size(&self) -> usize {
         self.width + 1
     }

@@ -8,7 +8,6 @@
 //! Sources: A. Griewank, G. W. Reddien, SIAM J. Numer. Anal. 21 (1984) 176; G. Moore, Numer. Funct. Anal. Optim. 2 (1980) 441.
 
 use super::augmented::Augmented;
-use super::problem::Zero;
 use super::step::{Node, Tracer, distance, heading};
 use crate::dense::{dot, norm};
 use serde::{Deserialize, Serialize};
@@ -35,7 +34,7 @@ const STEPS: f64 = 10.0;
 /// Share of the step within which the branch point must lie from where the determinant vanishes.
 const NEAR: f64 = 0.1;
 
-impl<P: Zero + ?Sized> Tracer<'_, P> {
+impl Tracer<'_> {
     /// The branch point near a node where the determinant vanishes between two others, and the node there; `None` where there is none.
     pub(super) fn branch_point(&mut self, a: &Node, b: &Node, near: &Node) -> Option<(BranchPoint, Node)> {
         let n = self.n();

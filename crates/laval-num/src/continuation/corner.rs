@@ -6,7 +6,6 @@
 //! sides. The branch crosses (n't keeps its sign) when the determinant keeps its sign.
 
 use super::branch::{Kind, Side, Special, Status};
-use super::problem::Zero;
 use super::step::{Node, Tracer, distance, extended};
 use crate::dense::{Lu, Mat, dot, norm};
 use crate::newton::Options;
@@ -17,7 +16,7 @@ const SMOOTH: f64 = 0.9985;
 /// Halvings of the way to a corner before the next approach.
 const PROBES: usize = 6;
 
-impl<P: Zero + ?Sized> Tracer<'_, P> {
+impl Tracer<'_> {
     /// Unit tangent and determinant of the law that holds at `y`, on the branch or beside it, in the direction that goes on from `a`.
     fn direction(&mut self, a: &Node, y: &[f64], out: &mut Node) -> Option<()> {
         let n = self.n();

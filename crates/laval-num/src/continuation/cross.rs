@@ -5,6 +5,7 @@
 
 use super::Kind;
 use super::branch::{Point, Special};
+use super::event::{Test, Tested, Traced};
 use super::problem::Zero;
 use super::settings::{Invalid, Settings};
 use super::step::{Node, Tracer, distance, extended};
@@ -29,7 +30,11 @@ pub struct Crossing {
 const DISTANCES: [f64; 4] = [2e-2, 5e-3, 1e-3, 1e-4];
 
 /// The crossing branch on both sides of the branch point at `point`, which carries the tangent of the branch it lies on.
-pub fn cross<P: Zero + ?Sized>(problem: &mut P, point: &Point, settings: &Settings) -> Result<Vec<Crossing>, Invalid> {
+pub fn cross<P: Zero>(problem: &mut P, point: &Point, settings: &Settings) -> Result<Vec<Crossing>, Invalid> {
+    beside(&mut Tested { problem, tests: &mut [] }, point, settings)
+}
+
+fn beside(problem: &mut dyn Traced, point: &Point, settings: &Settings) -> Result<Vec<Crossing>, Invalid> {
     settings.check()?;
     let mut tracer = Tracer::new(problem, settings);
     let origin = tracer.node(point);
@@ -59,24 +64,29 @@ pub fn cross<P: Zero + ?Sized>(problem: &mut P, point: &Point, settings: &Settin
 
 /// The zero of `g` between two neighbouring points of a branch, where it has the values `ends`, on corrected points in between; its kind is
 /// `Kind::User(0)`.
-pub fn zero_between<P: Zero + ?Sized>(
+pub fn zero_between<P: Zero>(
     problem: &mut P,
     points: [&Point; 2],
     ends: [f64; 2],
     settings: &Settings,
-    g: &mut dyn FnMut(&mut P, &Point) -> f64,
+    mut g: impl FnMut(&mut P, &Point) -> f64,
 ) -> Result<Special, Invalid> {
+    let mut test: [Test<'_, P>; 1] = [Box::new(&mut g)];
+    between(&mut Tested { problem, tests: &mut test }, points, ends, settings)
+}
+
+fn between(problem: &mut dyn Traced, points: [&Point; 2], ends: [f64; 2], settings: &Settings) -> Result<Special, Invalid> {
     settings.check()?;
     let mut tracer = Tracer::new(problem, settings);
     let [a, b] = points.map(|p| tracer.node(p));
     let zero = tracer.locate(&a, &b, ends, &mut |tracer, node| {
         let point = tracer.point(node);
-        g(tracer.problem, &point)
+        tracer.problem.test(0, &point)
     });
     Ok(tracer.found(zero, Kind::User(0), ends, 0).special)
 }
 
-impl<P: Zero + ?Sized> Tracer<'_, P> {
+impl Tracer<'_> {
     /// The node of a point.
     fn node(&self, point: &Point) -> Node {
         let n = self.n();

@@ -3,12 +3,68 @@
 use super::branch::{Kind, Point, Refusal, Side, Special, Status};
 use super::branch_point::BranchPoint;
 use super::fold::fold;
-use super::problem::Zero;
+use super::problem::{Failure, Zero};
 use super::step::{Node, Tracer, distance, hermite};
+use crate::dense::Mat;
 use crate::newton::{Cause, Options};
 
 /// A user's test function of a point: a zero of it along the branch is a special point. NaN where it has no value.
 pub type Test<'t, P> = Box<dyn FnMut(&mut P, &Point) -> f64 + 't>;
+
+/// A problem with the test functions that are watched along its branches. Everything that follows branches sees problems as this, so that it is compiled once.
+pub(super) trait Traced: Zero {
+    fn tests(&self) -> usize;
+    /// Value of a test function at a point.
+    fn test(&mut self, k: usize, at: &Point) -> f64;
+}
+
+/// A problem beside its test functions.
+pub(super) struct Tested<'a, 't, P> {
+    pub problem: &'a mut P,
+    pub tests: &'a mut [Test<'t, P>],
+}
+
+impl<P: Zero> Traced for Tested<'_, '_, P> {
+    fn tests(&self) -> usize {
+        self.tests.len()
+    }
+    fn test(&mut self, k: usize, at: &Point) -> f64 {
+        self.tests[k](self.problem, at)
+    }
+}
+
+impl<P: Zero> Zero for Tested<'_, '_, P> {
+    fn dim(&self) -> usize {
+        self.problem.dim()
+    }
+    fn scale(&self, out: &mut [f64]) {
+        self.problem.scale(out);
+    }
+    fn parameter_scale(&self) -> f64 {
+        self.problem.parameter_scale()
+    }
+    fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
+        self.problem.eval(x, p, r, jac, dr_dp)
+    }
+    fn monitors(&self) -> usize {
+        self.problem.monitors()
+    }
+    fn monitor_width(&self) -> usize {
+        self.problem.monitor_width()
+    }
+    fn monitor_scale(&self, out: &mut [f64]) {
+        self.problem.monitor_scale(out);
+    }
+    fn measure(&mut self, x: &[f64], p: f64, out: &mut [f64]) -> Result<(), Failure> {
+        self.problem.measure(x, p, out)
+    }
+    fn max_parameter_step(&mut self, x: &[f64], p: f64) -> f64 {
+        self.problem.max_parameter_step(x, p)
+    }
+    fn cancelled(&self) -> bool {
+        self.problem.cancelled()
+    }
+}
 
 /// A special point with its node.
 pub(super) struct Found {
@@ -56,7 +112,7 @@ fn dip(a: &Node, b: &Node) -> Option<f64> {
     (c2 > 0.0 && u > 0.0 && u < 1.0 && c0 + u * (c1 + u * c2) < 0.25 * sa.abs().min(sb.abs())).then_some(u.clamp(0.05, 0.95))
 }
 
-impl<P: Zero + ?Sized> Tracer<'_, P> {
+impl Tracer<'_> {
     /// The point of the branch in the plane normal to the chord at fraction `u` of it, to rounding.
     pub fn between(&mut self, a: &Node, b: &Node, u: f64, node: &mut Node) -> Result<(), Cause> {
         let h = distance(&a.y, &b.y);
@@ -144,14 +200,7 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
     }
 
     /// Special points between `a` and `b`, in order. Refuses the step when the bordered determinant jumps through zero.
-    pub fn scan(
-        &mut self,
-        a: &Node,
-        b: &Node,
-        after: usize,
-        tests: &mut [Test<'_, P>],
-        values: &[Vec<f64>; 2],
-    ) -> Result<Vec<Found>, Refusal> {
+    pub fn scan(&mut self, a: &Node, b: &Node, after: usize, values: &[Vec<f64>; 2]) -> Result<Vec<Found>, Refusal> {
         let mut all = Vec::new();
         let mut crossing = None;
         if differ(a.determinant, b.determinant) {
@@ -199,12 +248,12 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
             }
             left = right;
         }
-        for (k, test) in tests.iter_mut().enumerate() {
+        for k in 0..self.problem.tests() {
             let ends = [values[0][k], values[1][k]];
             if differ(ends[0], ends[1]) {
                 let zero = self.locate(a, b, ends, &mut |tracer, node| {
                     let point = tracer.point(node);
-                    test(tracer.problem, &point)
+                    tracer.problem.test(k, &point)
                 });
                 all.push(self.found(zero, Kind::User(k), ends, after));
             }

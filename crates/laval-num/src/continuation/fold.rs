@@ -36,7 +36,7 @@ pub struct FoldPoint {
 ///
 /// Fails where the null space has more than one dimension (two planes of an isotropic machine folding together) and where dr/dp lies
 /// in the range of the Jacobian (branch points).
-pub fn fold<P: Zero + ?Sized>(problem: &mut P, x: &[f64], p: f64, null_vector: &[f64]) -> Result<FoldPoint, NotConverged> {
+pub fn fold(problem: &mut dyn Zero, x: &[f64], p: f64, null_vector: &[f64]) -> Result<FoldPoint, NotConverged> {
     let n = problem.dim();
     assert!(x.len() == n && null_vector.len() == n, "length of the start differs from the number of unknowns");
     let mut scale = vec![1.0; n + 1];

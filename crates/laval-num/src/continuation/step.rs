@@ -1,6 +1,7 @@
 //! Correction onto a branch, its tangent, and the acceptance of one step.
 
 use super::branch::{Counters, Point, Refusal};
+use super::event::Traced;
 use super::problem::{Failure, Zero};
 use super::settings::Settings;
 use crate::dense::{Mat, dot, norm};
@@ -82,8 +83,8 @@ pub(super) fn heading(a: &Node, b: &Node, h: f64, u: f64) -> Vec<f64> {
 }
 
 /// `r(x, p) = 0` with the hyperplane `row . (y - anchor) = 0`.
-struct Bordered<'a, P: ?Sized> {
-    problem: &'a mut P,
+struct Bordered<'a> {
+    problem: &'a mut dyn Zero,
     scale: &'a [f64],
     row: &'a [f64],
     anchor: &'a [f64],
@@ -98,8 +99,8 @@ pub(super) struct Scratch {
 }
 
 /// Residual and, in scaled variables, the `n` by `n + 1` Jacobian in the first rows of `jac`.
-pub(super) fn extended<P: Zero + ?Sized>(
-    problem: &mut P,
+pub(super) fn extended(
+    problem: &mut dyn Zero,
     scale: &[f64],
     y: &[f64],
     w: &mut Scratch,
@@ -127,7 +128,7 @@ pub(super) fn extended<P: Zero + ?Sized>(
     Ok(())
 }
 
-impl<P: Zero + ?Sized> System for Bordered<'_, P> {
+impl System for Bordered<'_> {
     fn size(&self) -> usize {
         self.scale.len()
     }
@@ -146,8 +147,8 @@ impl<P: Zero + ?Sized> System for Bordered<'_, P> {
 }
 
 /// The problem with everything needed to move along its branches; all storage lives here.
-pub(super) struct Tracer<'a, P: ?Sized> {
-    pub problem: &'a mut P,
+pub(super) struct Tracer<'a> {
+    pub problem: &'a mut dyn Traced,
     pub settings: &'a Settings,
     /// Scales of the unknowns and, last, of the parameter.
     pub scale: Vec<f64>,
@@ -160,8 +161,8 @@ pub(super) struct Tracer<'a, P: ?Sized> {
     measured: Vec<f64>,
 }
 
-impl<'a, P: Zero + ?Sized> Tracer<'a, P> {
-    pub fn new(problem: &'a mut P, settings: &'a Settings) -> Self {
+impl<'a> Tracer<'a> {
+    pub fn new(problem: &'a mut dyn Traced, settings: &'a Settings) -> Self {
         let n = problem.dim();
         let mut scale = vec![1.0; n + 1];
         problem.scale(&mut scale[..n]);

@@ -1,7 +1,7 @@
 //! Following a branch from a start to its ends.
 
 use super::branch::{Branch, Counters, End, Refusal};
-use super::event::{Found, Test};
+use super::event::{Found, Test, Tested, Traced};
 use super::problem::Zero;
 use super::settings::{Invalid, Settings};
 use super::step::{Node, Tracer, distance, hermite};
@@ -18,7 +18,7 @@ pub enum Direction {
 }
 
 /// Follows the branch through the solution near `x0` at the parameter `p0`.
-pub fn trace<P: Zero + ?Sized>(
+pub fn trace<P: Zero>(
     problem: &mut P,
     x0: &[f64],
     p0: f64,
@@ -26,6 +26,11 @@ pub fn trace<P: Zero + ?Sized>(
     settings: &Settings,
     tests: &mut [Test<'_, P>],
 ) -> Result<Branch, Invalid> {
+    one_way(&mut Tested { problem, tests }, x0, p0, direction, settings)
+}
+
+/// As [`trace`], compiled once for all problems.
+fn one_way(problem: &mut dyn Traced, x0: &[f64], p0: f64, direction: Direction, settings: &Settings) -> Result<Branch, Invalid> {
     settings.check()?;
     if x0.len() != problem.dim() {
         return Err(Invalid("the start must have as many entries as the problem has unknowns"));
@@ -39,24 +44,28 @@ pub fn trace<P: Zero + ?Sized>(
         return Err(Invalid("scales must be positive"));
     }
     let mut branch = Branch { points: Vec::new(), specials: Vec::new(), first_end: None, end: End::Reached, counters: Counters::default() };
-    branch.end = follow(&mut tracer, x0, p0, direction, tests, &mut branch);
+    branch.end = follow(&mut tracer, x0, p0, direction, &mut branch);
     branch.counters = Counters { points: branch.points.len(), work: tracer.solver.work, ..tracer.counters };
     Ok(branch)
 }
 
 /// Follows the branch both ways from the start; points run from the end reached downwards to the end reached upwards.
-pub fn trace_both<P: Zero + ?Sized>(
+pub fn trace_both<P: Zero>(
     problem: &mut P,
     x0: &[f64],
     p0: f64,
     settings: &Settings,
     tests: &mut [Test<'_, P>],
 ) -> Result<Branch, Invalid> {
-    let mut branch = trace(problem, x0, p0, Direction::Down, settings, tests)?;
+    both_ways(&mut Tested { problem, tests }, x0, p0, settings)
+}
+
+fn both_ways(problem: &mut dyn Traced, x0: &[f64], p0: f64, settings: &Settings) -> Result<Branch, Invalid> {
+    let mut branch = one_way(problem, x0, p0, Direction::Down, settings)?;
     if branch.end == End::Closed || branch.points.is_empty() {
         return Ok(branch);
     }
-    let up = trace(problem, x0, p0, Direction::Up, settings, tests)?;
+    let up = one_way(problem, x0, p0, Direction::Up, settings)?;
     branch.reverse();
     let joint = branch.points.len() - 1;
     branch.first_end = Some(branch.end);
@@ -78,14 +87,7 @@ pub fn trace_both<P: Zero + ?Sized>(
     Ok(branch)
 }
 
-fn follow<P: Zero + ?Sized>(
-    tracer: &mut Tracer<'_, P>,
-    x0: &[f64],
-    p0: f64,
-    direction: Direction,
-    tests: &mut [Test<'_, P>],
-    branch: &mut Branch,
-) -> End {
+fn follow(tracer: &mut Tracer, x0: &[f64], p0: f64, direction: Direction, branch: &mut Branch) -> End {
     let set = tracer.settings;
     let (lo, hi) = set.range;
     let mut a = Node { y: x0.iter().chain([&p0]).zip(&tracer.scale).map(|(x, s)| x / s).collect(), ..Node::default() };
@@ -103,7 +105,7 @@ fn follow<P: Zero + ?Sized>(
     }
     let start = a.clone();
     let mut values = [Vec::new(), Vec::new()];
-    keep(tracer, &a, tests, branch, &mut values);
+    keep(tracer, &a, branch, &mut values);
     if p0 == hi && direction == Direction::Up || p0 == lo && direction == Direction::Down {
         return End::Reached;
     }
@@ -128,7 +130,7 @@ fn follow<P: Zero + ?Sized>(
         }
         predict(&a, &before, ds, refusal.is_none(), &mut b.y);
         predicted.clone_from(&b.y);
-        match attempt(tracer, &a, &mut b, &predicted, ds, &start, tests, branch, &mut values) {
+        match attempt(tracer, &a, &mut b, &predicted, ds, &start, branch, &mut values) {
             Ok(Advance { grow, end }) => {
                 if let Some(end) = end {
                     return end;
@@ -152,7 +154,7 @@ fn follow<P: Zero + ?Sized>(
                     [_, a] = corner;
                     before = Node::default();
                     values[1].clear();
-                    keep(tracer, &a, tests, branch, &mut values);
+                    keep(tracer, &a, branch, &mut values);
                     ds = ds.min(set.first_step);
                 } else {
                     ds *= 0.5;
@@ -189,14 +191,13 @@ struct Advance {
 
 /// One step: correct, assess, cut at the edge of the range, look for special points, keep.
 #[allow(clippy::too_many_arguments)]
-fn attempt<P: Zero + ?Sized>(
-    tracer: &mut Tracer<'_, P>,
+fn attempt(
+    tracer: &mut Tracer,
     a: &Node,
     b: &mut Node,
     predicted: &[f64],
     ds: f64,
     start: &Node,
-    tests: &mut [Test<'_, P>],
     branch: &mut Branch,
     values: &mut [Vec<f64>; 2],
 ) -> Result<Advance, Refusal> {
@@ -221,8 +222,8 @@ fn attempt<P: Zero + ?Sized>(
         end = Some(End::Closed);
     }
     let point = tracer.point(b);
-    evaluate(tracer, &point, tests, &mut values[1]);
-    let mut found = tracer.scan(a, b, after, tests, values)?;
+    evaluate(tracer, &point, &mut values[1]);
+    let mut found = tracer.scan(a, b, after, values)?;
     if let Some(k) = found.iter().position(|f| outside(f.node.p)) {
         // the branch leaves the range and comes back within the step
         let edge = tracer.edge(a, &found[k].node, nearest(found[k].node.p)).ok_or(Refusal::Parameter)?;
@@ -231,36 +232,30 @@ fn attempt<P: Zero + ?Sized>(
         end = Some(End::Reached);
     }
     branch.specials.extend(found.into_iter().map(|f| f.special));
-    keep(tracer, b, tests, branch, values);
+    keep(tracer, b, branch, values);
     Ok(Advance { grow, end })
 }
 
-fn evaluate<P: Zero + ?Sized>(tracer: &mut Tracer<'_, P>, point: &super::Point, tests: &mut [Test<'_, P>], out: &mut Vec<f64>) {
+fn evaluate(tracer: &mut Tracer, point: &super::Point, out: &mut Vec<f64>) {
     out.clear();
-    for test in tests {
-        out.push(test(tracer.problem, point));
+    for k in 0..tracer.problem.tests() {
+        out.push(tracer.problem.test(k, point));
     }
 }
 
 /// Stores the node; its test values become those of the left side of the next step.
-fn keep<P: Zero + ?Sized>(
-    tracer: &mut Tracer<'_, P>,
-    node: &Node,
-    tests: &mut [Test<'_, P>],
-    branch: &mut Branch,
-    values: &mut [Vec<f64>; 2],
-) {
+fn keep(tracer: &mut Tracer, node: &Node, branch: &mut Branch, values: &mut [Vec<f64>; 2]) {
     let point = tracer.point(node);
-    let known = branch.points.last().is_some() && values[1].len() == tests.len();
+    let known = branch.points.last().is_some() && values[1].len() == tracer.problem.tests();
     if !known {
-        evaluate(tracer, &point, tests, &mut values[1]);
+        evaluate(tracer, &point, &mut values[1]);
     }
     values.swap(0, 1);
     tracer.counters.undefined_tests += values[0].iter().filter(|v| !v.is_finite()).count();
     branch.points.push(point);
 }
 
-impl<P: Zero + ?Sized> Tracer<'_, P> {
+impl Tracer<'_> {
     /// The point between `a` and `b` exactly at the parameter `p`.
     fn edge(&mut self, a: &Node, b: &Node, p: f64) -> Option<Node> {
         let (n, h) = (self.n(), distance(&a.y, &b.y));

@@ -15,6 +15,7 @@ use laval_num::eig::eigenvalues;
 use laval_num::ode::{
     Control, Crossing, Dop853, End, Event, Method, Observer, Ode, Radau, Run, Step, StiffOde, Tolerance, Work, integrate,
 };
+use laval_num::order::ascending;
 use serde::{Deserialize, Serialize};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -291,7 +292,7 @@ fn legs<'a, M: Method<Motion<'a>>>(
     cuts.extend(kick.map(|k| k.0));
     cuts.retain(|&t| t > 0.0 && t < plan.t_end);
     cuts.push(plan.t_end);
-    cuts.sort_by(f64::total_cmp);
+    ascending(&mut cuts);
     let left = watch.left.clone();
     let cancel = &|| left.get().is_some() || (plan.cancel)();
     let surfaces = &Surfaces::new(motion, y);

@@ -5,6 +5,7 @@ use crate::exact::multiplicity;
 use crate::pencil::{MachineMode, Spectrum};
 use laval_num::complex::C64;
 use laval_num::continuation::Branch;
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// Estimated errors of a root by which its growth must stand out.
@@ -52,7 +53,7 @@ pub struct Stability {
 impl Stability {
     pub(super) fn of(spectrum: &Spectrum) -> Self {
         let mut values: Vec<(C64, usize)> = spectrum.modes.iter().map(|m| (m.value, multiplicity(m))).collect();
-        values.sort_by(|a, b| b.0.re.total_cmp(&a.0.re));
+        values.sort_by_number_down(|a| a.0.re);
         let noise = 1e-11 * values.iter().map(|v| v.0.abs()).fold(0.0, f64::max);
         // a growth that is not a number grows; one that its own condition drowns does not
         let grows = |m: &&MachineMode| !(m.value.re <= noise.max(ERRORS * m.error));

@@ -13,6 +13,7 @@ use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use crate::sectors::Sectors;
 use crate::stationary::images::{Images, wrapped};
+use laval_num::order::ascending;
 
 /// Most images of a state that are compared one by one.
 const MOST_IMAGES: usize = 128;
@@ -123,7 +124,7 @@ impl Metric {
         let mut out = Vec::new();
         for group in &self.images.groups {
             let mut own: Vec<f64> = group.iter().map(of).collect();
-            own.sort_by(f64::total_cmp);
+            ascending(&mut own);
             out.extend(own);
         }
         out

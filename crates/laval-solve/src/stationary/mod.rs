@@ -24,6 +24,7 @@ use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Zero, cross, trace_both};
 use laval_num::dense::{Lu, Mat};
 use laval_num::newton::{Cause, Options, newton};
+use laval_num::order::SortByNumber;
 use laval_num::sampling::Points;
 use laval_num::univariate::root;
 use problem::Stationary;
@@ -387,7 +388,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        special.sort_by(|a, b| a.s.total_cmp(&b.s));
+        special.sort_by_number(|a| a.s);
         Ok((Path { branch, points, special }, complete))
     }
 

@@ -2,6 +2,7 @@
 
 use super::colour::{self, Colour};
 use super::ticks::AxisView;
+use laval_num::order::ascending;
 
 /// A grid of values in display units with its colour scale.
 #[derive(Clone, Debug)]
@@ -30,7 +31,7 @@ impl HeatView {
     pub fn grid(rows: &[(f64, f64, f64)], classes: bool) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let sorted = |pick: fn(&(f64, f64, f64)) -> f64| {
             let mut v: Vec<f64> = rows.iter().map(pick).filter(|v| v.is_finite()).collect();
-            v.sort_by(f64::total_cmp);
+            ascending(&mut v);
             v.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * a.abs().max(b.abs()));
             v
         };

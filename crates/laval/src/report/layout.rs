@@ -4,6 +4,7 @@ use super::scene::{Glyph, Scene};
 use super::text::{fit, width};
 use super::ticks::Ticks;
 use crate::outcome::{Arg, Message};
+use laval_num::order::SortByNumber;
 
 pub(super) const TICK: f64 = 11.0;
 pub(super) const LABEL: f64 = 12.0;
@@ -102,8 +103,8 @@ fn wanted(scene: &Scene, panel: usize) -> (Vec<Wanted>, Vec<Wanted>) {
         let w = |at| Wanted { at, text: name.clone(), reference: true };
         if end.1 > 0.97 && end.0 < 0.99 { top.push(w(end.0)) } else { right.push(w(end.1)) }
     }
-    top.sort_by(|a, b| a.at.total_cmp(&b.at));
-    right.sort_by(|a, b| b.at.total_cmp(&a.at));
+    top.sort_by_number(|a| a.at);
+    right.sort_by_number_down(|a| a.at);
     (top, right)
 }
 
@@ -298,7 +299,7 @@ mod tests {
     fn flags_do_not_overlap_and_leaders_cross_no_text() {
         let spans = [(0.0_f64, 100.0), (20.0, 90.0), (30.0, 60.0), (200.0, 220.0), (64.0, 80.0)];
         let mut sorted = spans.to_vec();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sorted.sort_by_number(|a| a.0);
         let r = rows(&sorted);
         for i in 0..sorted.len() {
             for j in i + 1..sorted.len() {

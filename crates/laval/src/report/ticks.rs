@@ -2,6 +2,7 @@
 
 use super::words::Language;
 use crate::outcome::{significant, unit_text};
+use laval_num::order::SortByNumber;
 
 const SMALLEST: f64 = 1e-280;
 const LARGEST: f64 = 1e280;
@@ -157,7 +158,7 @@ fn both_sides(axis: &AxisView, most: usize) -> Ticks {
     if major.len() < 3 {
         return linear(lo, hi, most, 0);
     }
-    major.sort_by(|a, b| a.0.total_cmp(&b.0));
+    major.sort_by_number(|a| a.0);
     let all = decades.flat_map(|d| (2..=9).flat_map(move |m| [-1.0, 1.0].map(|s| s * m as f64 * 10f64.powi(d))));
     let minor = all.filter(|v| (lo..=hi).contains(v) && !major.iter().any(|t| t.0 == *v)).collect();
     Ticks { major, minor }

@@ -2,6 +2,7 @@
 
 use crate::outcome::{Data, Evidence, Outcome};
 use crate::units::read_quantity;
+use laval_num::order::SortByNumber;
 
 /// What is compared: the cell `value` of an expectation.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,7 +124,7 @@ impl What {
                     let kinds = list("special points", outcome.special_points.iter().map(|p| p.kind.as_str()));
                     return Err(format!("there is no special point \"{kind}\"; {kinds}"));
                 }
-                all.sort_by(|a, b| a.at.total_cmp(&b.at));
+                all.sort_by_number(|a| a.at);
                 let unit = outcome.parameter.as_ref().map(|p| p.unit.clone()).unwrap_or_default();
                 let numbers = all
                     .iter()

@@ -5,6 +5,7 @@ use crate::harmonic::balance::terms::Terms;
 use crate::model::part::Words;
 use crate::model::system::System;
 use laval_num::dense::Singular;
+use laval_num::order::ascending;
 
 /// Orders among the waves of a part.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +37,7 @@ pub fn among_waves(system: &System, speed: f64, orders: impl IntoIterator<Item =
     let room = 1e-9 * speed.abs();
     let inside = |w: f64| w > range[0] + room && w < range[1] - room && w.abs() > room && (w - speed).abs() > room;
     let mut orders: Vec<f64> = orders.into_iter().filter(|n| inside(n * speed)).collect();
-    orders.sort_by(f64::total_cmp);
+    ascending(&mut orders);
     orders.dedup();
     (!orders.is_empty()).then_some(Among { orders, range, dense, words })
 }

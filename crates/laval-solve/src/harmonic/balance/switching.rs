@@ -18,6 +18,7 @@ use crate::harmonic::balance::terms::Terms;
 use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::dense::Mat;
+use laval_num::order::SortByNumber;
 use laval_num::quadrature::gauss;
 use laval_num::univariate::bracket;
 use std::f64::consts::TAU;
@@ -158,7 +159,7 @@ impl Switching {
             let within = roots.into_iter().filter(|(t, _)| (start..start + length).contains(t));
             self.events.extend(within.map(|(tau, surface)| Event { tau, member, surface }));
         }
-        self.events.sort_by(|a, b| a.tau.total_cmp(&b.tau));
+        self.events.sort_by_number(|a| a.tau);
         // two surfaces of a part met together, or one place seen from two sides
         self.events.dedup_by(|b, a| b.member == a.member && b.tau - a.tau <= 1e-12);
     }

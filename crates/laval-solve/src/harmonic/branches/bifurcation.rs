@@ -20,6 +20,7 @@ use crate::harmonic::branches::branch::Assessor;
 use crate::harmonic::stability::floquet::{Exponents, Method};
 use laval_num::complex::C64;
 use laval_num::continuation::{Point, Settings, Special, Status, zero_between};
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -191,7 +192,7 @@ pub(in crate::harmonic) fn changes_between(
             continue;
         }
         let ends = [before[k].re, then[k].re];
-        let special = zero_between(balance, [a.0, b.0], ends, settings, &mut |balance, point| {
+        let special = zero_between(balance, [a.0, b.0], ends, settings, |balance, point| {
             let state = assessor.state(balance, &point.x, point.p);
             state.exponents.and_then(|e| growths(&e, fold.is_some(), point.p).get(k).copied()).map_or(f64::NAN, |z| z.re)
         });
@@ -209,7 +210,7 @@ pub(in crate::harmonic) fn changes_between(
         let unstable = if ascending { (k, k + 1) } else { (k + 1, k) };
         found.extend(described(assessor, balance, &special, k, fold.is_some(), unstable, after));
     }
-    found.sort_by(|a, b| a.point.s.total_cmp(&b.point.s));
+    found.sort_by_number(|a| a.point.s);
     out.extend(found);
 }
 

@@ -22,6 +22,7 @@ use crate::model::system::System;
 use crate::symmetry::Symmetry;
 use laval_num::continuation::{Branch, Direction, Point, Settings, cross, trace, trace_both};
 use laval_num::newton::{Options, newton};
+use laval_num::order::{SortByNumber, ascending};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Families followed at most beside the main branches.
@@ -151,7 +152,7 @@ impl<'a> Search<'a, '_> {
         let (lo, hi) = self.request.speeds;
         let mut marks: Vec<f64> = self.response.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed).collect();
         marks.extend([lo, hi]);
-        marks.sort_by(f64::total_cmp);
+        ascending(&mut marks);
         let mut out = vec![hi, lo];
         out.extend(marks.windows(2).filter(|w| w[1] > w[0]).map(|w| 0.5 * (w[0] + w[1])));
         out.extend([0.75, 0.25, 0.9, 0.6, 0.4].map(|t| lo + t * (hi - lo)));
@@ -553,7 +554,7 @@ impl<'a> Search<'a, '_> {
     fn by_size<'k>(&self, known: &'k [Known]) -> Vec<&'k Known> {
         let size = |k: &Known| Motion { terms: &self.balances[k.balance].terms, x: &k.x }.size();
         let mut out: Vec<&Known> = known.iter().collect();
-        out.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        out.sort_by_number(|a| size(a));
         out
     }
 }

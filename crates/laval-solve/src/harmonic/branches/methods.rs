@@ -26,6 +26,7 @@ use laval_num::continuation::Zero;
 use laval_num::dense::{Lu, Mat};
 use laval_num::newton::{Options, newton};
 use laval_num::ode::{Control, Dop853, End, Tolerance, integrate};
+use laval_num::order::SortByNumber;
 use laval_num::work::piece;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -219,7 +220,7 @@ fn states_at(balance: &mut Balance, response: &Response, speed: f64) -> Vec<(Vec
             out.push((x, first));
         }
     }
-    out.sort_by(|a, b| a.1.total_cmp(&b.1));
+    out.sort_by_number(|a| a.1);
     out
 }
 
@@ -240,7 +241,7 @@ fn paired(own: &[f64], others: &[f64]) -> Vec<Option<usize>> {
     for (i, a) in own.iter().enumerate() {
         all.extend(others.iter().enumerate().map(|(j, b)| ((a / b).ln().abs(), i, j)));
     }
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.sort_by_number(|a| a.0);
     for (distance, i, j) in all {
         if distance < 0.5 && out[i].is_none() && !out.contains(&Some(j)) {
             out[i] = Some(j);

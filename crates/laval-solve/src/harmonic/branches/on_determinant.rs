@@ -15,6 +15,7 @@ use crate::harmonic::stability::floquet::Exponents;
 use crate::symmetry::Symmetry;
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, Kind, Point, Settings, Special, Status, Zero, zero_between};
+use laval_num::order::SortByNumber;
 use std::f64::consts::{PI, TAU};
 
 /// An exponent is followed from point to point as long as it moves by no more than this part of the base frequency.
@@ -83,7 +84,7 @@ impl Search<'_, '_, '_> {
         let (a, b) = (&self.points[i], &self.points[i + 1]);
         let mut known = vec![(a.s, ends[0]), (b.s, ends[1])];
         let (assessor, settings) = (&mut *self.assessor, self.settings);
-        let special = zero_between(self.balance, [a, b], ends.map(|z| z.re), settings, &mut |balance, point| {
+        let special = zero_between(self.balance, [a, b], ends.map(|z| z.re), settings, |balance, point| {
             let nearest = known.iter().min_by(|a, b| (a.0 - point.s).abs().total_cmp(&(b.0 - point.s).abs()));
             let Some(&(_, start)) = nearest else { return f64::NAN };
             let within = FOLLOWED * base(balance, point.p);
@@ -105,7 +106,7 @@ impl Search<'_, '_, '_> {
         let mut last = None;
         // on the axis nothing can be counted: no reason to call the branch unassessed
         let unassessed = assessor.unassessed.clone();
-        let special = zero_between(self.balance, [a, b], ends, settings, &mut |balance, point| {
+        let special = zero_between(self.balance, [a, b], ends, settings, |balance, point| {
             let Some(e) = assessor.state(balance, &point.x, point.p).exponents else { return f64::NAN };
             // where it decays only that is known
             growing(&e).get(k).map_or(-1e-3 * size, |&z| {
@@ -259,7 +260,7 @@ pub(in crate::harmonic) fn changes_between(
             point,
         });
     }
-    found.sort_by(|a, b| a.point.s.total_cmp(&b.point.s));
+    found.sort_by_number(|a| a.point.s);
     out.extend(found);
 }
 

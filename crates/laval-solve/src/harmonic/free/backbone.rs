@@ -26,6 +26,7 @@ use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Test, Zero, trace};
 use laval_num::dense::{Mat, dot, max_abs, norm};
 use laval_num::newton::{Cause, Options, newton};
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -472,7 +473,7 @@ fn asymptotes(system: &System, d: Discretisation, speed: f64, fastest: f64) -> R
     let signed = values.into_iter().filter(|v| if directed { v.im < 0.0 } else { v.im > 0.0 });
     let mut out: Vec<Asymptote> = signed.map(|v| Asymptote { value: laval_num::complex::c(v.re, v.im + turn) }).collect();
     out.retain(|a| a.value.im.abs() > 1e-6 * fastest && a.value.re.abs() <= LIGHT * a.value.im.abs());
-    out.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
+    out.sort_by_number(|a| a.value.im);
     out.dedup_by(|a, b| (a.value - b.value).abs() <= 1e-9 * b.value.abs());
     Ok(out)
 }

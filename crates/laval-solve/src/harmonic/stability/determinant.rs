@@ -32,6 +32,7 @@ use laval_num::complex::{C64, Complex, c};
 use laval_num::contour::{Region, Sample, newton, zeros};
 use laval_num::dense::{Field, Lu, Mat};
 use laval_num::dual::Dual;
+use laval_num::order::SortByNumber;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -413,7 +414,7 @@ pub fn exponents(
     let (domains, own, fastest, strip) = (hill.domains.clone(), hill.own.clone(), hill.fastest, hill.base.abs());
     let margin = margin(&domains, speed);
     let done = |mut values: Vec<C64>| {
-        values.sort_by(|a, b| b.re.total_cmp(&a.re));
+        values.sort_by_number_down(|a| a.re);
         Ok(Exponents { values, error: margin.max(SETTLED * strip), method: Method::Determinant, span: TAU / strip })
     };
     if system.slots().iter().all(|s| s.is_linear()) {
@@ -432,7 +433,7 @@ pub fn exponents(
         starts.iter().copied().map(into).collect()
     };
     if hill.terms > DEAR {
-        starts.sort_by(|a, b| b.re.total_cmp(&a.re));
+        starts.sort_by_number_down(|a| a.re);
         let growing = starts.iter().filter(|z| z.re > margin).count();
         starts.truncate(growing + SLOWEST);
     }
@@ -451,7 +452,7 @@ pub fn exponents(
                     values.push(z);
                 }
             }
-            values.sort_by(|a, b| b.re.total_cmp(&a.re));
+            values.sort_by_number_down(|a| a.re);
             values.iter().filter(|z| z.re > margin).count()
         };
         let mut growing = follow(&mut hill, &starts, &mut values);

@@ -12,6 +12,7 @@
 use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
 use crate::harmonic::balance::nonlinear::Sampled;
 use crate::harmonic::balance::problem::Balance;
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 use crate::model::part::{At, DofKind};
@@ -62,7 +63,7 @@ impl Exponents {
     /// Exponents in descending order of growth.
     pub fn descending(&self) -> Vec<C64> {
         let mut values = self.values.clone();
-        values.sort_by(|a, b| b.re.total_cmp(&a.re));
+        values.sort_by_number_down(|a| a.re);
         values
     }
     /// Number that grow beyond the error; NaN counts.

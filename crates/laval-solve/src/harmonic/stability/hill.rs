@@ -19,6 +19,7 @@ use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassess
 use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
+use laval_num::order::SortByNumber;
 use std::f64::consts::TAU;
 
 /// Coefficients of A below this part of the largest are left out.
@@ -56,7 +57,7 @@ pub fn exponents(stability: &mut Stability, balance: &mut Balance, x: &[f64], sp
     while orders <= MOST_ORDERS {
         let map = lifted.map(orders, period)?;
         let mut values: Vec<C64> = stability.eigenvalues(&map)?.into_iter().map(|z| z.ln().scale(1.0 / period)).collect();
-        values.sort_by(|a, b| b.re.total_cmp(&a.re));
+        values.sort_by_number_down(|a| a.re);
         if let Some(before) = &before {
             change = (values[0].re - before[0].re).abs();
             if change <= SETTLED * base {

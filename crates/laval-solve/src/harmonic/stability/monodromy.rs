@@ -11,6 +11,7 @@ use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassess
 use crate::model::part::At;
 use laval_num::dense::Mat;
 use laval_num::ode::{Control, Dop853, End, Ode, Tolerance, integrate, ode};
+use laval_num::order::ascending;
 use laval_num::work::spend;
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -89,7 +90,7 @@ fn breaks(balance: &mut Balance, x: &[f64], speed: f64, parts: usize, period: f6
         return Err(Unassessed::Jumps(part));
     }
     let mut at: Vec<f64> = places.into_iter().map(|tau| tau.abs() / length * period).chain([period]).collect();
-    at.sort_by(f64::total_cmp);
+    ascending(&mut at);
     let least = 4.0 * INSIDE * period;
     at.dedup_by(|b, a| *b - *a <= least);
     at.retain(|t| *t > least);

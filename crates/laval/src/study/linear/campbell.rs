@@ -29,6 +29,7 @@ use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or};
 use crate::study::{Context, Study};
+use laval_num::order::ascending;
 use laval_num::work::piece;
 use serde::{Deserialize, Serialize};
 
@@ -43,7 +44,7 @@ pub(in crate::study) const ORDERS: Field = Field::optional(
 /// The orders requested, ascending and different; 1 when none are.
 pub(in crate::study) fn orders(values: &Values) -> Vec<f64> {
     let mut orders = values.list("orders").map_or_else(|| vec![1.0], <[f64]>::to_vec);
-    orders.sort_by(f64::total_cmp);
+    ascending(&mut orders);
     orders.dedup();
     if orders.is_empty() { vec![1.0] } else { orders }
 }
@@ -406,7 +407,7 @@ impl<'a> Shown<'a> {
     fn drawn_orders(&self) -> Vec<f64> {
         let mut orders = self.study.orders.clone();
         orders.extend(GUIDES.into_iter().filter(|g| !self.study.orders.contains(g)));
-        orders.sort_by(f64::total_cmp);
+        ascending(&mut orders);
         orders
     }
 

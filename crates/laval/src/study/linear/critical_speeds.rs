@@ -27,6 +27,7 @@ use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, inconsistent, probe_name, range};
 use crate::study::{Context, Study};
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
@@ -333,6 +334,6 @@ fn loose<'p>(all: &[Critical], peaks: &'p [Extremum], probes: &[Probe], response
             out.push(p);
         }
     }
-    out.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    out.sort_by_number(|a| a.speed);
     out
 }

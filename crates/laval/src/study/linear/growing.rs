@@ -5,6 +5,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Finding};
 use crate::solve::roots::LEAST;
 use crate::solve::sweep::Strongest;
+use laval_num::order::SortByNumber;
 
 /// What follows for the numbers of a study.
 pub(in crate::study) enum Follows {
@@ -17,7 +18,7 @@ pub(in crate::study) enum Follows {
 /// Where the machine is unstable among the speeds computed, and what follows; none where it is not.
 pub(in crate::study) fn unstable(system: &System, strongest: &[Strongest], follows: &Follows) -> Option<Finding> {
     let mut all = strongest.to_vec();
-    all.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    all.sort_by_number(|a| a.speed);
     all.dedup_by(|b, a| a.speed == b.speed);
     // waves that nothing inside a part damps always grow slowly with damping outside it
     let felt = |s: &Strongest| {

@@ -7,6 +7,7 @@ use crate::solve::characteristic::Characteristic;
 use crate::solve::pencil::Linearised;
 use crate::solve::rest::rest;
 use crate::study::Context;
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// Most roots that are compared: those that grow or decay fastest.
@@ -39,7 +40,7 @@ pub(in crate::study) fn moved_roots(exact: &System, timed: &Timed, speed: f64, c
     let holds = |growth: f64| if margin > 0.0 { growth.abs() >= margin } else { growth > 0.0 };
     let mut modes: Vec<_> = spectrum.modes.iter().filter(|m| holds(m.value.re) && m.value.im.abs() <= 5.0 * speed.abs()).collect();
     // the fastest growing first: they are what a motion shows
-    modes.sort_by(|a, b| b.value.re.total_cmp(&a.value.re));
+    modes.sort_by_number_down(|a| a.value.re);
     let about = rest(exact, speed).ok()?;
     let mut t = Characteristic::new(exact, &about);
     let (mut compared, mut worst, mut lost) = (0, (0.0, 0.0), 0);

@@ -7,6 +7,7 @@ use crate::outcome::{Arg, Message, Table};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use crate::solve::programme::Spin;
+use laval_num::order::ascending;
 use std::f64::consts::TAU;
 
 /// Fewer outputs a turn draw polygons.
@@ -76,7 +77,7 @@ pub(in crate::study) fn table(last: &LastTurns) -> Result<Table, Diagnostic> {
 /// Two rising lists of times as one, each time once.
 pub(in crate::study) fn merged(samples: impl Iterator<Item = f64>, outputs: &[f64]) -> Vec<f64> {
     let mut all: Vec<f64> = samples.chain(outputs.iter().copied()).collect();
-    all.sort_by(f64::total_cmp);
+    ascending(&mut all);
     all.dedup();
     all
 }

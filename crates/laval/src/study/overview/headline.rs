@@ -5,6 +5,7 @@ use super::margins;
 use super::operating::Operating;
 use super::{Facts, Known, MARGIN};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Unstable, Verdict};
+use laval_num::order::SortByNumber;
 
 /// Remarks of one heading.
 const MOST: usize = 3;
@@ -125,7 +126,7 @@ fn above(over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Mes
     out.extend(over.resonances.iter().filter(|r| r.speed > speed.high).map(|r| (r.speed, resonance(r))));
     let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w > speed.high).collect();
     out.extend(jumps.first().map(|w| (*w, jump(&jumps))));
-    out.sort_by(|a, b| a.0.total_cmp(&b.0));
+    out.sort_by_number(|a| a.0);
     out.truncate(MOST);
     (!out.is_empty()).then(|| (Message::new("remark-above"), out.into_iter().map(|o| o.1).collect()))
 }

@@ -8,6 +8,7 @@ use crate::solve::stability::Row;
 use crate::study::Study;
 use crate::study::linear::campbell::damping;
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+use laval_num::order::{SortByNumber, ascending};
 
 /// A critical speed with more damping than this does not show as a resonance.
 const LIGHT: f64 = 0.1;
@@ -25,7 +26,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         let near = facts.near.iter().flat_map(|r| r.rows.first()).flat_map(|row| unstable(row, facts));
         let found: Vec<Unstable> = near.filter(|u| !out.unstable.iter().any(|k| k.from <= u.to && u.from <= k.to)).collect();
         out.unstable.extend(found);
-        out.unstable.sort_by(|a, b| a.from.total_cmp(&b.from));
+        out.unstable.sort_by_number(|a| a.from);
         (out.growth_speed, out.growth) = row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).unzip();
     }
     let forced = facts.forced.as_ref().map(|f| &f.curve);
@@ -50,7 +51,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         let other = facts.criticals.get().into_iter().flat_map(|found| &found.crossings);
         let other = other.filter(|c| c.order != 1.0 && c.located() && damping(c).abs() < LIGHT);
         out.resonances.extend(other.map(|c| Resonance { speed: facts.sign * c.speed, amplitude: None }));
-        out.resonances.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        out.resonances.sort_by_number(|a| a.speed);
     }
     if facts.sign < 0.0 {
         out.growth_speed.reverse();
@@ -79,7 +80,7 @@ fn peaks(facts: &Facts, curve: &crate::solve::extrema::Curve) -> Vec<Resonance> 
     let largest = maxima.iter().filter(|e| !e.unbounded).map(|e| size(e)).fold(0.0, f64::max);
     let mut out: Vec<Resonance> = Vec::new();
     let mut sorted = maxima.clone();
-    sorted.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    sorted.sort_by_number_down(|a| size(a));
     for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest) {
         if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < 0.02 * e.speed.abs()) {
             continue;
@@ -104,7 +105,7 @@ fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
         Some(Unstable { from: low, to: high, open, growth: worst.re, frequency: worst.im.abs() })
     };
     let mut out: Vec<Unstable> = ranges(row, facts.threshold).into_iter().filter_map(one).collect();
-    out.sort_by(|a, b| a.from.total_cmp(&b.from));
+    out.sort_by_number(|a| a.from);
     out
 }
 
@@ -121,7 +122,7 @@ fn ranges(row: &Row, threshold: f64) -> Vec<(f64, f64)> {
         }
     }
     out.extend(run);
-    out.sort_by(|a, b| a.0.total_cmp(&b.0));
+    out.sort_by_number(|a| a.0);
     out
 }
 
@@ -130,6 +131,6 @@ fn jumps(facts: &Facts) -> Vec<f64> {
     let responses = facts.outcomes.iter().filter(|o| o.kind == NonlinearResponse::KIND);
     let found = responses.flat_map(|o| &o.findings).filter(|f| f.id == "jump_up" || f.id == "jump_down");
     let mut out: Vec<f64> = found.filter_map(|f| f.value).map(|w| facts.sign * w).filter(|w| *w > 0.0).collect();
-    out.sort_by(f64::total_cmp);
+    ascending(&mut out);
     out
 }

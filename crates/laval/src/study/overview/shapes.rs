@@ -4,6 +4,7 @@ use super::Facts;
 use crate::outcome::Mode;
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::sectors::circular;
+use laval_num::order::SortByNumber;
 
 /// Modes shown: the slowest in decay first.
 const MOST: usize = 8;
@@ -14,9 +15,9 @@ const HARDLY: f64 = 0.02;
 pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
     let Some(result) = facts.modes.as_ref().and_then(|m| m.1.get()) else { return Vec::new() };
     let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).collect();
-    all.sort_by(|a, b| b.damping_ratio().total_cmp(&a.damping_ratio()).reverse());
+    all.sort_by_number(|a| a.damping_ratio());
     all.truncate(MOST);
-    all.sort_by(|a, b| a.frequency().total_cmp(&b.frequency()));
+    all.sort_by_number(|a| a.frequency());
     let speed = facts.system.machine.speed.unwrap_or(0.0);
     all.into_iter().map(|m| mode(facts, m, speed)).collect()
 }

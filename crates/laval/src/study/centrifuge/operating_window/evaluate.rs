@@ -15,6 +15,7 @@ use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
 use crate::study::Context;
 use crate::study::shared::limits::Limit;
+use laval_num::order::{SortByNumber, ascending};
 use laval_num::univariate::maximum;
 use serde::{Deserialize, Serialize};
 
@@ -122,7 +123,7 @@ impl OperatingWindow {
             speeds.extend([0.5 * w, 0.8 * w, w]);
         }
         speeds.retain(|w| *w >= from && *w <= to);
-        speeds.sort_by(f64::total_cmp);
+        ascending(&mut speeds);
         speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * to);
         let limited = !required.limits.passage.is_empty()
             || required.limits.torque.is_some()
@@ -148,7 +149,7 @@ impl OperatingWindow {
             let more = scan(&evaluator, &dips(&points), |done| context.goes_on(scanned.saturating_add(done)))?;
             refined = more.is_some();
             points.extend(more.unwrap_or_default());
-            points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+            points.sort_by_number(|a| a.speed);
         }
         if !only {
             stepped_over(|w| evaluator.at(w), &mut points)?;

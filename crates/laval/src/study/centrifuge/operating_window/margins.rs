@@ -15,6 +15,7 @@ use crate::study::centrifuge::cups::task::{Task, needed};
 use crate::study::shared::limits::{Limit, Limits};
 use crate::study::shared::support::largest;
 use laval_num::complex::{C64, c};
+use laval_num::order::{SortByNumber, ascending};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -96,13 +97,13 @@ impl Point {
     pub fn room(&self) -> f64 {
         let mut all: Vec<f64> =
             self.margins.iter().filter(|m| m.counts()).map(|m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value }).collect();
-        all.sort_by(f64::total_cmp);
+        ascending(&mut all);
         all.iter().rev().fold(0.0, |rest, m| m + NEXT * rest)
     }
     /// Index of the requirement with the next margin beside the least.
     pub(super) fn next(&self) -> Option<usize> {
         let mut all: Vec<&Margin> = self.margins.iter().filter(|m| m.counts()).collect();
-        all.sort_by(|a, b| a.value.total_cmp(&b.value));
+        all.sort_by_number(|a| a.value);
         all.get(1).map(|m| m.name)
     }
     /// The margin of a requirement.

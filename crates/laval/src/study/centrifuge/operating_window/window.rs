@@ -3,6 +3,7 @@
 use super::detail::Detail;
 use super::margins::{Evaluator, NAMES, Point};
 use crate::diagnostic::Diagnostic;
+use laval_num::order::SortByNumber;
 use laval_num::text::Text;
 use laval_num::univariate::maximum;
 use laval_num::work::Here;
@@ -91,7 +92,7 @@ pub(super) fn stepped_over(at: impl Fn(f64) -> Result<Point, Diagnostic>, points
         }
     }
     points.extend(made);
-    points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    points.sort_by_number(|a| a.speed);
     points.dedup_by(|a, b| a.speed == b.speed);
     Ok(())
 }
@@ -240,7 +241,7 @@ pub(super) fn intervals(
         }
     }
     points.extend(made);
-    points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    points.sort_by_number(|a| a.speed);
     points.dedup_by(|a, b| a.speed == b.speed);
     Ok(out)
 }

@@ -12,6 +12,7 @@ use crate::separation::recovery::{Needed, Recovery, Watch};
 use crate::separation::release::Release;
 use crate::separation::slowest::Last;
 use crate::study::centrifuge::cups::task::lost;
+use laval_num::order::ascending;
 
 /// The particles of a study at its speed.
 pub(super) struct Ensemble<'a> {
@@ -77,7 +78,7 @@ impl<'a> Ensemble<'a> {
         let finite = times.iter().rev().copied().find(|t| t.is_finite()).unwrap_or(s.time);
         let (from, to) = (0.5 * first.max(1e-9 * s.time), 1.05 * finite.max(s.time));
         let mut time: Vec<f64> = (0..=120).map(|k| from * (to / from).powf(k as f64 / 120.0)).chain([s.time]).collect();
-        time.sort_by(f64::total_cmp);
+        ascending(&mut time);
         time.dedup();
         let at = |surface: Surface| time.iter().map(|&t| self.recovery.share_at(t, surface)).collect();
         Recovered {

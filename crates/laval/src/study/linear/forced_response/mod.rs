@@ -27,6 +27,7 @@ use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
 use crate::study::{Context, Study};
+use laval_num::order::SortByNumber;
 use observed::observed;
 pub use observed::{Observations, Outside, Shows};
 use serde::{Deserialize, Serialize};
@@ -152,7 +153,7 @@ pub struct ForcedResponseResult {
 /// The largest resonance of a displacement, or of a tilt.
 fn largest<'c>(found: &'c Curve, probes: &[Probe], tilt: bool) -> Option<&'c Extremum> {
     let mut peaks: Vec<&Extremum> = found.extrema.iter().filter(|e| e.maximum).collect();
-    peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+    peaks.sort_by_number_down(|a| a.value);
     peaks.into_iter().find(|e| probes[e.probe].is_tilt() == tilt)
 }
 

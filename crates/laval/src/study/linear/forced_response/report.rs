@@ -13,6 +13,7 @@ use crate::study::linear::growing::{Follows, unstable};
 use crate::study::linear::operating::operating;
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
+use laval_num::order::SortByNumber;
 
 /// Peaks that the figure labels, at most; bodies peak at one speed within this share of it; a factor of amplification beyond this says that nothing damps.
 const LABELLED: usize = 4;
@@ -300,7 +301,7 @@ impl<'a> Shown<'a> {
     fn peaks(&self) -> Vec<(f64, Message)> {
         let mut found: Vec<&Extremum> =
             self.result.curve.extrema.iter().filter(|e| e.maximum && !e.unbounded && !self.probes()[e.probe].is_tilt()).collect();
-        found.sort_by(|a, b| b.value.total_cmp(&a.value));
+        found.sort_by_number_down(|a| a.value);
         let mut out: Vec<(f64, Message)> = Vec::new();
         for e in found {
             let factor = self.amplification(e);

@@ -11,6 +11,7 @@ use crate::solve::stability::{Edge, Peak, Row, Sample};
 use crate::study::Study;
 use crate::study::linear::operating::operating;
 use crate::study::shared::support::inconsistent;
+use laval_num::order::SortByNumber;
 
 /// A point of the map: its row, what is known there, and whether it is a point of the boundary.
 pub(super) struct Cell {
@@ -66,7 +67,7 @@ impl<'a> Shown<'a> {
         let ends = rows.iter().take(usize::from(endless && !two)).flat_map(|r| &r.edges).filter(|e| e.located);
         cells.extend(ends.map(|e| Cell { row: 0, sample: at_boundary(e), crossing: true }));
         if !two {
-            cells.sort_by(|a, b| a.sample.speed.total_cmp(&b.sample.speed));
+            cells.sort_by_number(|a| a.sample.speed);
         }
         Shown {
             study,

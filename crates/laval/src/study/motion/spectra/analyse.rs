@@ -5,6 +5,7 @@ use crate::solve::programme::Spin;
 use crate::study::shared::support::largest;
 use laval_num::complex::{C64, c};
 use laval_num::fourier::{Fft, hann};
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
@@ -170,7 +171,7 @@ fn left(distance: f64, turns: f64) -> f64 {
 fn parts(turning: &Turning, lines: &[(f64, f64)], turns: f64) -> Vec<Part> {
     let tops = lines.windows(3).filter(|w| w[1].1 >= w[0].1 && w[1].1 > w[2].1);
     let mut tops: Vec<Part> = tops.map(|w| Part { order: w[1].0, amplitude: w[1].1 }).collect();
-    tops.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+    tops.sort_by_number_down(|a| a.amplitude);
     // the mean and the synchronous part are always parts, whether they have a maximum of their own or not
     let known = [0.0, 1.0].map(|order| Part { order, amplitude: turning.height(order) });
     let mut out: Vec<Part> = Vec::new();
@@ -192,7 +193,7 @@ fn parts(turning: &Turning, lines: &[(f64, f64)], turns: f64) -> Vec<Part> {
             }
         }
     }
-    out.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+    out.sort_by_number_down(|a| a.amplitude);
     out
 }
 

@@ -5,6 +5,7 @@ use super::analyse::{Part, Window};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Line, Message, Outcome, Panel, Rule, Table};
 use crate::study::shared::support::inconsistent;
+use laval_num::order::SortByNumber;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -234,7 +235,7 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         return std::iter::once(none).chain(fleeting).collect();
     }
     let mut sorted: Vec<(Class, Seen)> = classes.into_iter().collect();
-    sorted.sort_by(|a, b| b.1.largest.amplitude.total_cmp(&a.1.largest.amplitude));
+    sorted.sort_by_number_down(|a| a.1.largest.amplitude);
     let speed = |k: usize| windows[k].speed;
     let one = |(class, seen): &(Class, Seen)| {
         let at = &windows[seen.at];

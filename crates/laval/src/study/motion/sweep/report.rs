@@ -14,6 +14,7 @@ use crate::store::{Collected, Kind};
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
+use laval_num::order::SortByNumber;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -177,7 +178,7 @@ pub(super) fn report(shown: &Shown, result: &SweepResult, name: &str) -> Result<
 fn undamped(results: &Collected, outcome: Outcome) -> Outcome {
     // every way passes the same speeds
     let mut decay: Vec<(f64, f64)> = results.numbers("speed").into_iter().zip(results.numbers("decay")).collect();
-    decay.sort_by(|a, b| a.0.total_cmp(&b.0));
+    decay.sort_by_number(|a| a.0);
     decay.dedup_by(|a, b| a.0 == b.0);
     let none = decay.iter().filter(|x| !x.1.is_finite()).count();
     if none == 0 {

@@ -24,6 +24,7 @@ use crate::solve::harmonic::stability::floquet::Stability;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
+use laval_num::order::ascending;
 use serde::{Deserialize, Serialize};
 
 mod findings;
@@ -80,7 +81,7 @@ impl BifurcationLoci {
         if let Some(value) = own.filter(|x| (self.request.range.0..=self.request.range.1).contains(x)) {
             if !self.request.values.contains(&value) {
                 self.request.values.push(value);
-                self.request.values.sort_by(f64::total_cmp);
+                ascending(&mut self.request.values);
             }
             self.known.push((value, result.response.clone()));
         }

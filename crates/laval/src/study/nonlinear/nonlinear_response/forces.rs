@@ -6,6 +6,7 @@ use crate::outcome::{Arg, Finding, Message};
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense};
 use crate::solve::harmonic::branches::response::{Request, Response};
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// Extreme values of the force of one part over the states that can be held.
@@ -78,7 +79,7 @@ impl Measuring<'_> {
         // of joints between bodies: what leads to the ground follows the motion of one
         let joint = self.system.slots()[slot].map.iter().take(2).all(|row| row.len() > 1);
         vanishing.retain(|v| joint && v.1 < VANISHING);
-        vanishing.sort_by(|a, b| a.1.total_cmp(&b.1));
+        vanishing.sort_by_number(|a| a.1);
         vanishing.truncate(MOST);
         let top = self.summit(response, request, measure, &values)?;
         let speed = response.branches[top.at.0].points[top.at.1].speed;

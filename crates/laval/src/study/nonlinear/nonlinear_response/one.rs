@@ -18,6 +18,7 @@ use crate::study::shared::support::inconsistent;
 use laval_num::continuation::Zero;
 use laval_num::dense::Mat;
 use laval_num::newton::{Options, newton};
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// Half the width of the range in which branches are followed, over the speed.
@@ -92,7 +93,7 @@ pub(super) fn motions(
             out.push(Motion { amplitudes, turns, growth: exponents.map_or((f64::NAN, f64::NAN), |e| (e.growth(), e.error)) });
         }
     }
-    out.sort_by(|a, b| a.amplitudes.first().unwrap_or(&0.0).total_cmp(b.amplitudes.first().unwrap_or(&0.0)));
+    out.sort_by_number(|a| *a.amplitudes.first().unwrap_or(&0.0));
     Ok(out)
 }
 

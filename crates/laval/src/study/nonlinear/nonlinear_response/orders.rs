@@ -11,6 +11,7 @@ use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Response, State, Traced};
 use laval_num::newton::{Options, newton};
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// Parts of the response listed one by one at most.
@@ -271,7 +272,7 @@ impl Shown<'_> {
             return vec![Finding::info("no_orders", "nonlinear-response-no-orders").arg("limit", limit())];
         }
         let mut sorted: Vec<&Stretch> = stretches.iter().collect();
-        sorted.sort_by(|a, b| axis(b.largest).total_cmp(&axis(a.largest)));
+        sorted.sort_by_number_down(|a| axis(a.largest));
         let mut out: Vec<Finding> = Vec::new();
         for s in sorted.iter().take(MOST) {
             let traced = &response.branches[s.branch];
@@ -406,7 +407,7 @@ fn stretches_of(
         // a stretch that turns back at a fold has its lowest speed there
         let speeds = || points[first..=last].iter().map(|p| p.speed);
         let (least, most) = speeds().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), w| (a.min(w), b.max(w)));
-        ends.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        ends.sort_by_number(|a| a.speed);
         let turned = branch.folds.iter().filter(|f| first <= f.after && f.after < last.max(first + 1));
         for f in turned {
             let fold = Edge { speed: f.speed, bracket: f.bracket, residual: f.residual, located: f.confirmed, cut: false };

@@ -12,6 +12,7 @@ use crate::solve::harmonic::branches::branch::{Origin, POINT, Traced};
 use crate::solve::harmonic::branches::response::{Request, Response, respond};
 use crate::study::shared::validity::Uses;
 use laval_num::continuation::End;
+use laval_num::order::{SortByNumber, ascending};
 use std::sync::atomic::AtomicBool;
 
 /// What a slow sweep does.
@@ -108,7 +109,7 @@ impl Summary {
         let (top, tilt) = (top(false, displaced), top(true, true));
         let (hysteresis, open) = several(&response, request.speeds);
         let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(|b| ranges_of(b, unstable_runs(b))).collect();
-        unstable.sort_by(|a, b| a.0.total_cmp(&b.0));
+        unstable.sort_by_number(|a| a.0);
         let assessed = request.stability && response.unassessed.is_none();
         let points = |b: &'_ Traced| unstable_runs(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();
         let growing = response.branches.iter().flat_map(points);
@@ -139,7 +140,7 @@ impl Summary {
     /// Neimark-Sacker points, rad/s, rising.
     pub fn neimark_sacker(&self) -> Vec<f64> {
         let mut out: Vec<f64> = self.changes.iter().filter(|c| c.0 == Event::NeimarkSacker).map(|c| c.1).collect();
-        out.sort_by(f64::total_cmp);
+        ascending(&mut out);
         out
     }
 }
@@ -163,7 +164,7 @@ fn several(response: &Response, (lo, hi): (f64, f64)) -> (f64, bool) {
     }
     let pieces: Vec<(f64, f64)> = main().flat_map(pieces).collect();
     let mut edges: Vec<f64> = pieces.iter().flat_map(|p| [p.0, p.1]).collect();
-    edges.sort_by(f64::total_cmp);
+    ascending(&mut edges);
     let (mut width, mut open) = (0.0, false);
     let mut from: Option<f64> = None;
     for pair in edges.windows(2) {

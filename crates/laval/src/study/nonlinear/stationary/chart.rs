@@ -9,6 +9,7 @@ use crate::model::field::RangeValue;
 use crate::model::system::System;
 use crate::solve::stationary::{Change, Found, Request, Search, State};
 use crate::study::shared::support::larger;
+use laval_num::order::SortByNumber;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -193,7 +194,7 @@ fn edges(system: &System, value: f64, search: &mut Search, found: &Found, loose:
             out.push(Edge { speed, value, kind: if s.stable { Kind::Stability } else { Kind::Exists }, frequency: f64::NAN });
         }
     }
-    out.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    out.sort_by_number(|a| a.speed);
     out
 }
 

@@ -11,6 +11,7 @@ use crate::solve::stationary::{Change, Found, Located, Loose, Search, Stability,
 use crate::solve::unbalance::Unbalance;
 use crate::study::shared::support::larger;
 use crate::study::shared::validity::Uses;
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// Samples of one continuum at a speed.
@@ -115,7 +116,7 @@ impl Wanted {
 fn sheets(system: &System, search: &mut Search, loose: &[Loose], speed: f64) -> Result<Vec<Sheet>, Diagnostic> {
     let scale = Scale::at(system, search, speed);
     let mut near: Vec<&Loose> = loose.iter().collect();
-    near.sort_by(|a, b| (a.speed - speed).abs().total_cmp(&(b.speed - speed).abs()));
+    near.sort_by_number(|a| (a.speed - speed).abs());
     let mut out: Vec<Sheet> = Vec::new();
     for start in near.into_iter().take(2 * SAMPLES) {
         let mut x = start.x.clone();

@@ -6,6 +6,7 @@ use super::{Context, Varied, alone, changed, listed, spread};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::solve::stationary::{Request, Search, State};
+use laval_num::order::SortByNumber;
 use laval_num::univariate::root;
 use serde::{Deserialize, Serialize};
 
@@ -153,7 +154,7 @@ pub fn least(
     for (k, limit) in out.limits.iter().enumerate() {
         places.extend(limit.iter().filter_map(|l| inside(l, k == 1)));
     }
-    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    places.sort_by_number(|a| a.0);
     let mut states: Vec<Option<Assessed>> = (0..places.len()).map(|_| None).collect();
     match &mut followed {
         Followed::Alone(follower, [down, up], from) => {

@@ -39,6 +39,7 @@ use chart::Chart;
 use classify::{Class, Scale, Seen};
 use continua::Continua;
 use errors::Errors;
+use laval_num::order::{SortByNumber, ascending};
 use least::Least;
 use report::Reported;
 use serde::{Deserialize, Serialize};
@@ -359,7 +360,7 @@ impl Stationary {
             && out.iter().all(|w| (w - own).abs() > 1e-9 * own.abs())
         {
             out.push(own);
-            out.sort_by(f64::total_cmp);
+            ascending(&mut out);
         }
         out
     }
@@ -374,14 +375,14 @@ impl Stationary {
             1 => vec![between(0)],
             n => [low, b].into_iter().chain((0..n.saturating_sub(2)).map(between)).collect(),
         };
-        seeds.sort_by(f64::total_cmp);
+        ascending(&mut seeds);
         Request { range: (a, b), starts: self.starts, seeds, max_points: self.max_points, work }
     }
 }
 
 /// Speeds in the widest of these intervals: near both ends and in the middle.
 fn within(mut gaps: Vec<(f64, f64)>) -> Vec<f64> {
-    gaps.sort_by(|a, b| (b.1 - b.0).total_cmp(&(a.1 - a.0)));
+    gaps.sort_by_number_down(|a| a.1 - a.0);
     let widest = gaps.into_iter().take(GAPS);
     widest.flat_map(|(a, b)| [0.02, 0.5, 0.98].map(|t| a + t * (b - a))).collect()
 }

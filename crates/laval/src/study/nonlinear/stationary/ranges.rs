@@ -4,6 +4,7 @@ use super::classify::{Class, HALF, Scale, Seen};
 use super::continua::Span;
 use crate::model::system::System;
 use crate::solve::stationary::{Found, Located, Sample, Search, State};
+use laval_num::order::SortByNumber;
 use laval_num::univariate::root;
 use serde::{Deserialize, Serialize};
 
@@ -119,7 +120,7 @@ pub fn stable(system: &System, search: &mut Search, found: &Found, points: &[Sho
 
 /// Intervals that cover the same speeds, joined where they touch within `gap`.
 pub fn union(mut all: Vec<(f64, f64)>, gap: f64) -> Vec<(f64, f64)> {
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.sort_by_number(|a| a.0);
     let mut out: Vec<(f64, f64)> = Vec::new();
     for (from, to) in all {
         match out.last_mut() {

@@ -14,6 +14,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, TableBuilder, parameter_name};
 use crate::solve::stationary::{Change, Found, Located, Path, Search};
 use crate::study::shared::support::probe_name;
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// What is to be reported.
@@ -279,7 +280,7 @@ impl Report<'_> {
         let unit = unit_of(self.system, &requested.path);
         let mut rows: Vec<(f64, f64, bool)> = least.growth.iter().map(|g| (g.0, g.1, false)).collect();
         rows.extend(least.edges.iter().map(|e| (e.value, 0.0, true)));
-        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        rows.sort_by_number(|a| a.0);
         let parameter = parameter_name(&requested.path);
         let doc = Message::new("stationary-table-stabilised").arg("speed", Arg::speed(requested.speed)).arg("parameter", parameter.clone());
         Table::new("stabilised", doc)
@@ -378,7 +379,7 @@ pub(super) fn places(found: &Found, search: &Search) -> Vec<Vec<(usize, usize)>>
     }
     // the best known first
     let width = |p: &(usize, usize)| at(*p).bracket.1 - at(*p).bracket.0;
-    out.iter_mut().for_each(|all| all.sort_by(|a, b| width(a).total_cmp(&width(b))));
+    out.iter_mut().for_each(|all| all.sort_by_number(|a| width(a)));
     out
 }
 

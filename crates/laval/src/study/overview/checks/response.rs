@@ -8,6 +8,7 @@ use crate::outcome::{Arg, Check, Level, Message, Verdict};
 use crate::solve::extrema::Curve;
 use crate::study::shared::limits::Limit;
 use crate::study::shared::support::{larger, largest};
+use laval_num::order::SortByNumber;
 
 /// The response at the operating speeds.
 fn response<'f>(facts: &'f Facts) -> Result<&'f Curve, Message> {
@@ -43,7 +44,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let size = |p: &Probe| known(p).unwrap_or_else(|| sizes(curve, probes, p).0);
     let velocity = |p: &Probe| known(p).map_or_else(|| sizes(curve, probes, p).1, |x| x * fastest);
     let mut named: Vec<(&Probe, f64)> = probes.iter().filter(|p| p.is_reference()).map(|p| (p, size(p))).collect();
-    named.sort_by(|a, b| b.1.total_cmp(&a.1));
+    named.sort_by_number_down(|a| a.1);
     named.truncate(MOST_NAMED);
     let item =
         |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", Arg::name(&p.name)).arg("value", Arg::quantity(*x, "m")));
@@ -112,7 +113,7 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
     let limit = |part: &str| facts.limits.force.iter().find(|l| l.body == part).map(|l| l.value);
     let worst = all.iter().filter_map(|(p, x)| Some((limit(p)?, *x))).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)));
     let (required, verdict) = against(worst.map(|w| (w, "N")));
-    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all.sort_by_number_down(|a| a.1);
     all.truncate(MOST_NAMED);
     let item = |(name, x): &(&str, f64)| Arg::from(Message::new("item").arg("name", Arg::name(*name)).arg("value", Arg::quantity(*x, "N")));
     let result = Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect()));

@@ -7,6 +7,7 @@ use super::{Context, Limit, Optimum};
 use crate::model::system::System;
 use crate::study::parameters::uncertainty::collect::{Quantity, Sample, sample, with_sizes};
 use laval_num::optimise::{Ended, Settings, minimise};
+use laval_num::order::SortByNumber;
 use laval_num::sampling::Points;
 use laval_num::sampling::distribution::normal_quantile;
 use laval_num::work::Here;
@@ -227,7 +228,7 @@ fn examine(bench: &Bench, best: &Run, found: &mut Found) -> Option<()> {
         let places: Vec<Vec<f64>> = (0..PROFILE).map(|i| along(k, i as f64 / (PROFILE - 1) as f64)).collect();
         let mut profile = bench.run(&places)?;
         profile.push(best.clone());
-        profile.sort_by(|a, b| a.place[k].total_cmp(&b.place[k]));
+        profile.sort_by_number(|a| a.place[k]);
         let own = best.place[k];
         let mut ends = [(f64::NAN, true); 2];
         for (side, end) in ends.iter_mut().enumerate() {

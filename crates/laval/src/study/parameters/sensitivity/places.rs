@@ -14,6 +14,7 @@ use crate::solve::harmonic::branches::sensitivity::{Moved, Named, Stationary, mo
 use crate::study::Context;
 use crate::study::nonlinear::nonlinear_response::limited;
 use crate::study::shared::probes;
+use laval_num::order::SortByNumber;
 use laval_num::work;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -212,7 +213,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
             kept.push(p);
         }
     }
-    kept.sort_by(|a, b| a.moved.speed.abs().total_cmp(&b.moved.speed.abs()));
+    kept.sort_by_number(|a| a.moved.speed.abs());
     found.places = kept;
     let end = if ended == End::MaxPoints { ended } else { context.end(complete) };
     Ok((found, end))

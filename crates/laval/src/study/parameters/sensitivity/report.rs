@@ -9,6 +9,7 @@ use crate::outcome::{
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
+use laval_num::order::SortByNumber;
 
 /// A relative change per unit of a parameter of zero that is rounding.
 const NOTHING: f64 = 1e-9;
@@ -66,7 +67,7 @@ impl Place {
         let size = |&k: &usize| if relative[k].iter().any(|r| r.is_nan()) { -1.0 } else { relative[k][0].abs().max(relative[k][1].abs()) };
         let acts = |&k: &usize| self.acts(found, k);
         let mut order: Vec<usize> = (0..relative.len()).filter(acts).collect();
-        order.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        order.sort_by_number_down(|a| size(a));
         order
     }
 }

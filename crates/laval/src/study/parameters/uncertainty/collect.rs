@@ -4,6 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Level, Outcome};
 use crate::study::{Context, ErasedStudy};
 use crate::units::parse_unit;
+use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
@@ -50,7 +51,7 @@ pub fn quantities(outcome: &Outcome) -> Vec<Quantity> {
     for (i, label) in labels.iter().enumerate() {
         let mut same: Vec<usize> = (0..all.len()).filter(|&j| labels[j] == *label).collect();
         let place = same.iter().position(|&j| j == i).unwrap_or(0);
-        same.sort_by(|&a, &b| all[a].value.total_cmp(&all[b].value));
+        same.sort_by_number(|&a| all[a].value);
         let q = &all[same[place]];
         out[i] = Quantity { label: if place == 0 { label.clone() } else { format!("{label} #{}", place + 1) }, ..q.clone() };
     }

@@ -5,6 +5,7 @@ use super::{CONFIDENCE, Design, Uncertainty};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::End;
 use crate::store::{Extent, Results};
+use laval_num::order::ascending;
 use laval_num::sampling::distribution::normal_quantile;
 use laval_num::sampling::morris::Effects;
 use laval_num::sampling::quantile::{Interval, quantile, share};
@@ -153,7 +154,7 @@ impl Uncertainty {
     pub(super) fn sorted(&self, values: &[f64]) -> Vec<f64> {
         let own = values.iter().enumerate().filter(|(r, x)| self.independent(*r) && x.is_finite());
         let mut sorted: Vec<f64> = own.map(|(_, x)| *x).collect();
-        sorted.sort_by(f64::total_cmp);
+        ascending(&mut sorted);
         sorted
     }
 }
