@@ -9,6 +9,7 @@ mod check;
 mod input;
 mod new;
 mod pdf;
+mod pieces;
 mod progress;
 mod run;
 mod show;
@@ -49,6 +50,10 @@ Exit codes: 0 done, 1 the file or the request is wrong, 2 the program failed, 13
 enum Command {
     /// Run the studies of a machine file and write results and a report
     Run(run::Args),
+    /// Say how the long studies of a machine file divide into parts for several processes or computers
+    Plan(pieces::PlanArgs),
+    /// Join the parts that `laval run --part` has computed, run the other studies, and write results and a report
+    Collect(run::CollectArgs),
     /// Read and assemble a machine file and say all that is wrong with it
     Check(check::Args),
     /// Write a machine file to start from; without a template, list them
@@ -78,6 +83,8 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
     };
     let code = guarded(|| match &command {
         Command::Run(args) => run::run(args),
+        Command::Plan(args) => pieces::plan(args),
+        Command::Collect(args) => run::collect(args),
         Command::Check(args) => check::check(args),
         Command::New(args) => new::new(args),
         Command::Parts(args) => show::parts(args),

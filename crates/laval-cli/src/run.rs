@@ -2,6 +2,7 @@
 
 use crate::input::{self, Input};
 use crate::pdf;
+use crate::pieces;
 use crate::progress::Bar;
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, terminal};
 use laval::build;
@@ -11,33 +12,42 @@ use laval::hash::sha256;
 use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
 use laval::report::{self, Format, Language, Provenance, Report, Style, Units, WriteError};
-use laval::store::Keep;
+use laval::store::{self, Keep, Piece, Work};
 use laval::study::{self, Cancel, Context, Silent, presentation};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// What may be said to `run`.
+/// Which studies of which file, and where their results go.
 #[derive(clap::Args)]
-pub struct Args {
+pub struct Request {
     /// The machine file
-    file: PathBuf,
+    pub file: PathBuf,
     /// The folder for results [default: out/NAME, NAME being that of the file, or of its folder for a machine.toml]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Run only this study (its name or its kind); may be given several times
     #[arg(long, value_name = "STUDY", value_delimiter = ',')]
     only: Vec<String>,
+    /// Print nothing but what is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+impl Request {
+    /// The folder of results.
+    pub fn dir(&self, input: &Input) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| Path::new("out").join(input.stem()))
+    }
+}
+
+/// What is written and printed.
+#[derive(clap::Args)]
+pub struct Shown {
     /// What to write [default: all of csv, parquet, json, svg, html]
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = str::parse::<Format>)]
     format: Vec<Format>,
-    /// End each study after this many steps, or after the work of 0.1 s for each of them
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = steps)]
-    work_limit: Option<u64>,
-    /// Remove what the folder holds of long studies and start them anew, instead of going on with them
-    #[arg(long)]
-    fresh: bool,
     /// Print all findings of every study, not the summary alone
     #[arg(long)]
     all: bool,
@@ -47,9 +57,33 @@ pub struct Args {
     /// Print the report to report.pdf too, with a Chromium that is found on this computer
     #[arg(long)]
     pdf: bool,
-    /// Print nothing but what is wrong
-    #[arg(long, short)]
-    quiet: bool,
+}
+
+/// What may be said to `run`.
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    request: Request,
+    #[command(flatten)]
+    shown: Shown,
+    /// End each study after this many steps, or after the work of 0.1 s for each of them
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = steps)]
+    work_limit: Option<u64>,
+    /// Remove what the folder holds of long studies and start them anew, instead of going on with them
+    #[arg(long)]
+    fresh: bool,
+    /// Compute part I of N of the long studies and nothing else; `laval collect` joins the parts
+    #[arg(long, value_name = "I/N", value_parser = str::parse::<Piece>, conflicts_with_all = ["fresh", "work_limit", "format", "all", "lang", "pdf"])]
+    part: Option<Piece>,
+}
+
+/// What may be said to `collect`.
+#[derive(clap::Args)]
+pub struct CollectArgs {
+    #[command(flatten)]
+    request: Request,
+    #[command(flatten)]
+    shown: Shown,
 }
 
 fn steps(text: &str) -> Result<u64, String> {
@@ -78,20 +112,37 @@ fn style(requested: Option<Language>, input: &Input, loaded: &Loaded) -> Style {
     Style { language, units }
 }
 
-static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);
+pub static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);
 
 /// Results of finished studies are on disk at least this often.
 const KEEP_EVERY: Duration = Duration::from_secs(2);
 
 /// Runs the studies of a file.
 pub fn run(args: &Args) -> u8 {
-    match prepare(args) {
-        Ok((input, loaded)) => Run::new(args, &input, &loaded).run(),
+    let (input, loaded) = match prepare(&args.request) {
+        Ok(read) => read,
+        Err(code) => return code,
+    };
+    match args.part {
+        Some(piece) => pieces::compute(&args.request, &input, &loaded, piece),
+        None => {
+            let how = How { work: Work::Missing, fresh: args.fresh, work_limit: args.work_limit };
+            Run::new(&args.request, &args.shown, how, &input, &loaded).run()
+        }
+    }
+}
+
+/// Joins the parts of long studies and runs the others.
+pub fn collect(args: &CollectArgs) -> u8 {
+    let how = How { work: Work::Collect, fresh: false, work_limit: None };
+    match prepare(&args.request) {
+        Ok((input, loaded)) => Run::new(&args.request, &args.shown, how, &input, &loaded).run(),
         Err(code) => code,
     }
 }
 
-fn prepare(args: &Args) -> Result<(Input, Loaded), u8> {
+/// The file, and those of its studies that are requested; what is wrong is printed.
+pub fn prepare(args: &Request) -> Result<(Input, Loaded), u8> {
     let wrong = |d: Diagnostic| {
         input::complain(&d);
         WRONG
@@ -136,7 +187,7 @@ fn chosen(mut studies: Vec<NamedStudy>, only: &[String]) -> Result<Vec<NamedStud
 }
 
 /// First Ctrl-C: stop at the next step. Second: at once.
-fn listen() {
+pub fn listen() {
     let stop = || {
         if CANCEL.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(STOPPED));
@@ -153,8 +204,26 @@ fn refusal(why: &Diagnostic) -> Finding {
     Finding::warning("refused", "run-refused").arg("reason", Arg::term(why.to_string()))
 }
 
+/// Which rows of long studies are computed, and when a study ends.
+#[derive(Clone, Copy)]
+struct How {
+    work: Work,
+    fresh: bool,
+    work_limit: Option<u64>,
+}
+
+/// Where a long study keeps its rows.
+pub fn keep(loaded: &Loaded, dir: &Path, study: &str, work: Work) -> Option<Keep> {
+    let names = || loaded.spec.studies.iter().map(|b| b.name.as_str());
+    let folders = report::folders(names());
+    let at = names().position(|n| n == study)?;
+    Some(Keep { folder: dir.join(&folders[at]), input: file::canonical(&loaded.spec, study), fresh: false, work })
+}
+
 struct Run<'a> {
-    args: &'a Args,
+    args: &'a Request,
+    shown: &'a Shown,
+    how: How,
     input: &'a Input,
     loaded: &'a Loaded,
     dir: PathBuf,
@@ -162,13 +231,15 @@ struct Run<'a> {
     report: Report,
     /// Something stands on standard output: the next paragraph needs an empty line.
     printed: bool,
+    /// Rows that should be collected are missing.
+    missing: bool,
     code: u8,
 }
 
 impl<'a> Run<'a> {
-    fn new(args: &'a Args, input: &'a Input, loaded: &'a Loaded) -> Self {
+    fn new(args: &'a Request, shown: &'a Shown, how: How, input: &'a Input, loaded: &'a Loaded) -> Self {
         let mut settings = Vec::new();
-        if let Some(n) = args.work_limit {
+        if let Some(n) = how.work_limit {
             settings.push(("work limit".to_string(), n.to_string()));
         }
         let report = Report {
@@ -186,16 +257,19 @@ impl<'a> Run<'a> {
             studies: loaded.spec.studies.iter().map(|b| b.name.clone()).collect(),
             outcomes: Vec::new(),
             overview: None,
-            style: style(args.lang, input, loaded),
+            style: style(shown.lang, input, loaded),
         };
         Run {
             args,
+            shown,
+            how,
             input,
             loaded,
-            dir: args.out.clone().unwrap_or_else(|| Path::new("out").join(input.stem())),
-            formats: if args.format.is_empty() { Format::ALL.to_vec() } else { args.format.clone() },
+            dir: args.dir(input),
+            formats: if shown.format.is_empty() { Format::ALL.to_vec() } else { shown.format.clone() },
             report,
             printed: false,
+            missing: false,
             code: DONE,
         }
     }
@@ -234,12 +308,16 @@ impl<'a> Run<'a> {
                 }
                 None => self.study(study),
             }
-            if i < last && written.elapsed() > KEEP_EVERY {
+            if i < last && written.elapsed() > KEEP_EVERY && self.how.work == Work::Missing {
                 if let Err(code) = self.write() {
                     return code;
                 }
                 written = Instant::now();
             }
+        }
+        // an incomplete collection replaces no earlier results
+        if self.missing {
+            return self.code;
         }
         self.overview();
         let files = match self.write() {
@@ -256,7 +334,7 @@ impl<'a> Run<'a> {
             ));
         }
         let page = files.into_iter().find(|f| f.ends_with("report.html"));
-        if self.args.pdf {
+        if self.shown.pdf {
             let printed = page
                 .as_deref()
                 .map_or_else(|| Err(Diagnostic::error("pdf.page", "--pdf prints report.html, which --format leaves out")), pdf::print);
@@ -272,12 +350,12 @@ impl<'a> Run<'a> {
 
     fn study(&mut self, named: &NamedStudy) {
         let bar = Bar::new(&named.name, self.args.quiet);
-        let keep = self.keep(named);
+        let keep = keep(self.loaded, &self.dir, &named.name, self.how.work).map(|k| Keep { fresh: self.how.fresh, ..k });
         let context = Context {
             name: &named.name,
             cancel: &CANCEL,
             progress: &bar,
-            work_limit: self.args.work_limit.unwrap_or(u64::MAX),
+            work_limit: self.how.work_limit.unwrap_or(u64::MAX),
             keep: keep.as_ref(),
         };
         let result = guarded(|| named.study.run(&self.loaded.system, &context));
@@ -285,6 +363,7 @@ impl<'a> Run<'a> {
         let outcome = match result {
             Some(Ok(outcome)) => outcome,
             Some(Err(d)) => {
+                self.missing |= d.code == store::MISSING;
                 let d = self.complain(named, d);
                 return self.refused(named, refusal(&d));
             }
@@ -296,7 +375,7 @@ impl<'a> Run<'a> {
         };
         // shown as soon as known: the next study may take long
         let mut one = Report { outcomes: vec![outcome], style: self.report.style.clone(), ..Report::default() };
-        if self.args.all {
+        if self.shown.all {
             self.paragraph(&report::terminal(&one, terminal::findings()));
         }
         self.report.outcomes.append(&mut one.outcomes);
@@ -312,14 +391,6 @@ impl<'a> Run<'a> {
         let speeds: Vec<_> = self.loaded.studies.iter().flat_map(|s| s.study.speeds(system)).collect();
         self.report.overview = guarded(|| study::overview(system, &speeds, &self.report.outcomes, &context));
         self.paragraph(&report::summary(&self.report, terminal::findings()));
-    }
-
-    /// Where a long study keeps its rows.
-    fn keep(&self, named: &NamedStudy) -> Option<Keep> {
-        let folders = report::folders(self.report.studies.iter().map(String::as_str));
-        let at = self.report.studies.iter().position(|n| *n == named.name)?;
-        let input = file::canonical(&self.loaded.spec, &named.name);
-        Some(Keep { folder: self.dir.join(&folders[at]), input, fresh: self.args.fresh })
     }
 
     fn paragraph(&mut self, text: &str) {

@@ -13,31 +13,48 @@ const LOCK: &str = ".lock";
 #[derive(Debug)]
 pub struct Held {
     lock: File,
+    /// The file names this process.
+    number: bool,
 }
 
 impl Drop for Held {
     fn drop(&mut self) {
         // the number of a process that has ended misleads nobody, so a failure here may pass
-        let _ = self.lock.set_len(0);
+        if self.number {
+            let _ = self.lock.set_len(0);
+        }
     }
 }
 
 impl Held {
+    /// Makes the folder where it is missing and takes it beside others that share it; while anybody does, [`take`](Self::take) refuses.
+    ///
+    /// # Errors
+    /// When it cannot be made or written, or another process holds it for itself.
+    pub fn share(folder: &Path) -> Result<Held, Diagnostic> {
+        make(folder)?;
+        Ok(Held { lock: lock(folder, Holding::Shared)?, number: false })
+    }
+
     /// Makes the folder where it is missing, takes it, removes unfinished files that a killed process has left in it, and makes sure that it can be
     /// written.
     ///
     /// # Errors
     /// When it cannot be made or written, or another process holds it.
     pub fn take(folder: &Path) -> Result<Held, Diagnostic> {
-        fs::create_dir_all(folder).map_err(|e| {
-            let why = if folder.is_file() { "it is a file".to_string() } else { e.to_string() };
-            let d = Diagnostic::error("folder.make", format!("cannot make the folder {}: {why}", folder.display()));
-            d.help("name another one with --out")
-        })?;
-        let held = Held { lock: lock(folder)? };
+        make(folder)?;
+        let held = Held { lock: lock(folder, Holding::Alone)?, number: true };
         tidy(folder)?;
         Ok(held)
     }
+}
+
+fn make(folder: &Path) -> Result<(), Diagnostic> {
+    fs::create_dir_all(folder).map_err(|e| {
+        let why = if folder.is_file() { "it is a file".to_string() } else { e.to_string() };
+        let d = Diagnostic::error("folder.make", format!("cannot make the folder {}: {why}", folder.display()));
+        d.help("name another one with --out")
+    })
 }
 
 /// Removes unfinished files that a killed process has left in a folder, and makes sure that it can be written.
@@ -64,8 +81,15 @@ fn unwritable(path: &Path, e: &io::Error) -> Diagnostic {
         .help("mend the permissions of the folder, or name another one with --out")
 }
 
+/// How a folder is held.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Holding {
+    Alone,
+    Shared,
+}
+
 /// Takes the folder for this process.
-fn lock(folder: &Path) -> Result<File, Diagnostic> {
+fn lock(folder: &Path, holding: Holding) -> Result<File, Diagnostic> {
     let path = folder.join(LOCK);
     let foreign = || {
         Diagnostic::error("folder.lock", format!("{} was not made by this program and is left as it is", path.display()))
@@ -87,7 +111,10 @@ fn lock(folder: &Path) -> Result<File, Diagnostic> {
     if !file.metadata().is_ok_and(|m| m.is_file() && m.len() <= 20 && names(&m) == 1) {
         return Err(foreign());
     }
-    let taken = file.try_lock();
+    let taken = match holding {
+        Holding::Alone => file.try_lock(),
+        Holding::Shared => file.try_lock_shared(),
+    };
     let mut number = String::new();
     let read = file.read_to_string(&mut number);
     match taken {
@@ -104,6 +131,9 @@ fn lock(folder: &Path) -> Result<File, Diagnostic> {
     }
     if read.is_err() || !number.bytes().all(|b| b.is_ascii_digit()) {
         return Err(foreign());
+    }
+    if holding == Holding::Shared {
+        return Ok(file);
     }
     let number = std::process::id().to_string();
     file.set_len(0).and_then(|()| file.rewind()).and_then(|()| file.write_all(number.as_bytes())).map_err(|e| unwritable(&path, &e))?;
@@ -137,6 +167,20 @@ fn open_new(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).create_new(true).open(path)
 }
 
+/// A new unfinished file. A process of another computer that writes into the same folder may have the same number: its files are passed over.
+fn unfinished(folder: &Path) -> io::Result<(File, PathBuf)> {
+    const MOST: usize = 10_000;
+    let mut tries = 0;
+    loop {
+        let path = part(folder);
+        match open_new(&path) {
+            Ok(file) => return Ok((file, path)),
+            Err(e) if e.kind() == io::ErrorKind::AlreadyExists && tries < MOST => tries += 1,
+            Err(e) => return Err(e),
+        }
+    }
+}
+
 /// How long a file must last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lasting {
@@ -152,9 +196,8 @@ pub enum Lasting {
 /// Why it cannot be written.
 pub fn write_whole(path: &Path, bytes: &[u8], lasting: Lasting) -> io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let part = part(folder);
+    let (mut file, part) = unfinished(folder)?;
     let write = || {
-        let mut file = open_new(&part)?;
         file.write_all(bytes)?;
         if lasting == Lasting::PowerLoss {
             file.sync_all()?;

@@ -2,7 +2,7 @@
 
 use laval::diagnostic::Diagnostic;
 use laval::outcome::End;
-use laval::store::{self, Cells, Column, Keep, Plan, Results};
+use laval::store::{self, Cells, Column, Keep, NO_RESULT, Piece, Plan, Results, Work};
 use laval::study::{Cancel, Context, Progress};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -27,7 +27,7 @@ impl Dir {
         Dir(dir)
     }
     fn keep(&self) -> Keep {
-        Keep { folder: self.0.clone(), input: json!({"part": [{"name": "drum", "mass": 2.4}], "study": {"points": 3}}), fresh: false }
+        Keep { folder: self.0.clone(), input: json!({"part": [{"name": "drum", "mass": 2.4}], "study": {"points": 3}}), fresh: false, work: Work::Missing }
     }
 }
 

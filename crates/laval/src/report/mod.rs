@@ -49,7 +49,7 @@ pub use json::{RESULTS_SCHEMA, SCHEMA, json};
 pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
-pub use renew::{outdated, prepare, renew};
+pub use renew::{outdated, prepare, renew, share};
 pub use summary::summary;
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};

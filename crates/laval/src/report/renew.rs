@@ -24,6 +24,14 @@ struct Entry {
     input: Option<String>,
 }
 
+/// Takes the folder of results beside other processes that compute parts of long studies; none of them writes what [`renew`] writes.
+///
+/// # Errors
+/// When it cannot be made or written, or a run holds it.
+pub fn share(dir: &Path) -> Result<Held, Diagnostic> {
+    Held::share(dir)
+}
+
 /// Takes the folder that a report will be written into, for the studies of these names: before anything is computed it is certain that nobody else writes
 /// it, that all of it can be written, and that nothing of another program stands in the way. What a killed run left unfinished is removed.
 ///

@@ -2,7 +2,7 @@
 
 use super::cells::{Cells, Column};
 use super::manifest::{Entry, FORMAT, Manifest};
-use super::{Host, Keep, Plan, parquet};
+use super::{Host, Keep, Plan, Work, parquet};
 use crate::diagnostic::Diagnostic;
 use crate::hash::sha256;
 use crate::output_folder::{Held, Lasting, write_whole};
@@ -16,22 +16,25 @@ const MANIFEST: &str = "manifest.json";
 pub struct Folder {
     path: PathBuf,
     manifest: Manifest,
-    /// No other process may write it meanwhile.
+    /// Other processes write other chunks meanwhile, and none of them the manifest.
+    shared: bool,
+    /// No process may write what this one writes.
     _held: Held,
 }
 
 impl Folder {
-    /// Opens or makes the folder, checks that it belongs to this input, and keeps the chunks that are sound.
-    pub fn open(keep: &Keep, plan: &Plan, host: &dyn Host) -> Result<Folder, Diagnostic> {
+    /// Opens or makes the folder, checks that it belongs to this input, and keeps those chunks of `mine` that are sound.
+    pub fn open(keep: &Keep, plan: &Plan, host: &dyn Host, mine: &[usize]) -> Result<Folder, Diagnostic> {
         let path = keep.folder.clone();
-        let held = Held::take(&path)?;
-        let mut folder = Folder { manifest: Manifest::new(plan, &keep.input), path, _held: held };
+        let shared = matches!(keep.work, Work::Piece(_));
+        let held = if shared { Held::share(&path)? } else { Held::take(&path)? };
+        let mut folder = Folder { manifest: Manifest::new(plan, &keep.input), path, shared, _held: held };
         folder.clean(keep.fresh)?;
         if let Some(old) = folder.read_manifest()? {
             folder.belongs(&old)?;
             folder.manifest.chunks = old.chunks;
         }
-        folder.verify(plan, host)?;
+        folder.verify(plan, host, mine)?;
         folder.write_manifest()?;
         Ok(folder)
     }
@@ -120,9 +123,9 @@ impl Folder {
 
     /// Keeps the chunks whose files are sound: those of the manifest by its checksums, and those written just before a kill by the checksum they hold and
     /// their mark.
-    fn verify(&mut self, plan: &Plan, host: &dyn Host) -> Result<(), Diagnostic> {
+    fn verify(&mut self, plan: &Plan, host: &dyn Host, mine: &[usize]) -> Result<(), Diagnostic> {
         let listed = std::mem::take(&mut self.manifest.chunks);
-        for index in 0..plan.chunks() {
+        for &index in mine {
             let path = self.file(index);
             let entry = listed.iter().find(|e| e.chunk == index);
             let bytes = match fs::read(&path) {
@@ -186,6 +189,9 @@ impl Folder {
     }
 
     fn write_manifest(&self) -> Result<(), Diagnostic> {
+        if self.shared {
+            return Ok(());
+        }
         let path = self.path.join(MANIFEST);
         let text = self.manifest.text().map_err(|e| Diagnostic::error("store.write", format!("the manifest cannot be written: {e}")))?;
         // a chunk that no manifest names yet is found by its mark: it is kept too

@@ -5,6 +5,9 @@
 //! and the same study in the same folder computes what is missing: its files are then those of the undisturbed run, byte for byte. A folder of
 //! another input, another build or another processor level is refused, with what differs.
 //!
+//! Several processes may compute a study together, each a [`Piece`] of it: a piece writes its chunks alone, and the run that collects them finds all chunks
+//! by the checksum and the mark that each file holds. Which process wrote a chunk, when, and how often changes no file.
+//!
 //! Without a folder ([`Host::keep`]) chunks stay in memory.
 //!
 //! ```
@@ -34,9 +37,11 @@ mod folder;
 mod manifest;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod piece;
 
 pub use cells::{Cells, Column, Kind};
 pub use collected::Collected;
+pub use piece::{Piece, Work};
 
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, End, Finding, Message};
@@ -59,6 +64,8 @@ pub struct Keep {
     pub input: serde_json::Value,
     /// Remove what the folder holds of a study and start anew.
     pub fresh: bool,
+    /// Which chunks are computed.
+    pub work: Work,
 }
 
 /// What surrounds a run: where to keep results, whom to tell, when to stop.
@@ -67,6 +74,8 @@ pub trait Host: Sync {
     fn keep(&self) -> Option<&Keep>;
     /// The user stopped it.
     fn cancelled(&self) -> bool;
+    /// What is going to be computed; `chained` when a chunk follows from the one before.
+    fn planned(&self, _plan: &Plan, _chained: bool) {}
     /// `done` of `total` rows.
     fn report(&self, done: u64, total: u64);
     /// `done` of `total` rows are there from an earlier run; they say nothing of the rate.
@@ -93,7 +102,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    fn chunks(&self) -> usize {
+    /// Number of chunks.
+    pub fn chunks(&self) -> usize {
         self.rows.div_ceil(self.chunk)
     }
 
@@ -168,11 +178,11 @@ enum Place {
 }
 
 impl Place {
-    fn open(host: &dyn Host, plan: &Plan) -> Result<Place, Diagnostic> {
+    fn open(host: &dyn Host, plan: &Plan, _mine: &[usize]) -> Result<Place, Diagnostic> {
         match host.keep() {
             None => Ok(Place::Memory(vec![None; plan.chunks()])),
             #[cfg(feature = "parquet")]
-            Some(keep) => Folder::open(keep, plan, host).map(|f| Place::Folder(Box::new(f))),
+            Some(keep) => Folder::open(keep, plan, host, _mine).map(|f| Place::Folder(Box::new(f))),
             #[cfg(not(feature = "parquet"))]
             Some(_) => Err(Diagnostic::error("store.parquet", "this build cannot write Parquet, which long studies are kept in")),
         }
@@ -216,13 +226,14 @@ pub type Before<'a> = &'a dyn Fn() -> Result<Option<Vec<Cells>>, Diagnostic>;
 ///
 /// # Errors
 /// When the folder cannot be written, is in use, or holds results of another input; and whatever `compute` returns. Chunks written
-/// until then are kept.
+/// until then are kept. A run that only plans or computes a piece ends with the code [`NO_RESULT`], for there is no result yet; one that collects
+/// refuses while chunks are missing.
 pub fn run(
     plan: Plan,
     host: &dyn Host,
     mut compute: impl FnMut(Range<usize>, &Rows) -> Result<Option<Vec<Cells>>, Diagnostic>,
 ) -> Result<Results, Diagnostic> {
-    run_on(plan, host, |range, rows, _| compute(range, rows))
+    fill(plan, host, false, |range, rows, _| compute(range, rows))
 }
 
 /// As [`run`], for rows that follow from the row before: a chunk may read the one before it, from which all it needs must follow.
@@ -232,18 +243,47 @@ pub fn run(
 pub fn run_on(
     plan: Plan,
     host: &dyn Host,
+    compute: impl FnMut(Range<usize>, &Rows, Before) -> Result<Option<Vec<Cells>>, Diagnostic>,
+) -> Result<Results, Diagnostic> {
+    fill(plan, host, true, compute)
+}
+
+/// The code of a run that has done its work and has no result.
+pub const NO_RESULT: &str = "store.no_result";
+
+/// The code of a run that should collect rows and misses some.
+pub const MISSING: &str = "store.missing";
+
+fn fill(
+    plan: Plan,
+    host: &dyn Host,
+    chained: bool,
     mut compute: impl FnMut(Range<usize>, &Rows, Before) -> Result<Option<Vec<Cells>>, Diagnostic>,
 ) -> Result<Results, Diagnostic> {
     plan.check()?;
-    let mut place = Place::open(host, &plan)?;
-    let present = (0..plan.chunks()).filter(|&i| place.has(i)).map(|i| plan.range(i).len() as u64).sum();
-    let rows = Rows { host, done: AtomicU64::new(present), part: AtomicI64::new(0), total: plan.rows as u64, aside: false };
+    host.planned(&plan, chained);
+    let work = host.keep().map(|k| k.work).unwrap_or_default();
+    if work == Work::Plan {
+        return Err(Diagnostic::warning(NO_RESULT, "the study is planned, not run"));
+    }
+    let mine: Vec<usize> = match work {
+        Work::Piece(piece) => (0..plan.chunks()).filter(|&i| piece.has(i, chained)).collect(),
+        _ => (0..plan.chunks()).collect(),
+    };
+    let mut place = Place::open(host, &plan, &mine)?;
+    let count = |chunks: &mut dyn Iterator<Item = usize>| chunks.map(|i| plan.range(i).len() as u64).sum::<u64>();
+    let present = count(&mut mine.iter().copied().filter(|&i| place.has(i)));
+    let total = count(&mut mine.iter().copied());
+    if work == Work::Collect && present < total {
+        return Err(missing(&plan, &mut mine.iter().copied().filter(|&i| !place.has(i)), total - present));
+    }
+    let rows = Rows { host, done: AtomicU64::new(present), part: AtomicI64::new(0), total, aside: false };
     if present > 0 {
         host.restored(present, rows.total);
     }
     let mut done = present;
     let mut end = End::Reached;
-    for index in 0..plan.chunks() {
+    for index in mine {
         if place.has(index) {
             continue;
         }
@@ -263,8 +303,24 @@ pub fn run_on(
         done += count as u64;
         rows.set(done);
     }
+    if let Work::Piece(piece) = work {
+        return Err(Diagnostic::warning(NO_RESULT, format!("part {piece}: {done} of {total} rows are there")));
+    }
     let kept = host.keep().is_some();
     Ok(Results { plan, place, done, end, kept })
+}
+
+/// Chunks that a run should collect and that are not there.
+fn missing(plan: &Plan, chunks: &mut dyn Iterator<Item = usize>, rows: u64) -> Diagnostic {
+    const SHOWN: usize = 6;
+    let chunks: Vec<usize> = chunks.collect();
+    let mut shown: Vec<String> = chunks.iter().take(SHOWN).map(|i| (i + 1).to_string()).collect();
+    if chunks.len() > SHOWN {
+        shown.push(format!("{} more", chunks.len() - SHOWN));
+    }
+    let message = format!("{rows} of {} rows are missing, those of the chunks {} of {}", plan.rows, shown.join(", "), plan.chunks());
+    Diagnostic::error(MISSING, message)
+        .help("run the parts that have not ended once more; chunk k belongs to part ((k - 1) mod n) + 1 of n. laval run computes what is missing")
 }
 
 /// What a run has computed or found; the folder stays locked while it lives.

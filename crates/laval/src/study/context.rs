@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, significant};
-use crate::store::{Host, Keep};
+use crate::store::{Host, Keep, Plan};
 use laval_num::work::{self, Cancel};
 use std::cell::Cell;
 use std::sync::LazyLock;
@@ -21,6 +21,8 @@ pub trait Progress: Sync {
     }
     /// Of the units under way, how much is done: 2.5 when five of them are half done. Where single units take long.
     fn part(&self, _units: f64) {}
+    /// What a study that is kept in chunks is going to compute; `chained` when a chunk follows from the one before.
+    fn planned(&self, _plan: &Plan, _chained: bool) {}
     /// How large the work is, in words, before it begins.
     fn job(&self, _text: &str) {}
     /// A remark that the outcome does not hold, because it does not depend on it.
@@ -118,6 +120,9 @@ impl Host for Context<'_> {
     }
     fn cancelled(&self) -> bool {
         Context::cancelled(self)
+    }
+    fn planned(&self, plan: &Plan, chained: bool) {
+        self.progress.planned(plan, chained);
     }
     fn report(&self, done: u64, total: u64) {
         self.progress.report(done, total);

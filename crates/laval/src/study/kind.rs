@@ -22,6 +22,8 @@ pub trait Study: Send + Sync + Sized + 'static {
     const EXAMPLE: &'static str = "";
     /// What may be said of it.
     const FIELDS: &'static [Field];
+    /// Whether its rows are kept in chunks ([`store`](crate::store)): then several processes can compute it together.
+    const IN_CHUNKS: bool = false;
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
     /// Spin speeds at which the study needs the coefficients of the parts; none where it does not rest on the motion of the machine, or runs
@@ -62,6 +64,8 @@ pub trait Study: Send + Sync + Sized + 'static {
 pub trait ErasedStudy: Send + Sync {
     /// The word in the file.
     fn kind(&self) -> &'static str;
+    /// Whether its rows are kept in chunks.
+    fn in_chunks(&self) -> bool;
     /// Whether this machine can answer it.
     ///
     /// # Errors
@@ -81,6 +85,9 @@ pub trait ErasedStudy: Send + Sync {
 impl<T: Study> ErasedStudy for T {
     fn kind(&self) -> &'static str {
         T::KIND
+    }
+    fn in_chunks(&self) -> bool {
+        T::IN_CHUNKS
     }
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         speed_range::known(self, system)?;
@@ -169,6 +176,9 @@ impl<T> Written<T> {
 impl<T: Study> ErasedStudy for Written<T> {
     fn kind(&self) -> &'static str {
         T::KIND
+    }
+    fn in_chunks(&self) -> bool {
+        T::IN_CHUNKS
     }
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         ErasedStudy::admit(&self.study, system).map_err(|d| self.located(d))

@@ -2,7 +2,7 @@
 
 use crate::common::files::load;
 use laval::outcome::Outcome;
-use laval::store::Keep;
+use laval::store::{Keep, Work};
 use laval::study::Context;
 use std::fs;
 use std::path::PathBuf;
@@ -23,7 +23,7 @@ fn no_flipped_bit_in_the_rows_of_a_map_reaches_its_tables() {
     let l = load(&text);
     let folder = Folder(std::env::temp_dir().join(format!("laval-map-{}", std::process::id())));
     let _ = fs::remove_dir_all(&folder.0);
-    let keep = Keep { folder: folder.0.clone(), input: serde_json::json!({ "machine": 1 }), fresh: false };
+    let keep = Keep { folder: folder.0.clone(), input: serde_json::json!({ "machine": 1 }), fresh: false, work: Work::Missing };
     let run = || -> Outcome {
         let context = Context { keep: Some(&keep), ..Context::quiet("map") };
         l.studies[0].study.run(&l.system, &context).unwrap_or_else(|d| panic!("{d:?}"))

@@ -6,7 +6,7 @@ use common::planar_file::{oil, planar_file};
 use laval::file::{Form, Loaded, canonical, load, render};
 use laval::outcome::{Data, End, Outcome};
 use laval::report::draw;
-use laval::store::Keep;
+use laval::store::{Keep, Work};
 use laval::study::{Cancel, Context, Progress};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
@@ -191,7 +191,7 @@ fn a_stopped_map_goes_on_where_it_stood() {
     let whole = run(&map);
     let folder = std::env::temp_dir().join(format!("laval-response-map-{}", std::process::id()));
     let _ = std::fs::remove_dir_all(&folder);
-    let keep = Keep { folder: folder.clone(), input: canonical(&map.spec, &map.studies[0].name), fresh: false };
+    let keep = Keep { folder: folder.clone(), input: canonical(&map.spec, &map.studies[0].name), fresh: false, work: Work::Missing };
     let cancel = Cancel::default();
     let progress = StopAfter(AtomicU64::new(0), &cancel);
     let context = Context { cancel: &cancel, progress: &progress, keep: Some(&keep), ..Context::quiet("map") };
@@ -210,7 +210,7 @@ fn a_limited_map_keeps_nothing_that_is_cut_short() {
     let whole = run(&map);
     let total = whole.work["points"];
     let folder = std::env::temp_dir().join(format!("laval-limited-map-{}", std::process::id()));
-    let keep = Keep { folder: folder.clone(), input: canonical(&map.spec, &map.studies[0].name), fresh: false };
+    let keep = Keep { folder: folder.clone(), input: canonical(&map.spec, &map.studies[0].name), fresh: false, work: Work::Missing };
     for (limit, some) in [(2, false), (30, false), (total / 2, true)] {
         let _ = std::fs::remove_dir_all(&folder);
         let limited = Context { work_limit: limit, keep: Some(&keep), ..Context::quiet("map") };

@@ -77,6 +77,7 @@ pub struct Basins {
 impl Study for Basins {
     type Result = BasinsResult;
     const KIND: &'static str = "basins";
+    const IN_CHUNKS: bool = true;
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 from = { "drum.x" = "-1 mm", "drum.y" = "-1 mm" }
 to = { "drum.x" = "1 mm", "drum.y" = "1 mm" }

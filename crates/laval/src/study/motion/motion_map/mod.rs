@@ -73,6 +73,7 @@ pub struct MotionMap {
 impl Study for MotionMap {
     type Result = MotionMapResult;
     const KIND: &'static str = "motion_map";
+    const IN_CHUNKS: bool = true;
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 60 }
 y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 20 }
 "#;

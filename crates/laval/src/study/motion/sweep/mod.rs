@@ -99,6 +99,7 @@ pub struct Sweep {
 impl Study for Sweep {
     type Result = SweepResult;
     const KIND: &'static str = "sweep";
+    const IN_CHUNKS: bool = true;
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 200 }
 start = "up_and_down"
 "#;

@@ -86,6 +86,7 @@ const fn spacing(name: &'static str, doc: &'static str) -> Field {
 impl Study for ResponseMap {
     type Result = ResponseMapResult;
     const KIND: &'static str = "response_map";
+    const IN_CHUNKS: bool = true;
     const EXAMPLE: &'static str = r#"x = { parameter = "drum.mass", from = "2 kg", to = "4 kg", points = 9 }
 y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 9 }
 speed = { from = "100 rpm", to = "12000 rpm" }

@@ -78,6 +78,7 @@ pub struct Uncertainty {
 impl Study for Uncertainty {
     type Result = UncertaintyResult;
     const KIND: &'static str = "uncertainty";
+    const IN_CHUNKS: bool = true;
     const EXAMPLE: &'static str = r#"study = { kind = "modes", speed = "3000 rpm" }
 parameters = [{ parameter = "drum.mass", distribution = "normal", deviation = "2 %" }]
 samples = 256
