@@ -126,10 +126,14 @@ fn as_text(request: &Request, long: &[Long], short: &[String]) -> String {
         s.push_str("\nRows of a study with one part follow from the rows before; part 1 computes it.\n");
     }
     let _ = writeln!(s, "\nlaval run {file} --part I/N   computes part I of N; parts may run anywhere, in any order, more than once");
-    let _ = writeln!(s, "laval collect {file}         joins them{}", match short {
-        [] => String::new(),
-        names => format!(" and computes {}", names.join(", ")),
-    });
+    let _ = writeln!(
+        s,
+        "laval collect {file}         joins them{}",
+        match short {
+            [] => String::new(),
+            names => format!(" and computes {}", names.join(", ")),
+        }
+    );
     s
 }
 

@@ -39,7 +39,7 @@ parameters = [{ parameter = "d.mass", distribution = "normal", deviation = "2 %"
 kind = "sweep"
 name = "slow"
 speed = { from = "100 rad/s", to = "300 rad/s", points = 9 }
-ways = ["up"]
+start = "up"
 "#;
 
 /// Every file below `dir` with its content, except the empty files by which processes hold a folder.

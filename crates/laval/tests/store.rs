@@ -27,7 +27,12 @@ impl Dir {
         Dir(dir)
     }
     fn keep(&self) -> Keep {
-        Keep { folder: self.0.clone(), input: json!({"part": [{"name": "drum", "mass": 2.4}], "study": {"points": 3}}), fresh: false, work: Work::Missing }
+        Keep {
+            folder: self.0.clone(),
+            input: json!({"part": [{"name": "drum", "mass": 2.4}], "study": {"points": 3}}),
+            fresh: false,
+            work: Work::Missing,
+        }
     }
 }
 
@@ -432,5 +437,58 @@ fn a_disk_that_fails_keeps_what_was_written() {
     let mut computed = Vec::new();
     drop(run(&dir.keep(), &Reported::default(), |c| computed.push(c)).unwrap());
     assert_eq!(computed.first(), Some(&4));
+    assert!(files(&dir.0) == undisturbed());
+}
+
+/// Pieces in any order, one of them killed before its last chunks, leave what one run leaves.
+#[test]
+fn pieces_leave_the_files_of_one_run() {
+    let dir = Dir::new("pieces");
+    let piece = |number: usize, of: usize, most: u64| {
+        let keep = Keep { work: Work::Piece(Piece::new(number, of).unwrap()), ..dir.keep() };
+        let context = Context { keep: Some(&keep), work_limit: most, ..Context::quiet("s") };
+        let mut computed = Vec::new();
+        let end = store::run(plan(), &context, |range, _| {
+            computed.push(range.start / CHUNK);
+            Ok(Some(rows(range)))
+        });
+        assert_eq!(end.err().unwrap().code, NO_RESULT);
+        computed
+    };
+    let collect = || run(&Keep { work: Work::Collect, ..dir.keep() }, &Reported::default(), |_| panic!("computed"));
+    assert_eq!(piece(3, 4, u64::MAX), (2..52).step_by(4).collect::<Vec<_>>());
+    assert_eq!(piece(3, 4, u64::MAX), [0; 0]);
+    assert_eq!(piece(1, 4, 300), [0, 4, 8, 12]);
+    assert!(!dir.0.join("manifest.json").exists());
+    let d = collect().err().unwrap();
+    assert_eq!(d.code, store::MISSING);
+    // 17 chunks of the first three in four are there, the last of all chunks is shorter
+    assert!(d.message.starts_with("690 of 1030 rows are missing, those of the chunks 2, 4, 6, 8, 10, 12, 29 more of 52"), "{}", d.message);
+    // the rest in another division
+    let rest: Vec<usize> = [2, 1].into_iter().flat_map(|k| piece(k, 2, u64::MAX)).collect();
+    assert_eq!(rest.len(), 52 - 17);
+    let results = collect().unwrap();
+    assert_same_rows(&results);
+    drop(results);
+    assert!(files(&dir.0) == undisturbed());
+}
+
+/// A run needs the folder for itself; pieces share it.
+#[test]
+fn pieces_share_a_folder_that_a_run_does_not() {
+    let dir = Dir::new("shared");
+    let keep = |k| Keep { work: Work::Piece(Piece::new(k, 2).unwrap()), ..dir.keep() };
+    let whole = run(&dir.keep(), &Reported::default(), |_| {}).unwrap();
+    assert_eq!(run(&keep(1), &Reported::default(), |_| {}).err().unwrap().code, "folder.locked");
+    drop(whole);
+    fs::remove_dir_all(&dir.0).unwrap();
+    let inner = run(&keep(1), &Reported::default(), |chunk| {
+        if chunk == 2 {
+            assert_eq!(run(&keep(2), &Reported::default(), |_| {}).err().unwrap().code, NO_RESULT);
+            assert_eq!(run(&dir.keep(), &Reported::default(), |_| {}).err().unwrap().code, "folder.locked");
+        }
+    });
+    assert_eq!(inner.err().unwrap().code, NO_RESULT);
+    drop(run(&dir.keep(), &Reported::default(), |_| panic!("computed")).unwrap());
     assert!(files(&dir.0) == undisturbed());
 }

@@ -304,7 +304,8 @@ fn fill(
         rows.set(done);
     }
     if let Work::Piece(piece) = work {
-        return Err(Diagnostic::warning(NO_RESULT, format!("part {piece}: {done} of {total} rows are there")));
+        let there = if total == 0 { "no rows".to_string() } else { format!("{done} of {total} rows are there") };
+        return Err(Diagnostic::warning(NO_RESULT, format!("part {piece}: {there}")));
     }
     let kept = host.keep().is_some();
     Ok(Results { plan, place, done, end, kept })
@@ -319,8 +320,9 @@ fn missing(plan: &Plan, chunks: &mut dyn Iterator<Item = usize>, rows: u64) -> D
         shown.push(format!("{} more", chunks.len() - SHOWN));
     }
     let message = format!("{rows} of {} rows are missing, those of the chunks {} of {}", plan.rows, shown.join(", "), plan.chunks());
-    Diagnostic::error(MISSING, message)
-        .help("run the parts that have not ended once more; chunk k belongs to part ((k - 1) mod n) + 1 of n. laval run computes what is missing")
+    Diagnostic::error(MISSING, message).help(
+        "run the parts that have not ended once more; chunk k belongs to part ((k - 1) mod n) + 1 of n. laval run computes what is missing",
+    )
 }
 
 /// What a run has computed or found; the folder stays locked while it lives.
