@@ -264,7 +264,7 @@ fn stopped_and_continued_gives_what_the_undisturbed_study_gives() {
     let _ = std::fs::remove_dir_all(&dir);
     let settings = format!("study = \"critical_speeds\"\nsamples = 100\n{UNIFORM}");
     let loaded = with(&settings).unwrap_or_else(|d| panic!("{d:?}"));
-    let keep = Keep { folder: dir.clone(), input: canonical(&loaded.spec, "uncertainty"), fresh: false };
+    let keep = Keep { folder: dir.clone(), input: canonical(&loaded.spec, "uncertainty"), fresh: false, work: laval::store::Work::Missing };
     let stop = Cancel::default();
     let watch = StopAfter(&stop, 40, AtomicU64::new(0));
     let o = run_in(&settings, &Context { cancel: &stop, progress: &watch, keep: Some(&keep), ..Context::quiet("u") });

@@ -224,7 +224,7 @@ fn neither_threads_nor_interruptions_change_anything() {
     // NaN is not equal to itself
     assert_eq!(format!("{one:?}"), format!("{two:?}"));
     let folder = std::env::temp_dir().join(format!("laval-basins-{}", std::process::id()));
-    let keep = |fresh| Keep { folder: folder.clone(), input: canonical(&l.spec, "basins"), fresh };
+    let keep = |fresh| Keep { folder: folder.clone(), input: canonical(&l.spec, "basins"), fresh, work: laval::store::Work::Missing };
     let until = |rows: u64, fresh: bool| {
         let (stop, keep) = (laval::study::Cancel::default(), keep(fresh));
         run_in(&l, &Context { cancel: &stop, progress: &Stop(rows, &stop), keep: Some(&keep), ..Context::quiet("s") })

@@ -328,7 +328,8 @@ fn a_stopped_sweep_goes_on_to_the_same_files() {
     let study = "speed = { from = 2500, to = 3000, points = 30 }\nstart = \"up_and_down\"\ntolerance = 1e-3";
     let l = loaded(&machine(600.0, 8.7e10), study);
     let folder = |name: &str| std::env::temp_dir().join(format!("laval-sweep-{}-{name}", std::process::id()));
-    let keep = |name: &str| Keep { folder: folder(name), input: canonical(&l.spec, "sweep"), fresh: true };
+    let keep =
+        |name: &str| Keep { folder: folder(name), input: canonical(&l.spec, "sweep"), fresh: true, work: laval::store::Work::Missing };
     let run = |keep: &Keep, after: u64| {
         let stop = Cancel::default();
         let watch = Stop { after, seen: AtomicU64::new(0), stop: &stop };
