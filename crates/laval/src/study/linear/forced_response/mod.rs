@@ -10,6 +10,8 @@
 //! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
 
 mod observed;
+mod orbits;
+mod polar;
 mod report;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -29,6 +31,7 @@ use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
 use crate::study::{Context, Study};
 use observed::observed;
 pub use observed::{Observations, Outside, Shows};
+pub use orbits::{AtSpeed, Gap, Orbits, Reason};
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
@@ -114,9 +117,10 @@ impl Study for ForcedResponse {
             let there = response(system, &state, e.speed)?;
             *direction = there.map_or(f64::NAN, |r| r.direction_of(&system.probes()[e.probe]));
         }
+        let orbits = orbits::orbits(self, system, &state, &found)?;
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
         let end = context.end(found.complete);
-        Ok(ForcedResponseResult { curve: found, strongest, observed, directions, states, end })
+        Ok(ForcedResponseResult { curve: found, strongest, observed, directions, orbits, states, end })
     }
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -143,6 +147,8 @@ pub struct ForcedResponseResult {
     pub observed: Observations,
     /// Angle of the major axis of the orbit from x at the largest resonance of a displacement, and of a tilt, rad; NaN where there is none.
     pub directions: [f64; 2],
+    /// Motions at the operating speed and at resonances.
+    pub orbits: Orbits,
     /// States at the ends of the range.
     pub states: EndStates,
     /// How the study ended.
