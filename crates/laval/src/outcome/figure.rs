@@ -359,6 +359,8 @@ pub struct Points {
     pub small: bool,
     /// Name in the legend.
     pub name: Arg,
+    /// Groups, and their names in the legend, where these are not the values of the column.
+    pub called: Vec<(String, Arg)>,
 }
 
 impl Points {
@@ -374,12 +376,19 @@ impl Points {
             muted: &[],
             small: false,
             name: Arg::default(),
+            called: Vec::new(),
         }
     }
 
     /// Draws markers of these classes grey.
     pub fn muted(mut self, classes: &'static [&'static str]) -> Self {
         self.muted = classes;
+        self
+    }
+
+    /// Names of these groups in the legend.
+    pub fn called(mut self, names: Vec<(String, Arg)>) -> Self {
+        self.called = names;
         self
     }
 

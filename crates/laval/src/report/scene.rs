@@ -439,6 +439,9 @@ impl Build<'_> {
                     let (xs, ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
                     let filled = self.flags(&m.table, m.filled_where.as_ref()).map(<[bool]>::to_vec);
                     let mut groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    for (group, name) in &m.called {
+                        groups.iter_mut().filter(|g| g.key == *group).for_each(|g| g.name = self.say(name));
+                    }
                     let of = groups.len();
                     let place = |g: &Group| m.classes.iter().position(|c| *c == g.key);
                     groups.sort_by_key(|g| place(g).unwrap_or(usize::MAX));
@@ -553,7 +556,9 @@ impl Build<'_> {
         }
         for (solid, dashed) in meanings {
             let [solid, dashed] = [solid, dashed].map(|a| self.say(a));
-            self.entry(&solid, Colour::Muted, Glyph::Line);
+            if !solid.is_empty() {
+                self.entry(&solid, Colour::Muted, Glyph::Line);
+            }
             self.entry(&dashed, Colour::Muted, Glyph::Dashed);
         }
         view
