@@ -1,6 +1,5 @@
 //! Stations of a machine along its axis: every point of a body whose displacement is known, with its place, for pictures of shapes and orbits.
 
-use super::probes;
 use crate::model::capability::scope::Axis;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::Link;

@@ -117,7 +117,7 @@ fn gap(system: &System, slot: &Slot, rest: &Equilibrium, x: &[C64]) -> Option<Ga
     let width = clearance(system, slot, &centred).filter(|gap| *gap > 0.0)?;
     let [across, up] = [slot.map.first()?, slot.map.get(1)?];
     let along = |rows: &[(usize, f64)]| rows.iter().fold(C64::zero(), |s, &(g, f)| s + x[g].scale(f));
-    let held = |rows: &[(usize, f64)]| rows.iter().map(|&(g, f)| f * rest.q[g]).sum();
+    let held = |rows: &[(usize, f64)]| rows.iter().map(|&(g, f)| f * rest.q[g]).sum::<f64>();
     let (f, b) = circular(along(across), along(up));
     Some(Gap { part: slot.name.clone(), motion: [f, b], width, offset: [held(across), held(up)] })
 }
