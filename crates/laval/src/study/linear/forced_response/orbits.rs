@@ -151,7 +151,7 @@ impl Orbits {
             .at
             .iter()
             .map(|a| {
-                let open = |k: usize| a.gaps.get(k).map_or([C64::ZERO; 2], |g| g.motion);
+                let open = |k: usize| a.gaps.get(k).map_or([C64::zero(); 2], |g| g.motion);
                 a.motions.iter().copied().chain((0..gaps).map(open)).collect()
             })
             .collect();

@@ -51,7 +51,7 @@ impl<'a> Polar<'a> {
         for a in &result.orbits.at {
             let of = |p: &&Probe| {
                 let k = result.orbits.stations.all.iter().position(|s| s.body == p.name && p.is_at(s.height));
-                k.map_or(C64::ZERO, |k| a.motions[k][0])
+                k.map_or(C64::zero(), |k| a.motions[k][0])
             };
             rows.push((a.speed, bodies.iter().map(of).collect()));
             wanted.push(a.speed);

@@ -45,7 +45,7 @@ impl Shapes {
 
     /// The figure of the modes that decay most slowly, by frequency. `grows`: modes that are unstable.
     pub(super) fn figure(&self, system: &System, modes: &[MachineMode], speed: f64, grows: impl Fn(&MachineMode) -> bool) -> Figure {
-        let moves = |k: &usize| self.modes[*k].iter().any(|m| m[0] != C64::ZERO || m[1] != C64::ZERO);
+        let moves = |k: &usize| self.modes[*k].iter().any(|m| m[0] != C64::zero() || m[1] != C64::zero());
         let all: Vec<usize> = (0..modes.len()).filter(|k| modes[*k].frequency() > 0.0 || grows(&modes[*k])).filter(moves).collect();
         let mut shown = all.clone();
         shown.sort_by(|a, b| modes[*a].damping_ratio().total_cmp(&modes[*b].damping_ratio()));
@@ -82,7 +82,7 @@ fn scaled(mut motion: Vec<[C64; 2]>) -> Vec<[C64; 2]> {
     let Some(largest) = motion.iter().copied().max_by(|a, b| size(a).total_cmp(&size(b))) else { return motion };
     let most = size(&largest);
     if !(most > 0.0 && most.is_finite()) {
-        return vec![[C64::ZERO; 2]; motion.len()];
+        return vec![[C64::zero(); 2]; motion.len()];
     }
     let [f, b] = largest;
     // a circle is as far out at every instant: its point then starts on x
@@ -98,7 +98,7 @@ fn scaled(mut motion: Vec<[C64; 2]>) -> Vec<[C64; 2]> {
     }
     for m in &mut motion {
         let [f, b] = [(m[0] * C64::cis(angle)).scale(1.0 / most), (m[1] * C64::cis(-angle)).scale(1.0 / most)];
-        let still = |z: C64| if z.abs() <= ROUNDING { C64::ZERO } else { z };
+        let still = |z: C64| if z.abs() <= ROUNDING { C64::zero() } else { z };
         *m = [still(f), still(b)];
     }
     motion
