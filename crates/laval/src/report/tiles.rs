@@ -297,10 +297,10 @@ fn shape(s: &mut String, t: &TileView, (x, y): (f64, f64), horizontal: bool, to_
     }
     let mut before = f64::NEG_INFINITY;
     let mut marked: Vec<&Point> = t.points.iter().filter(|p| p.named).collect();
-    marked.sort_by(|a, b| b.place.total_cmp(&a.place));
-    if horizontal {
-        marked.reverse();
-    }
+    // of points at one place the height is that on the shaft
+    let alone = |p: &Point| all.iter().any(|o| o.len() == 1 && std::ptr::eq(o[0], p));
+    let along_first = |p: &Point| if horizontal { p.place } else { -p.place };
+    marked.sort_by(|a, b| along_first(a).total_cmp(&along_first(b)).then(alone(a).cmp(&alone(b))));
     for p in marked {
         let at = axis(unit(p), p.motion.at(0.0)[0]);
         dot(s, at, Colour::Slot(p.body), 2.6);

@@ -18,6 +18,7 @@ tiles-more-points = { $points ->
     } in the table.
 # Lines of text of a picture.
 tiles-axes = { $major } × { $minor }
+tiles-circle = circle, { $radius }
 tiles-straight = straight line
 tiles-at = { $speed }{ $reason ->
         [operating] , operating speed

@@ -15,6 +15,7 @@ tiles-own-scale = Әр суреттің өз масштабы бар.
 tiles-more-points = Тағы { $points } нүкте кестеде.
 # Lines of text of a picture.
 tiles-axes = { $major } × { $minor }
+tiles-circle = шеңбер, { $radius }
 tiles-straight = түзу сызық
 tiles-at = { $speed }{ $reason ->
         [operating] , жұмыстық айналу жиілігі

@@ -19,6 +19,7 @@ tiles-more-points = { $points ->
     } — в таблице.
 # Lines of text of a picture.
 tiles-axes = { $major } × { $minor }
+tiles-circle = окружность, { $radius }
 tiles-straight = прямая линия
 tiles-at = { $speed }{ $reason ->
         [operating] , рабочая частота вращения

@@ -15,6 +15,7 @@ tiles-own-scale = Har bir rasmning o‘z masshtabi bor.
 tiles-more-points = Yana { $points } ta nuqta jadvalda.
 # Lines of text of a picture.
 tiles-axes = { $major } × { $minor }
+tiles-circle = aylana, { $radius }
 tiles-straight = to‘g‘ri chiziq
 tiles-at = { $speed }{ $reason ->
         [operating] , ish tezligi

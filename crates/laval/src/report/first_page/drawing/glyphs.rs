@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 /// Half distance of a spring and the dashpot beside it.
 const BESIDE: f64 = 9.0;
-const SIZE: f64 = 11.5;
+const SIZE: f64 = 12.5;
 
 /// What joins two places one above the other.
 pub(super) fn joint(s: &mut String, x: f64, from: f64, to: f64, joint: Joint) {

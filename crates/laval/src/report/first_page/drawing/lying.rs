@@ -16,7 +16,7 @@ const APART: f64 = 46.0;
 const SUPPORT: f64 = 46.0;
 const BLOCK: f64 = 22.0;
 const SHAFT: f64 = 5.0;
-const LINE: f64 = 14.0;
+const LINE: f64 = 15.0;
 
 /// Numbers at the parts, and their names.
 #[derive(Default)]
@@ -50,7 +50,7 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     let tallest = rotors.iter().map(|k| half(k).0).fold(DISC.0, f64::max);
     let supports = supports(parts, &rotors, &blocks, &at);
     let above = supports.iter().any(|p| p.upwards);
-    let axis = if above { 58.0 } else { 20.0 } + tallest;
+    let axis = if above { 60.0 } else { 20.0 } + tallest;
     let mut s = String::new();
     let mut key = Key::default();
     // the rotor
@@ -119,9 +119,13 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     for p in &supports {
         let foot = p.to.map_or(floor, top);
         if p.upwards {
-            joint(&mut s, p.x, axis - tallest - 36.0, axis - SHAFT, p.joint);
-            ground(&mut s, p.x - 16.0, p.x + 16.0, axis - tallest - 36.0, true);
-            key.mark(&mut s, (p.x + reach(p.joint) + 10.0, axis - tallest - 18.0), p.name, p.text);
+            // on a body it ends at its edge
+            let on = rotors.iter().find(|k| (at(**k, 0.0) - p.x).abs() < half(k).1);
+            let end = axis - on.map_or(SHAFT, |k| half(k).0);
+            let from = axis - tallest - 40.0;
+            joint(&mut s, p.x, from, end, p.joint);
+            ground(&mut s, p.x - 16.0, p.x + 16.0, from, true);
+            key.mark(&mut s, (p.x - reach(p.joint) - 10.0, 0.5 * (from + end)), p.name, p.text);
         } else {
             joint(&mut s, p.x, axis + SHAFT, foot, p.joint);
             key.mark(&mut s, (p.x + reach(p.joint) + 10.0, 0.5 * (axis + tallest + foot)), p.name, p.text);

@@ -16,7 +16,7 @@ const GAP: f64 = 58.0;
 const MANY: usize = 5;
 /// Distance of what passes a body from it, and of two such.
 const PASSING: f64 = 16.0;
-const LINE: f64 = 13.0;
+const LINE: f64 = 14.0;
 
 struct Placed {
     top: f64,

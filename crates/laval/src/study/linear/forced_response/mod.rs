@@ -49,7 +49,8 @@ impl Study for ForcedResponse {
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
 "#;
     const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and \
-        wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located. \
+        wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; \
+        orbits and deflected shapes at the operating speed and at the largest resonances. \
         Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
     const FIELDS: &'static [Field] = &[Field::required(
         "speed",

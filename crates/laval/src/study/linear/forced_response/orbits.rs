@@ -6,7 +6,7 @@ use crate::model::system::{Slot, System};
 use crate::outcome::{Arg, Figure, Limit, Message, Picture, Table, TableBuilder, Tiles, View};
 use crate::solve::characteristic::Equilibrium;
 use crate::solve::extrema::Curve;
-use crate::solve::linear_response::response;
+use crate::solve::linear_response::{Response, response};
 use crate::solve::locate::State;
 use crate::solve::pencil::FLAT;
 use crate::solve::rest::clearance;
@@ -22,6 +22,8 @@ pub struct Orbits {
     pub stations: Stations,
     /// At each speed.
     pub at: Vec<AtSpeed>,
+    /// Responses between those of the curve, where their vectors lie far apart.
+    pub between: Vec<Response>,
 }
 
 /// Motions at one speed.
@@ -75,6 +77,12 @@ pub struct Gap {
 const RESONANCES: usize = 2;
 const ONE: f64 = 0.02;
 const POINTS: usize = 8;
+/// Largest step of a vector over its largest size, least step of the speed over it, and speeds added at most.
+const STEP: f64 = 0.09;
+const FINEST: f64 = 1e-9;
+const MORE: usize = 200;
+/// Orbits whose axes differ by less are called circles.
+const ROUND: f64 = 5e-3;
 /// Share of the largest orbit below which a point does not move.
 const STILL: f64 = 1e-9;
 
@@ -107,7 +115,38 @@ pub(super) fn orbits(study: &ForcedResponse, system: &System, state: State, curv
         let gaps = system.slots().iter().filter_map(|s| gap(system, s, &rest, &r.x)).collect();
         at.push(AtSpeed { speed, reason, motions: stations.motion(&r.x), gaps });
     }
-    Ok(Orbits { stations, at })
+    let between = between(system, state, curve)?;
+    Ok(Orbits { stations, at, between })
+}
+
+/// Halves the steps of a curve until the vectors of all bodies are near those before, so that a loop of a polar diagram is round.
+fn between(system: &System, state: State, curve: &Curve) -> Result<Vec<Response>, Diagnostic> {
+    let bodies: Vec<_> = system.probes().iter().filter(|p| p.is_reference()).collect();
+    let vectors = |r: &Response| bodies.iter().map(|p| r.circles_of(p).0).collect::<Vec<C64>>();
+    let mut known: Vec<(f64, Vec<C64>)> = curve.points.iter().map(|r| (r.speed, vectors(r))).collect();
+    known.retain(|k| k.1.iter().all(|z| z.is_finite()));
+    let sizes: Vec<f64> = (0..bodies.len()).map(|b| known.iter().map(|k| k.1[b].abs()).fold(0.0, f64::max)).collect();
+    let far = |a: &[C64], b: &[C64]| (0..bodies.len()).any(|k| (a[k] - b[k]).abs() > STEP * sizes[k]);
+    let mut out: Vec<Response> = Vec::new();
+    if known.len() < 3 || !curve.poles().is_empty() {
+        return Ok(out);
+    }
+    let mut k = 0;
+    while k + 1 < known.len() && out.len() < MORE {
+        let (a, b) = (known[k].0, known[k + 1].0);
+        let middle = 0.5 * (a + b);
+        if !far(&known[k].1, &known[k + 1].1) || (b - a) <= FINEST * b.abs() {
+            k += 1;
+            continue;
+        }
+        let Some(r) = response(system, state, middle)? else {
+            k += 1;
+            continue;
+        };
+        known.insert(k + 1, (middle, vectors(&r)));
+        out.push(r);
+    }
+    Ok(out)
 }
 
 /// The motion in the gap of a part, where that is open at rest.
@@ -180,7 +219,11 @@ impl Orbits {
                     (false, false) => Message::new("page-whirl").arg("whirl", Arg::word("backward")),
                 };
                 let size = |x: f64| Arg::quantity(x, "m");
-                let axes = Message::new("tiles-axes").arg("major", size(f + b)).arg("minor", size((f - b).abs()));
+                let axes = if f.min(b) <= ROUND * f.max(b) {
+                    Message::new("tiles-circle").arg("radius", size(f + b))
+                } else {
+                    Message::new("tiles-axes").arg("major", size(f + b)).arg("minor", size((f - b).abs()))
+                };
                 let number = (i * rows + k) as i64 + 1;
                 Picture { number, title, lines: vec![at(a).into(), axes.into(), whirl.into()], circle, unstable: false }
             };

@@ -47,6 +47,9 @@ impl<'a> Polar<'a> {
         for r in &curve.points {
             rows.push((r.speed, bodies.iter().map(|p| vector(p, &r.x)).collect()));
         }
+        for r in &result.orbits.between {
+            rows.push((r.speed, bodies.iter().map(|p| vector(p, &r.x)).collect()));
+        }
         let mut wanted = Vec::new();
         for a in &result.orbits.at {
             let of = |p: &&Probe| {
@@ -78,7 +81,15 @@ impl<'a> Polar<'a> {
 
     pub fn figure(&self) -> Figure {
         let most = self.rows.iter().flat_map(|r| &r.1).map(|z| z.abs()).fold(0.0, f64::max);
-        let mut panel = Panel::new(Axis::new("quadrature, ahead of the key mark", "").metres(most));
+        // beyond the curves there is room for the speeds beside them
+        let axis = |label: &'static str, part: fn(&C64) -> f64, below: f64, above: f64| {
+            let all = self.rows.iter().flat_map(|r| &r.1).map(part);
+            let (low, high) = all.fold((0.0f64, 0.0f64), |(a, b), x| (a.min(x), b.max(x)));
+            let axis = Axis::new(label, "").metres(most);
+            let factor = axis.factor;
+            axis.range(factor * (low - below * (high - low)), factor * (high + above * (high - low)))
+        };
+        let mut panel = Panel::new(axis("quadrature, ahead of the key mark", |z| z.im, 0.1, 0.1));
         for p in &self.bodies {
             let n = probe_name(p);
             panel = panel.mark(Line::new("polar", format!("in_phase.{n}"), format!("quadrature.{n}")).name(probes::label(p)).path());
@@ -92,7 +103,8 @@ impl<'a> Polar<'a> {
             panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0).digits(3)));
         }
         let alt = Message::new("polar-alt").arg("bodies", Arg::count(self.bodies.len()));
-        Figure::new("polar", "Polar diagram", alt).x(Axis::new("in phase with the key mark", "").metres(most)).panel(panel).equal()
+        let x = axis("in phase with the key mark", |z| z.re, 0.14, 0.2);
+        Figure::new("polar", "Polar diagram", alt).x(x).panel(panel).equal()
     }
 }
 

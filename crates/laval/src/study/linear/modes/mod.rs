@@ -81,8 +81,8 @@ impl Study for Modes {
     const KIND: &'static str = "modes";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 "#;
-    const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, and how much each body \
-        takes part. about = \"turning\" linearises about the state that turns with the rotor.";
+    const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body \
+        takes part, and the shape along the axis of a machine with several points. about = \"turning\" linearises about the state that turns with the rotor.";
     const FIELDS: &'static [Field] =
         &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD, region::FREQUENCY_LIMIT];
 
