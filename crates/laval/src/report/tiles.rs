@@ -196,11 +196,11 @@ fn orbits(s: &mut String, t: &TileView, (x, y): (f64, f64), size: &Size) {
     let most = t.points.iter().map(|p| p.motion.axes().0).fold(0.0, f64::max);
     let circle = t.circle.filter(|c| most >= SEEN * c.radius);
     let scale = circle.map_or(most, |c| most.max(c.radius + c.centre[0].hypot(c.centre[1])));
-    let (cx, cy, r) = (x + 0.5 * size.w, y + 0.5 * size.h, 0.47 * size.w);
+    let (cx, cy, r) = (x + 0.5 * size.w, y + 0.5 * size.h + 3.0, 0.42 * size.w);
     grey(s, &[(cx - r, cy), (cx + r, cy)], "");
     grey(s, &[(cx, cy - r), (cx, cy + r)], "");
-    text_at(s, (cx + r - 1.0, cy - 3.0), "x", Words { soft: true, ..Words::middle(9.0) });
-    text_at(s, (cx + 5.0, cy - r + 8.0), "y", Words { soft: true, ..Words::middle(9.0) });
+    text_at(s, (cx + r + 6.0, cy + 3.0), "x", Words { soft: true, ..Words::middle(9.0) });
+    text_at(s, (cx, cy - r - 4.0), "y", Words { soft: true, ..Words::middle(9.0) });
     if !(scale > 0.0 && scale.is_finite()) {
         return;
     }
@@ -353,7 +353,8 @@ fn key(s: &mut String, scene: &Scene, view: &TilesView, w: f64, from: f64) -> f6
     }
     let ink = Colour::Slot(6);
     entry(s, &view.mark, &|s, x, y| dot(s, (x + 11.0, y), ink, 3.0));
-    if matches!(view.view, View::Shapes { .. }) {
+    let joined = view.tiles.iter().any(|t| lines(t).iter().any(|own| own.len() > 1));
+    if matches!(view.view, View::Shapes { .. }) && joined {
         entry(s, &say("tiles-plane-x"), &|s, x, y| line(s, &[(x, y), (x + 22.0, y)], ink, 1.6, ""));
         entry(s, &say("tiles-plane-y"), &|s, x, y| line(s, &[(x, y), (x + 22.0, y)], ink, 1.6, r#" stroke-dasharray="4 3""#));
         entry(s, &say("tiles-envelope"), &|s, x, y| {
