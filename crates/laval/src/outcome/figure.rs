@@ -1,6 +1,7 @@
 //! Figures: declarative marks over table columns. A figure is a column of panels that share x.
 
 use super::message::{Arg, Message};
+use super::tiles::Tiles;
 use super::{Data, OutcomeError, Table};
 
 /// A figure: panels, one below the other, sharing the x axis.
@@ -18,6 +19,8 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// A length along x is as long along y: for orbits, which would not be round otherwise. Both axes have the same unit.
     pub equal: bool,
+    /// Small pictures side by side, in place of panels.
+    pub tiles: Option<Tiles>,
 }
 
 /// One panel: a y axis and marks, drawn in order (heat maps and bands always lie below).
@@ -356,6 +359,8 @@ pub struct Points {
     pub small: bool,
     /// Name in the legend.
     pub name: Arg,
+    /// Groups, and their names in the legend, where these are not the values of the column.
+    pub called: Vec<(String, Arg)>,
 }
 
 impl Points {
@@ -371,12 +376,19 @@ impl Points {
             muted: &[],
             small: false,
             name: Arg::default(),
+            called: Vec::new(),
         }
     }
 
     /// Draws markers of these classes grey.
     pub fn muted(mut self, classes: &'static [&'static str]) -> Self {
         self.muted = classes;
+        self
+    }
+
+    /// Names of these groups in the legend.
+    pub fn called(mut self, names: Vec<(String, Arg)>) -> Self {
+        self.called = names;
         self
     }
 
@@ -435,6 +447,8 @@ pub enum BandPlace {
     Y(f64, f64),
     /// Between two curves: table, x, lower and upper column; NaN breaks it.
     Between(String, String, String, String),
+    /// The same along y: table, y, left and right column.
+    Across(String, String, String, String),
 }
 
 impl Band {
@@ -451,6 +465,11 @@ impl Band {
     /// Between the columns `low` and `high` over column `x`.
     pub fn between(table: impl Into<String>, x: impl Into<String>, low: impl Into<String>, high: impl Into<String>) -> Self {
         Band::new(BandPlace::Between(table.into(), x.into(), low.into(), high.into()))
+    }
+
+    /// Between the columns `left` and `right` of x over column `y`.
+    pub fn across(table: impl Into<String>, y: impl Into<String>, left: impl Into<String>, right: impl Into<String>) -> Self {
+        Band::new(BandPlace::Across(table.into(), y.into(), left.into(), right.into()))
     }
 
     fn new(place: BandPlace) -> Self {
@@ -472,6 +491,12 @@ impl Band {
     /// Red, of what is not.
     pub fn bad(mut self) -> Self {
         self.tint = Some(1);
+        self
+    }
+
+    /// Pink, of what is not where it is of another kind than red.
+    pub fn pink(mut self) -> Self {
+        self.tint = Some(3);
         self
     }
 
@@ -544,6 +569,8 @@ pub struct Heat {
     pub allowed: bool,
     /// Draws the curve where the value (before the factor) equals this.
     pub contour: Option<f64>,
+    /// Draws curves at these values (before the factor) instead of cells.
+    pub curves: Option<Vec<f64>>,
     /// Words the value may be, each with a colour of its own and an entry in the legend; empty for numbers.
     pub classes: Vec<String>,
     /// Words, and their names in the legend, where these are not the words.
@@ -562,6 +589,7 @@ impl Heat {
             diverging: false,
             allowed: false,
             contour: None,
+            curves: None,
             classes: Vec::new(),
             called: Vec::new(),
         }
@@ -589,6 +617,12 @@ impl Heat {
     pub fn allowed(mut self) -> Self {
         self.allowed = true;
         self.diverging()
+    }
+
+    /// Draws the curves where the value equals each of `levels`, and no cells.
+    pub fn curves(mut self, levels: Vec<f64>) -> Self {
+        self.curves = Some(levels);
+        self
     }
 
     /// Draws the curve where the value equals `level`.
@@ -638,12 +672,18 @@ impl Panel {
 impl Figure {
     /// A figure without panels. `alt` tells what it shows to a reader who cannot see it.
     pub fn new(name: impl Into<String>, title: impl Into<Arg>, alt: impl Into<Message>) -> Self {
-        Figure { name: name.into(), title: title.into(), alt: alt.into(), x: Axis::new("", ""), panels: Vec::new(), equal: false }
+        Figure { name: name.into(), title: title.into(), alt: alt.into(), x: Axis::new("", ""), panels: Vec::new(), equal: false, tiles: None }
     }
 
     /// Draws x and y to one scale.
     pub fn equal(mut self) -> Self {
         self.equal = true;
+        self
+    }
+
+    /// Draws small pictures side by side, in place of panels.
+    pub fn tiles(mut self, tiles: Tiles) -> Self {
+        self.tiles = Some(tiles);
         self
     }
 
@@ -675,7 +715,8 @@ impl Figure {
             let fits = |v: Option<f64>, scale: Scale| v.is_some_and(|v| v.is_finite() && (scale == Scale::Linear || v > 0.0));
             (0..table.rows()).any(|i| fits(x.number(i), self.x.scale) && fits(y.number(i), panel.y.scale))
         };
-        self.panels.iter().any(|p| p.marks.iter().any(|m| visible(p, m)))
+        let pictures = self.tiles.as_ref().is_some_and(|t| !t.pictures.is_empty());
+        pictures || self.panels.iter().any(|p| p.marks.iter().any(|m| visible(p, m)))
     }
 
     /// Whether every mark names columns that exist and have a fitting type.
@@ -683,6 +724,9 @@ impl Figure {
     /// # Errors
     /// The first one that does not.
     pub fn check(&self, tables: &[Table]) -> Result<(), OutcomeError> {
+        if let Some(tiles) = &self.tiles {
+            tiles.check(&self.name, tables)?;
+        }
         for mark in self.panels.iter().flat_map(|p| &p.marks) {
             let (table, numbers, group, flags): (&str, Vec<&str>, Option<&String>, Vec<&String>) = match mark {
                 Mark::Line(m) => {
@@ -693,7 +737,9 @@ impl Figure {
                 Mark::Points(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.filled_where.iter().collect()),
                 Mark::Heat(m) if m.classes.is_empty() => (&m.table, vec![&m.x, &m.y, &m.value], None, vec![]),
                 Mark::Heat(m) => (&m.table, vec![&m.x, &m.y], Some(&m.value), vec![]),
-                Mark::Band(Band { place: BandPlace::Between(t, x, low, high), .. }) => (t, vec![x, low, high], None, vec![]),
+                Mark::Band(Band { place: BandPlace::Between(t, x, low, high) | BandPlace::Across(t, x, low, high), .. }) => {
+                    (t, vec![x, low, high], None, vec![])
+                }
                 Mark::Band(_) | Mark::Rule(_) | Mark::Text(_) => continue,
             };
             let wrong = |column: &str, expected| OutcomeError::Reference {

@@ -37,6 +37,7 @@ mod message;
 mod number;
 mod overview;
 mod table;
+mod tiles;
 
 pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text, parameter_name};
@@ -44,9 +45,10 @@ pub use finding::{Evidence, Finding, Level};
 pub use message::{Arg, Message, Quantity, Role};
 pub(crate) use number::quantity_to;
 pub use number::{quantity, significant, unit_text};
-pub use overview::{Block, Check, Mode, OverSpeed, Overview, Resonance, Unstable, Verdict};
+pub use overview::{Block, Check, Joint, Mode, OverSpeed, Overview, Resonance, Unstable, Verdict};
 use serde::{Deserialize, Serialize};
 pub use table::{Column, Data, Table, TableBuilder};
+pub use tiles::{Limit, Picture, Tiles, View};
 
 use crate::diagnostic::Diagnostic;
 use std::collections::BTreeMap;

@@ -23,6 +23,8 @@ pub struct Overview {
     pub modes: Vec<Mode>,
     /// Bodies and what joins them.
     pub machine: Vec<Block>,
+    /// The axis of the machine lies.
+    pub horizontal: bool,
     /// What to do next.
     pub next: Vec<Message>,
     /// What the page does not take into account.
@@ -91,6 +93,8 @@ pub struct OverSpeed {
     pub shown: (f64, f64),
     /// Ranges in which the machine is unstable.
     pub unstable: Vec<Unstable>,
+    /// Ranges in which a study of the nonlinear response found no stable motion, beside those, rad/s.
+    pub unstable_response: Vec<(f64, f64)>,
     /// Resonances of the unbalance response, or lightly damped critical speeds where nothing forces the machine, rad/s.
     pub resonances: Vec<Resonance>,
     /// Speeds at which a slow sweep jumps, rad/s.
@@ -153,10 +157,12 @@ pub enum Block {
         rotor: bool,
         /// Values of it that a reader looks for.
         labels: Vec<Arg>,
-        /// It has a support of its own to the ground.
-        grounded: bool,
+        /// It has a support of its own to the ground: a spring, a damper.
+        grounded: Joint,
         /// Radius of a cavity, radius of the free surface, height, m.
         cavity: Option<(f64, f64, f64)>,
+        /// Place of its reference point along the axis, m; of a machine that gives no distances, in steps.
+        place: f64,
     },
     /// A part between two bodies, or a body and the ground (`None`).
     Link {
@@ -168,5 +174,31 @@ pub enum Block {
         ends: [Option<(String, f64)>; 2],
         /// Values of it.
         labels: Vec<Arg>,
+        /// What it is made of.
+        joint: Joint,
     },
+    /// Masses that move in a body.
+    Balls {
+        /// Name of the part.
+        name: String,
+        /// Body that carries them.
+        body: String,
+        /// How many there are, in how many tracks.
+        count: usize,
+        /// Tracks.
+        tracks: usize,
+        /// Values of it.
+        labels: Vec<Arg>,
+    },
+}
+
+/// What joins two bodies, as it is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Joint {
+    /// A spring.
+    pub elastic: bool,
+    /// A damper.
+    pub damped: bool,
+    /// A gap that is open.
+    pub gap: bool,
 }

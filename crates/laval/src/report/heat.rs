@@ -18,6 +18,8 @@ pub(super) struct HeatView {
     /// Below zero it is forbidden: hatched.
     pub allowed: bool,
     pub contour: Option<f64>,
+    /// Curves at these values in place of cells.
+    pub curves: Option<Vec<f64>>,
     /// Names and colours of the values 0, 1, 2 ..; empty for numbers on a scale.
     pub classes: Vec<(String, Colour)>,
 }
@@ -227,7 +229,7 @@ mod tests {
 
     fn view(rows: &[(f64, f64, f64)], lo: f64, hi: f64) -> HeatView {
         let (xs, ys, values) = HeatView::grid(rows, false);
-        HeatView { xs, ys, values, axis: unit(lo, hi), diverging: true, allowed: false, contour: None, classes: vec![] }
+        HeatView { xs, ys, values, axis: unit(lo, hi), diverging: true, allowed: false, contour: None, curves: None, classes: vec![] }
     }
 
     #[test]
@@ -251,7 +253,7 @@ mod tests {
     fn classes_have_their_own_colours() {
         let (xs, ys, values) = HeatView::grid(&[(0.0, 0.0, 0.0), (1.0, 0.0, 1.0), (0.0, 1.0, 1.0), (1.0, 1.0, f64::NAN)], true);
         let classes = vec![("a".to_string(), Colour::Slot(0)), ("b".to_string(), Colour::Slot(1))];
-        let h = HeatView { xs, ys, values, axis: unit(0.0, 1.0), diverging: false, allowed: false, contour: None, classes };
+        let h = HeatView { xs, ys, values, axis: unit(0.0, 1.0), diverging: false, allowed: false, contour: None, curves: None, classes };
         let drawn = h.cells(&unit(0.0, 1.0), &unit(0.0, 1.0), 10.0, 10.0);
         assert_eq!(drawn.iter().map(|c| c.0.as_str()).collect::<Vec<_>>(), [colour::SLOTS[0], colour::SLOTS[1]]);
         assert_eq!(drawn.iter().map(|c| c.2.matches('z').count()).collect::<Vec<_>>(), [1, 2]);

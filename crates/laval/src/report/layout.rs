@@ -1,7 +1,7 @@
 //! Where everything goes: margins, panels, labels that do not overlap, legend below the data.
 
 use super::scene::{Glyph, Scene};
-use super::text::{fit, width};
+use super::text::{fit, width, wrap};
 use super::ticks::Ticks;
 use crate::outcome::{Arg, Message};
 use laval_num::order::SortByNumber;
@@ -10,6 +10,8 @@ pub(super) const TICK: f64 = 11.0;
 pub(super) const LABEL: f64 = 12.0;
 pub(super) const TITLE: f64 = 14.0;
 const ROW: f64 = 14.0;
+/// Distance of lines of a label beside a panel.
+pub(super) const LEADING: f64 = 12.5;
 /// Side of a square panel.
 const LARGEST_SQUARE: f64 = 440.0;
 /// Share of the width for names along y, at most.
@@ -50,7 +52,7 @@ pub(super) struct Bar {
 
 /// A label of a rule or of a reference line, outside the panel.
 pub(super) struct Label {
-    pub text: String,
+    pub lines: Vec<String>,
     pub x: f64,
     pub y: f64,
     /// From the panel to the text.
@@ -137,11 +139,20 @@ impl Layout {
         let widest = |t: &Ticks| t.major.iter().map(|m| width(&m.1, TICK)).fold(0.0, f64::max);
         let x0 = (y_ticks.iter().map(widest).fold(0.0, f64::max) + 12.0).max(30.0).ceil();
         let label_room = if narrow { 0.2 * w } else { 0.22 * w };
-        let rights = wants.iter().flat_map(|w| &w.1).map(|r| width(&r.text, TICK).min(label_room)).fold(0.0, f64::max);
+        let broken = |text: &str| wrap(text, TICK, label_room);
+        let widest_line = |r: &Wanted| broken(&r.text).iter().map(|l| width(l, TICK)).fold(0.0, f64::max);
+        let rights = wants.iter().flat_map(|w| &w.1).map(widest_line).fold(0.0, f64::max);
         let bars: Vec<Option<Ticks>> = scene.panels.iter().map(|p| scale(p).map(|h| bar_ticks(h, p.height * ph))).collect();
         let bar_room = bars.iter().flatten().map(|t| 16.0 + 14.0 + 6.0 + widest(t)).fold(0.0, f64::max);
         let label_space = if rights > 0.0 { rights + 8.0 } else { 0.0 };
-        let right = (label_space + bar_room).max(18.0).ceil();
+        let mut right = (label_space + bar_room).max(18.0).ceil();
+        // the label of the last tick may reach farther than what stands beside the panel
+        let over = |right: f64| {
+            let pw = (w - x0 - right).max(60.0);
+            let ends = x_ticks(scene, pw).major.into_iter().map(|(v, l)| x0 + scene.x.place(v) * pw + 0.5 * width(&l, TICK) + 2.0);
+            (ends.fold(0.0, f64::max) - w).max(0.0)
+        };
+        right += over(right).ceil();
         let pw = (w - x0 - right).max(60.0);
         let (pw, ph) = if scene.equal { (pw.min(LARGEST_SQUARE), pw.min(LARGEST_SQUARE)) } else { (pw, ph) };
         let x_ticks = x_ticks(scene, pw);
@@ -183,16 +194,20 @@ impl Layout {
                 let base = y0 - 5.0 - row as f64 * ROW;
                 let leader = Some([x, y0, x, base - if span.0 < x - 0.5 { -3.0 } else { 8.0 }]);
                 let shift = if span.0 < x - 0.5 { 0.0 } else { 3.0 };
-                let text = fit(&t.text, TICK, 0.6 * w);
-                labels.push(Label { text, x: span.0 + shift, y: base, leader, vertical: true, reference: t.reference });
+                let lines = vec![fit(&t.text, TICK, 0.6 * w)];
+                labels.push(Label { lines, x: span.0 + shift, y: base, leader, vertical: true, reference: t.reference });
             }
-            let mut ys: Vec<f64> = rights.iter().map(|r| y0 + (1.0 - r.at) * ph + 4.0).collect();
-            spread(&mut ys, 12.5, y0 + 6.0, y0 + ph + 4.0);
-            for (r, y) in rights.into_iter().zip(ys) {
+            let texts: Vec<Vec<String>> = rights.iter().map(|r| broken(&r.text)).collect();
+            let extra = |lines: &Vec<String>| LEADING * (lines.len() as f64 - 1.0);
+            let mut ys: Vec<f64> = rights.iter().zip(&texts).map(|(r, t)| y0 + (1.0 - r.at) * ph + 4.0 - 0.5 * extra(t)).collect();
+            let heights: Vec<f64> = texts.iter().map(|t| LEADING + extra(t)).collect();
+            spread(&mut ys, &heights, y0 + 6.0, y0 + ph + 4.0);
+            for ((r, y), lines) in rights.into_iter().zip(ys).zip(texts) {
                 let from = y0 + (1.0 - r.at) * ph;
-                let leader = ((y - 4.0 - from).abs() > 2.0).then_some([x0 + pw, from, x0 + pw + 5.0, y - 4.0]);
+                let middle = y - 4.0 + 0.5 * extra(&lines);
+                let leader = ((middle - from).abs() > 2.0).then_some([x0 + pw, from, x0 + pw + 5.0, middle]);
                 labels.push(Label {
-                    text: fit(&r.text, TICK, label_room),
+                    lines,
                     x: x0 + pw + 6.0,
                     y,
                     leader,
@@ -200,7 +215,7 @@ impl Layout {
                     reference: r.reference,
                 });
             }
-            let bar = bars[i].as_ref().zip(p.heat.as_ref()).map(|(t, h)| {
+            let bar = bars[i].as_ref().zip(scale(p)).map(|(t, h)| {
                 let ticks = t.major.iter().map(|(v, l)| (ph * (1.0 - bar_place(h, *v)), l.clone())).collect();
                 Bar { x: x0 + pw + label_space + 16.0, title_y: bar_title_y, ticks }
             });
@@ -257,7 +272,7 @@ pub(super) fn bar_place(h: &super::heat::HeatView, v: f64) -> f64 {
 
 /// The heat map of a panel whose colours are a scale.
 fn scale(p: &super::scene::PanelView) -> Option<&super::heat::HeatView> {
-    p.heat.as_ref().filter(|h| h.classes.is_empty())
+    p.heat.as_ref().filter(|h| h.classes.is_empty() && h.curves.is_none())
 }
 
 fn bar_ticks(h: &super::heat::HeatView, height: f64) -> Ticks {
@@ -274,14 +289,14 @@ fn bar_ticks(h: &super::heat::HeatView, height: f64) -> Ticks {
     Ticks { major, minor: Vec::new() }
 }
 
-/// Moves falling positions apart to at least `gap`, within the limits as long as there is room.
-fn spread(ys: &mut [f64], gap: f64, top: f64, bottom: f64) {
+/// Moves the first lines of labels of these heights apart, from top to bottom within the limits as long as there is room.
+fn spread(ys: &mut [f64], heights: &[f64], top: f64, bottom: f64) {
     for i in 0..ys.len() {
-        let least = if i == 0 { top } else { ys[i - 1] + gap };
+        let least = if i == 0 { top } else { ys[i - 1] + heights[i - 1] };
         ys[i] = ys[i].max(least);
     }
     for i in (0..ys.len()).rev() {
-        let most = if i + 1 == ys.len() { bottom } else { ys[i + 1] - gap };
+        let most = if i + 1 == ys.len() { bottom - heights[i] + LEADING } else { ys[i + 1] - heights[i] };
         ys[i] = ys[i].min(most);
     }
 }
@@ -314,8 +329,9 @@ mod tests {
     #[test]
     fn labels_spread_inside_the_panel() {
         let mut ys = [10.0, 11.0, 12.0, 99.0, 99.5];
-        spread(&mut ys, 12.0, 0.0, 100.0);
-        assert!(ys.windows(2).all(|w| w[1] - w[0] >= 12.0 - 1e-12));
-        assert!(ys[0] >= 0.0 && ys[4] <= 100.0);
+        let heights = [LEADING, 2.0 * LEADING, LEADING, LEADING, 2.0 * LEADING];
+        spread(&mut ys, &heights, 0.0, 100.0);
+        assert!((0..4).all(|k| ys[k + 1] - ys[k] >= heights[k] - 1e-12), "{ys:?}");
+        assert!(ys[0] >= 0.0 && ys[4] + LEADING <= 100.0);
     }
 }

@@ -39,6 +39,7 @@ mod terminal;
 mod text;
 mod thin;
 mod ticks;
+mod tiles;
 mod units;
 mod words;
 mod write;

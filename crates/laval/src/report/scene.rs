@@ -19,6 +19,8 @@ pub(super) struct Scene {
     pub legend: Vec<Entry>,
     /// Square panels: x and y to one scale.
     pub equal: bool,
+    /// Small pictures in place of panels.
+    pub tiles: Option<whirl::TilesView>,
 }
 
 pub(super) struct PanelView {
@@ -148,7 +150,8 @@ impl Scene {
             drafts.iter_mut().flat_map(|d| &mut d.series).for_each(|s| s.entry = None);
         }
         let (title, alt) = (style.arg(&figure.title), style.message(&figure.alt));
-        Ok(Scene { title, alt, style: style.clone(), x, panels: drafts, legend, equal: figure.equal })
+        let tiles = figure.tiles.as_ref().and_then(|t| whirl::TilesView::new(t, tables, style));
+        Ok(Scene { title, alt, style: style.clone(), x, panels: drafts, legend, equal: figure.equal, tiles })
     }
 
     /// Whether there is anything to see.
@@ -369,7 +372,7 @@ impl Build<'_> {
                             false => self.colour(key, k, of),
                         };
                         // curves on a heat map are black
-                        let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(_)));
+                        let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(h) if h.curves.is_none()));
                         let glyph = if on_heat { Glyph::Contour } else { Glyph::Line };
                         let entry = (!m.reference).then(|| self.entry(&label, colour, glyph));
                         let place = |i: usize| (xs[i], ys[i]);
@@ -436,6 +439,9 @@ impl Build<'_> {
                     let (xs, ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
                     let filled = self.flags(&m.table, m.filled_where.as_ref()).map(<[bool]>::to_vec);
                     let mut groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    for (group, name) in &m.called {
+                        groups.iter_mut().filter(|g| g.key == *group).for_each(|g| g.name = self.say(name));
+                    }
                     let of = groups.len();
                     let place = |g: &Group| m.classes.iter().position(|c| *c == g.key);
                     groups.sort_by_key(|g| place(g).unwrap_or(usize::MAX));
@@ -536,13 +542,23 @@ impl Build<'_> {
                         let label = format!("{} = {number} {}", axis.label, self.style.language.unit(&unit));
                         self.entry(label.trim_end(), Colour::Muted, Glyph::Contour);
                     }
-                    view.heat = Some(HeatView { xs, ys, values, axis, diverging: m.diverging, allowed: m.allowed, contour, classes });
+                    let curves = m.curves.as_ref().map(|levels| levels.iter().map(|c| c * m.colours.factor).collect::<Vec<f64>>());
+                    if let Some(levels) = curves.as_ref().filter(|l| !l.is_empty()) {
+                        let numbers: Vec<String> = levels.iter().map(|c| self.style.language.number(&significant(*c, 3))).collect();
+                        let unit = self.style.language.unit(&unit_text(&m.colours.unit));
+                        let label = format!("{} {} {unit}", axis.label, numbers.join(", "));
+                        self.entry(label.trim_end(), Colour::Muted, Glyph::Line);
+                    }
+                    let (diverging, allowed) = (m.diverging, m.allowed);
+                    view.heat = Some(HeatView { xs, ys, values, axis, diverging, allowed, contour, curves, classes });
                 }
             }
         }
         for (solid, dashed) in meanings {
             let [solid, dashed] = [solid, dashed].map(|a| self.say(a));
-            self.entry(&solid, Colour::Muted, Glyph::Line);
+            if !solid.is_empty() {
+                self.entry(&solid, Colour::Muted, Glyph::Line);
+            }
             self.entry(&dashed, Colour::Muted, Glyph::Dashed);
         }
         view
@@ -562,6 +578,11 @@ impl Build<'_> {
                 let around =
                     |r: &[usize]| r.iter().map(|i| (xs[*i], lo[*i])).chain(r.iter().rev().map(|i| (xs[*i], hi[*i]))).collect::<Vec<_>>();
                 rows.chunk_by(|a, b| fits(a) == fits(b)).filter(|r| fits(&r[0])).map(around).collect()
+            }
+            BandPlace::Across(table, y, left, right) => {
+                let turned = Band { place: BandPlace::Between(table.clone(), y.clone(), left.clone(), right.clone()), ..band.clone() };
+                let turn = |outline: Vec<(f64, f64)>| outline.into_iter().map(|(y, x)| (x, y)).collect();
+                self.outlines(&turned, fy, fx).into_iter().map(turn).collect()
             }
         }
     }
@@ -714,6 +735,26 @@ fn x_axis(axis: &Axis, panels: &[PanelView], style: &Style) -> AxisView {
     axis_view(axis, range, style)
 }
 
+/// Decades of a logarithmic axis: at least, at most, and below the largest value of a curve that shall be seen. What lies deeper below the largest of
+/// all values is rounding.
+const DECADES: (f64, f64) = (1e3, 1e5);
+const OWN_DECADE: f64 = 10.0;
+const ROUNDING: f64 = 1e-10;
+
+/// The lowest value that a logarithmic axis shows of curves between `lo` and `hi`: what nearly all of their points exceed.
+fn deepest(curves: &[Vec<f64>], lo: f64, hi: f64) -> f64 {
+    let mut all: Vec<f64> = curves.iter().flatten().copied().filter(|v| *v > 0.0).collect();
+    if all.is_empty() || hi / lo <= DECADES.0 {
+        return lo;
+    }
+    all.sort_by(f64::total_cmp);
+    let common = all[all.len() / 20];
+    let floor = (0.5 * common).clamp(hi / DECADES.1, hi / DECADES.0);
+    // every curve that is more than rounding has its largest values in sight
+    let tops = curves.iter().map(|c| c.iter().copied().fold(0.0, f64::max)).filter(|t| *t > ROUNDING * hi);
+    tops.map(|t| t / OWN_DECADE).fold(floor, f64::min).max(lo)
+}
+
 fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView, style: &Style) -> AxisView {
     let log = axis.scale == Scale::Log;
     let shown = |q: &&(f64, f64)| x.place(q.0) >= -1e-9 && x.place(q.0) <= 1.0 + 1e-9;
@@ -726,6 +767,14 @@ fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView, style: &Style) -> AxisVi
         range.or_else(|| if cells.is_none() { of(true) } else { None }),
         extent(panel.rules.iter().filter(|r| !r.vertical).map(|r| r.at), log),
     );
+    if let (true, Some((lo, hi))) = (log, range) {
+        let own = panel.series.iter().filter(|s| !s.reference);
+        let curves: Vec<Vec<f64>> = own.map(|s| s.points.iter().filter(shown).map(|q| q.1).collect()).collect();
+        let bands = extent(panel.bands.iter().flat_map(|b| &b.outline).map(|q| q.1), true);
+        let rules = extent(panel.rules.iter().filter(|r| !r.vertical).map(|r| r.at), true);
+        let named = join(bands, rules).map_or(f64::INFINITY, |r| r.0);
+        range = Some((deepest(&curves, lo, hi).min(named.max(lo)), hi));
+    }
     if let Some((lo, hi)) = range {
         let zero = !log && lo >= 0.0 && lo < 0.4 * hi;
         let padded = match axis.knee {
@@ -770,6 +819,8 @@ fn axis_view(axis: &Axis, data: Option<(f64, f64)>, style: &Style) -> AxisView {
     let knee = axis.knee.filter(|_| !log).unwrap_or(0.0);
     AxisView { bare: axis.bare, names, language: style.language, knee, exponent: if knee > 0.0 { 0 } else { view.exponent }, ..view }
 }
+
+pub(super) mod whirl;
 
 #[cfg(test)]
 mod tests;

@@ -204,8 +204,14 @@ fn strip(page: &Overview, over: &OverSpeed, style: &Style, width: usize) -> Vec<
     for w in over.resonances.iter().map(|r| r.speed) {
         line[place(w)] = '∧';
     }
+    for (a, b) in &over.unstable_response {
+        line[place(*a)..=place(*b)].fill('▒');
+    }
     for u in &over.unstable {
         line[place(u.from)..=place(u.to)].fill('█');
+    }
+    for w in over.jumps.iter().filter(|w| (from..=to).contains(*w)) {
+        line[place(*w)] = '↕';
     }
     if let Some((a, b)) = page.operating_range {
         line[place(a)..=place(b)].iter_mut().filter(|c| **c == '─').for_each(|c| *c = '━');
@@ -235,6 +241,12 @@ fn strip(page: &Overview, over: &OverSpeed, style: &Style, width: usize) -> Vec<
     let mut key = vec!["┃", "axis-operating"];
     if line.contains(&'█') {
         key.extend(["█", "strip-unstable"]);
+    }
+    if line.contains(&'▒') {
+        key.extend(["▒", "strip-response"]);
+    }
+    if line.contains(&'↕') {
+        key.extend(["↕", "strip-jump"]);
     }
     if line.contains(&'∧') {
         key.extend(["∧", "strip-resonance"]);

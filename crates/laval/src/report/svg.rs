@@ -1,19 +1,20 @@
 //! Figures as SVG: alone for papers, or inside the report, where a style sheet and a script take over colours and zoom.
 
 use super::colour::Colour;
-use super::layout::{LABEL, Layout, PanelBox, TICK, TITLE, is_line};
+use super::layout::{LABEL, LEADING, Layout, PanelBox, TICK, TITLE, is_line};
 use super::payload::drawn;
 use super::scene::{ARROW, CLASS, Entry, Glyph, Kind, PanelView, SMALL, Scene, Series};
 use super::text::{escape, px};
 use super::thin;
+use super::tiles;
 use super::words::Style;
 use crate::outcome::{Figure, OutcomeError, Table};
 use std::fmt::Write;
 
 pub(super) const WIDE: f64 = 760.0;
 pub(super) const NARROW: f64 = 350.0;
-const INK: &str = "#222222";
-const FONT: &str = "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
+pub(super) const INK: &str = "#222222";
+pub(super) const FONT: &str = "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 const TINTS: [&str; 4] = ["#009e73", "#d55e00", "#0072b2", "#cc79a7"];
 
 /// Draws a figure as a complete SVG document, in English and in the units of its axes.
@@ -44,6 +45,9 @@ pub(super) fn draw_in(figure: &Figure, tables: &[Table], style: &Style) -> Resul
 
 /// The drawing, thinned to pixel columns of this width; `inside` is the unique id prefix when it is part of a page.
 pub(super) fn render(scene: &Scene, w: f64, column: f64, inside: Option<&str>) -> String {
+    if let Some(tiles) = &scene.tiles {
+        return tiles::render(scene, tiles, w, inside.is_none());
+    }
     let alone = inside.is_none();
     let lay = Layout::new(scene, w, alone);
     let id = inside.unwrap_or("f");
@@ -128,7 +132,8 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
     );
     if let Some(heat) = &p.heat {
         let _ = write!(s, r#"<g class="heat" transform="translate({sx} {sy})" shape-rendering="crispEdges">"#);
-        for (colour, class, d) in heat.cells(&scene.x, &p.y, w, h) {
+        let cells = if heat.curves.is_some() { Vec::new() } else { heat.cells(&scene.x, &p.y, w, h) };
+        for (colour, class, d) in cells {
             let class = if class.is_empty() { class } else { format!(r#" class="{class}""#) };
             let _ = write!(s, r#"<path{class} fill="{colour}" d="{d}"/>"#);
         }
@@ -140,6 +145,15 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
             );
         }
         s.push_str("</g>");
+        for level in heat.curves.iter().flatten() {
+            let points: Vec<_> =
+                heat.contour_path(*level, &scene.x, &p.y).into_iter().map(|(a, c)| (x0 + a * w, y0 + (1.0 - c) * h)).collect();
+            let _ = write!(
+                s,
+                r##"<path class="ru" stroke="#555555" stroke-width="1" vector-effect="non-scaling-stroke" d="{}"/>"##,
+                path(&points, 0.5)
+            );
+        }
         if let Some(level) = heat.contour {
             let points: Vec<_> =
                 heat.contour_path(level, &scene.x, &p.y).into_iter().map(|(a, c)| (x0 + a * w, y0 + (1.0 - c) * h)).collect();
@@ -184,14 +198,14 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
         }
     }
     s.push_str(r#"</g><g class="se">"#);
-    let on_heat = p.heat.is_some();
+    let on_heat = p.heat.as_ref().is_some_and(|h| h.curves.is_none());
     for (i, series) in p.series.iter().enumerate() {
         let points: Vec<_> = series.points.iter().map(at).collect();
         draw_series(s, i, series, &points, column, on_heat);
     }
     s.push_str(r#"</g><g class="tf">"#);
     // dark rules cannot be seen on the low end of a ramp
-    let on_map = p.heat.as_ref().is_some_and(|h| h.classes.is_empty() && !h.diverging);
+    let on_map = p.heat.as_ref().is_some_and(|h| h.classes.is_empty() && !h.diverging && h.curves.is_none());
     for r in &p.rules {
         let (a, c) = if r.vertical { (scene.x.place(r.at), 0.0) } else { (0.0, p.y.place(r.at)) };
         if a.is_finite() && c.is_finite() {
@@ -238,7 +252,11 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
         if let Some([a, c, d, e]) = l.leader {
             let _ = write!(s, r##"<path class="ru" stroke="#777777" stroke-width="0.8" d="M{} {}L{} {}"/>"##, px(a), px(c), px(d), px(e));
         }
-        let _ = write!(s, r#"<text class="t" x="{}" y="{}" fill="{INK}">{}</text></g>"#, px(l.x), px(l.y), escape(&l.text));
+        for (k, line) in l.lines.iter().enumerate() {
+            let y = px(l.y + LEADING * k as f64);
+            let _ = write!(s, r#"<text class="t" x="{}" y="{y}" fill="{INK}">{}</text>"#, px(l.x), escape(line));
+        }
+        s.push_str("</g>");
     }
     if let (Some(bar), Some(heat)) = (&b.bar, &p.heat) {
         let steps = 48;

@@ -98,6 +98,33 @@ pub(super) fn fit(text: &str, size: f64, room: f64) -> String {
     format!("{}…", out.trim_end())
 }
 
+/// The text in lines no wider than `room`, broken between words; a word that is wider is broken itself.
+pub(super) fn wrap(text: &str, size: f64, room: f64) -> Vec<String> {
+    let mut out = vec![String::new()];
+    for word in text.split(' ').filter(|w| !w.is_empty()) {
+        let line = out.last_mut().map(std::mem::take).unwrap_or_default();
+        let longer = if line.is_empty() { word.to_string() } else { format!("{line} {word}") };
+        out.pop();
+        if width(&longer, size) <= room {
+            out.push(longer);
+            continue;
+        }
+        if !line.is_empty() {
+            out.push(line);
+        }
+        out.push(String::new());
+        for c in word.chars() {
+            let last = out.len() - 1;
+            out[last].push(c);
+            if width(&out[last], size) > room && out[last].chars().count() > 1 {
+                out[last].pop();
+                out.push(c.to_string());
+            }
+        }
+    }
+    out
+}
+
 /// A coordinate in a drawing: at most one decimal, no negative zero.
 pub(super) fn px(x: f64) -> String {
     let r = (x * 10.0).round() / 10.0 + 0.0;
@@ -137,6 +164,16 @@ mod tests {
         let cut = fit("a very long label that cannot fit", 12.0, 80.0);
         assert!(cut.ends_with('…') && width(&cut, 12.0) <= 80.0);
         assert_eq!(fit("short", 12.0, 80.0), "short");
+    }
+
+    #[test]
+    fn wrapped_text_is_whole_and_fits() {
+        for text in ["front bearing at the drive end", "Einscheibenversuchsläufer", "a", "", "передняя опора ведущего конца"] {
+            let lines = wrap(text, 11.0, 60.0);
+            assert!(lines.iter().all(|l| width(l, 11.0) <= 60.0), "{lines:?}");
+            let joined: String = lines.concat();
+            assert_eq!(joined.replace(' ', ""), text.replace(' ', ""));
+        }
     }
 
     #[test]

@@ -53,6 +53,25 @@ fn everyday(unit: &str) -> Vec<Rung> {
     rungs.iter().map(|(name, size)| Rung::new(name, *size)).collect()
 }
 
+/// Inches and their thousandths, which readers of either have by size; from this length on inches.
+const INCH: f64 = 0.0254;
+const MIL: f64 = 1e-3 * INCH;
+const LONG: f64 = 0.1 * INCH;
+/// Beginnings of columns and axes of how far something moves.
+const MOTIONS: [&str; 11] = [
+    "amplitude",
+    "largest displacement",
+    "displacement",
+    "major",
+    "minor",
+    "forward",
+    "backward",
+    "in phase",
+    "in_phase",
+    "quadrature",
+    "marked",
+];
+
 /// Largest number that a preferred unit is used for; beyond, and below its reciprocal, prefixes read better.
 const LARGEST: f64 = 1e5;
 const SMALLEST: f64 = 1e-2;
@@ -98,6 +117,18 @@ impl Units {
         self.preferred.iter().find(|p| p.0 == si).map(|p| &p.1)
     }
 
+    /// Lengths are read in inches or mils.
+    fn inches(&self) -> bool {
+        self.of("m").is_some_and(|r| ["in", "inch", "ft", "mil", "thou"].contains(&r.name.as_str()))
+    }
+
+    /// Of inches and mils the one for a length: where a file writes one of both, that under its own name.
+    fn inch_or_mil(&self, long: bool) -> Rung {
+        let size = if long { INCH } else { MIL };
+        let own = self.of("m").filter(|r| (r.size / size - 1.0).abs() < 1e-9);
+        own.cloned().unwrap_or(if long { Rung::new("in", INCH) } else { Rung::new("mil", MIL) })
+    }
+
     /// The unit in which speeds are read: `rpm`, or `rad/s` where nothing else is preferred.
     pub fn speed(&self) -> Rung {
         self.of("rad/s").cloned().unwrap_or(Rung::new("rad/s", 1.0))
@@ -113,6 +144,9 @@ impl Units {
             return if role == Role::Frequency && speed.size != 1.0 { Rung::new("Hz", TAU) } else { speed };
         }
         let size = size.abs();
+        if si == "m" && self.inches() && size.is_finite() {
+            return self.inch_or_mil(size >= LONG || size == 0.0);
+        }
         if let Some(r) = self.of(si).filter(|r| (SMALLEST..LARGEST).contains(&(size / r.size))) {
             return r.clone();
         }
@@ -132,6 +166,7 @@ impl Units {
                 Some(self.rung(0.0, unit, role)).filter(|r| r.size != 1.0)
             }
             "rad" if self.everyday => Some(Rung::new("°", PI / 180.0)),
+            "m" if self.inches() => Some(self.inch_or_mil(!MOTIONS.iter().any(|m| name.starts_with(m)))),
             "m" => self.of("m").cloned().or_else(|| self.everyday.then(|| Rung::new("mm", 1e-3))),
             other => self.of(other).cloned(),
         }
@@ -153,8 +188,21 @@ impl Units {
     }
 
     fn axis(&self, axis: &mut Axis) {
-        // an axis with a factor has a unit for readers already
+        // an axis with a factor has a unit for readers already, but for those who have lengths in another
         if axis.factor != 1.0 {
+            let size = match axis.unit.as_str() {
+                "mm" => 1e-3,
+                "µm" => 1e-6,
+                _ => return,
+            };
+            if ((size * axis.factor) - 1.0).abs() > 1e-9 || self.of("m").is_none() {
+                return;
+            }
+            let own = if self.inches() { self.inch_or_mil(axis.unit == "mm") } else { self.of("m").cloned().unwrap_or(Rung::new("m", 1.0)) };
+            axis.range = axis.range.map(|(a, b)| (a * size / own.size, b * size / own.size));
+            axis.names.iter_mut().for_each(|n| n.0 *= size / own.size);
+            axis.knee = axis.knee.map(|k| k * size / own.size);
+            (axis.unit, axis.factor) = (own.name, 1.0 / own.size);
             return;
         }
         if let Some(r) = self.column(&axis.label.to_string(), &axis.unit) {
@@ -213,6 +261,26 @@ mod tests {
         assert_eq!(shown(&units, 2e-5, "m", Role::Plain), "0.02 mm");
         assert_eq!(shown(&units, 3.26e5, "N/m", Role::Plain), "326 N/mm");
         assert_eq!(units.column("amplitude", "m").map(|r| r.name), Some("mm".into()));
+    }
+
+    #[test]
+    fn who_reads_inches_reads_small_lengths_in_mils() {
+        for (name, size) in [("in", INCH), ("mil", MIL), ("ft", 12.0 * INCH)] {
+            let units = Units::new([(name.into(), size, "m".into())]);
+            for (value, want) in [(2.54e-5, "1 mil"), (0.0508, "2 in"), (1.27e-6, "0.05 mil")] {
+                assert_eq!(shown(&units, value, "m", Role::Plain), want, "{name}");
+            }
+            let column = |name: &str| units.column(name, "m").map(|r| r.name);
+            assert_eq!((column("amplitude.drum"), column("height")), (Some("mil".into()), Some("in".into())));
+            let figure = Figure::new("f", "", "").x(Axis::new("x", "mm").factor(1e3).range(0.0, 25.4));
+            let drawn = units.figure(&figure.panel(crate::outcome::Panel::new(Axis::log("amplitude", "µm").factor(1e6))));
+            assert_eq!((drawn.x.unit.as_str(), drawn.panels[0].y.unit.as_str()), ("in", "mil"));
+            assert!((drawn.x.range.unwrap().1 - 1.0).abs() < 1e-12 && (drawn.panels[0].y.factor * MIL - 1.0).abs() < 1e-12);
+        }
+        // metric files keep their axes
+        let metric = Units::new([("mm".into(), 1e-3, "m".into())]);
+        let figure = Figure::new("f", "", "").x(Axis::new("x", "µm").factor(1e6));
+        assert_eq!(metric.figure(&figure).x.unit, "µm");
     }
 
     #[test]

@@ -24,4 +24,4 @@ pub use nonlinear::{backbone, bifurcation_loci, limit_cycles, methods, nonlinear
 pub use overview::overview;
 pub use parameters::{optimum, sensitivity, uncertainty};
 pub use registry::registry;
-pub use shared::{limits, operation, presentation, speed_range, support};
+pub use shared::{limits, operation, presentation, speed_range, stations, support};

@@ -17,6 +17,7 @@ mod pure_tilt;
 mod response;
 mod sensitivity;
 mod several_unbalances;
+mod shapes;
 mod stability;
 mod tilt;
 mod uncertainty;

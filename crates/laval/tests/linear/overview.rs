@@ -206,3 +206,47 @@ fn the_summary_is_in_the_units_of_the_file() {
     assert!(out.contains("1910 rpm") && out.contains("955") && !out.contains("rad/s") && !out.contains("{$"), "{out}");
     assert!(out.lines().all(|l| l.chars().count() <= 80), "{out}");
 }
+
+/// Resonances, jumps and ranges without a stable response stand in the strip of the terminal and in the figure of the page.
+#[test]
+fn what_happens_over_the_speed_is_marked() {
+    let mut p = page(&jeffcott("speed = 200.0", 4.0, ""));
+    let over = p.over_speed.as_mut().expect("a figure");
+    assert!(over.unstable_response.is_empty() && over.resonances.len() == 1);
+    over.jumps = vec![130.0];
+    over.unstable_response = vec![(60.0, 80.0)];
+    let report = Report { overview: Some(p), style: Style { units: Units::everyday(), ..Style::default() }, ..Report::default() };
+    let out = summary(&report, Terminal::default());
+    for sign in ["∧ resonance", "↕ jump", "▒ unstable response", "┃ operating speed"] {
+        assert!(out.contains(sign), "{sign}: {out}");
+    }
+    let html = laval::report::html(&report).unwrap();
+    let figure = html.split("id=\"over\"").nth(1).unwrap().split("</figure>").next().unwrap();
+    for words in [">resonance<", ">jump<", ">unstable response<", ">operating speed<"] {
+        assert!(figure.matches(words).count() >= 2, "{words} in both widths");
+    }
+}
+
+/// At a bearing of stiffness and damping both signs stand side by side; the machine of a horizontal axis lies.
+#[test]
+fn the_machine_is_drawn_as_it_stands() {
+    use laval::outcome::{Block, Joint};
+    let upright = page(&jeffcott("speed = 200.0", 4.0, ""));
+    let joint = upright.machine.iter().find_map(|b| match b {
+        Block::Link { joint, .. } => Some(*joint),
+        _ => None,
+    });
+    assert_eq!(joint, Some(Joint { elastic: true, damped: true, gap: false }));
+    assert!(!upright.horizontal && page(&jeffcott("speed = 200.0\naxis = \"horizontal\"", 4.0, "")).horizontal);
+    let more = "[[part]]\nkind = \"damper\"\nname = \"air\"\nbetween = [\"disc\", \"ground\"]\ndamping = 3.0\naxes = \"rotating\"\n\
+                [[part]]\nkind = \"stop\"\nname = \"ring\"\nbetween = [\"disc\", \"ground\"]\nstiffness = 1e8\ngap = 1e-3\n";
+    let of = |name: &str, page: &Overview| {
+        page.machine.iter().find_map(|b| match b {
+            Block::Link { name: n, joint, .. } if n == name => Some(*joint),
+            _ => None,
+        })
+    };
+    let p = page(&jeffcott("speed = 90.0", 4.0, more));
+    assert_eq!(of("air", &p), Some(Joint { elastic: false, damped: true, gap: false }));
+    assert_eq!(of("ring", &p).map(|j| (j.elastic, j.gap)), Some((true, true)));
+}

@@ -100,3 +100,30 @@ fn map_does_not_depend_on_threads_and_locates_its_boundary() {
     assert_eq!(one.find_table("map").unwrap().rows(), 180);
     assert_eq!(one.find_table("boundary").unwrap().rows(), 12);
 }
+
+/// Rotating damping c_i beside a fixed one c_a: unstable above w (1 + c_a/c_i). Over c_a the region lies beyond a straight line, which its figure fills.
+#[test]
+fn the_unstable_region_over_a_parameter_is_filled_between_located_speeds() {
+    let text = "[machine]\nspeed = 150.0\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 3.0\n\
+                [[part]]\nkind = \"shaft_lumped\"\nbetween = [\"disc\", \"ground\"]\nstiffness = 3e4\n\
+                [[part]]\nkind = \"damper\"\nname = \"air\"\nbetween = [\"disc\", \"ground\"]\ndamping = 30.0\n\
+                [[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\ndamping = 20.0\naxes = \"rotating\"\n\
+                [[study]]\nkind = \"stability_map\"\nspeed = { from = 10.0, to = 400.0, points = 40 }\n\
+                parameter = { parameter = \"air.damping\", from = 10.0, to = 50.0, points = 9 }\n";
+    let loaded = laval::file::load(text).unwrap_or_else(|d| panic!("{d:?}"));
+    let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("map")).unwrap();
+    let t = o.find_table("regions").expect("a region");
+    let number = |column: &str, row: usize| t.column(column).unwrap().number(row).unwrap();
+    let known: Vec<usize> = (0..t.rows()).filter(|&r| number("from", r).is_finite()).collect();
+    assert_eq!(known.len(), 9);
+    for r in known {
+        let want = 100.0 * (1.0 + number("air.damping", r) / 20.0);
+        assert!((number("from", r) / want - 1.0).abs() < 1e-6 && (number("to", r) - 400.0).abs() < 1e-9, "row {r}");
+    }
+    let figure = o.figures.iter().find(|f| f.name == "stability").unwrap();
+    let svg = laval::report::draw(figure, &o.tables).unwrap();
+    // no cells, one area, curves of equal growth named in the legend
+    assert!(!svg.contains("shape-rendering=\"auto\"") && svg.contains("class=\"b1\"") && svg.contains("growth rate ") && svg.contains("machine"));
+    let heat = svg.split("<g class=\"heat\"").nth(1).unwrap().split("</g>").next().unwrap();
+    assert!(!heat.contains("<path"), "{heat}");
+}

@@ -4,6 +4,7 @@ mod basins;
 mod claims;
 mod continued;
 mod motion_map;
+mod natural;
 mod spin_load;
 mod sweep;
 mod transient_motion;

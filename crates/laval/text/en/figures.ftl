@@ -184,6 +184,22 @@ stationary-alt-errors = Unbalance left by the best and the worst stable state ov
 stationary-table-stabilised = Largest growth rate of the balanced state at { $speed } over { $parameter }
 stationary-table-chart = The balanced state and the stable states over speed and { $parameter }
 stationary-table-errors = Unbalance caused by errors of { $parameter } at { $speed }
+stationary-class = { $word ->
+        [balanced] balanced
+        [partly_balanced] partly balanced
+        [reduced] unbalance reduced
+        [touching] balls touching
+        [together] balls coincident
+        [opposed] balls diametrically opposite
+        [spread] balls apart
+       *[single] equilibrium
+    }
+stationary-change = { $word ->
+        [fold] branch turns back (fold)
+        [branch_point] branches cross
+        [hopf] oscillation begins (Hopf)
+       *[real_root] stability changes
+    }
 stationary-growing-roots = growing roots { $side ->
         [before] before
        *[behind] behind

@@ -184,6 +184,10 @@ page-modes = Modes at { $speed }
 page-machine = Machine
 page-next = What to do next
 page-findings = All findings
+page-balls = { $count ->
+        [one] one ball
+       *[other] { $count } balls
+    }
 page-mode = Mode { $number }
 page-whirl = { $whirl ->
         [forward] forward
@@ -196,6 +200,8 @@ page-grows = grows
 axis-amplitude = amplitude
 axis-growth = growth rate
 strip-unstable = unstable
+strip-response = unstable response
+strip-jump = jump
 axis-speed-plain = speed
 axis-operating = operating speed
 axis-operating-range = operating speeds

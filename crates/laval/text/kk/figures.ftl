@@ -184,6 +184,22 @@ stationary-alt-errors = Ең жақсы және ең нашар орнықты 
 stationary-table-stabilised = Теңгерілген күйдің { $parameter } параметріне тәуелді ең үлкен өсу жылдамдығы, { $speed } кезінде
 stationary-table-chart = Айналу жиілігі мен { $parameter } параметріне тәуелді теңгерілген күй және орнықты күйлер
 stationary-table-errors = { $parameter } параметрінің қателіктерінен болатын дисбаланс, { $speed } кезінде
+stationary-class = { $word ->
+        [balanced] теңгерілген
+        [partly_balanced] жартылай теңгерілген
+        [reduced] дисбаланс азайған
+        [touching] шариктер жанасқан
+        [together] шариктер бір жерде
+        [opposed] шариктер қарама-қарсы
+        [spread] шариктер ажыраған
+       *[single] тепе-теңдік
+    }
+stationary-change = { $word ->
+        [fold] тармақ бұрылады (бұрылу нүктесі)
+        [branch_point] тармақтар қиылысады
+        [hopf] тербеліс басталады (Хопф)
+       *[real_root] орнықтылық өзгереді
+    }
 stationary-growing-roots = өсетін түбірлер, { $side ->
         [before] одан бұрын
        *[behind] одан кейін

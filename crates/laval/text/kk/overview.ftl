@@ -147,6 +147,7 @@ page-modes = { $speed } кезіндегі модалар
 page-machine = Машина
 page-next = Келесі қадамдар
 page-findings = Барлық нәтиже
+page-balls = { $count } шарик
 page-mode = { $number }-мода
 page-whirl = { $whirl ->
         [forward] тура
@@ -159,6 +160,8 @@ page-grows = өседі
 axis-amplitude = амплитуда
 axis-growth = өсу жылдамдығы
 strip-unstable = орнықсыз
+strip-response = орнықсыз жауап
+strip-jump = секіріс
 axis-speed-plain = айналу жиілігі
 axis-operating = жұмыстық айналу жиілігі
 strip-stable-limit = одан төмен орнықты

@@ -58,3 +58,6 @@ unit-l = л
 unit-ml = мл
 unit-K = К
 unit-t = т
+unit-mil = мил
+unit-in = дюйм
+unit-ft = фут

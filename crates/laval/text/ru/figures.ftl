@@ -197,6 +197,22 @@ stationary-alt-errors = Дисбаланс, оставляемый лучшим 
 stationary-table-stabilised = Наибольший инкремент уравновешенного состояния при { $speed } в зависимости от параметра «{ $parameter }»
 stationary-table-chart = Уравновешенное состояние и устойчивые состояния по частоте вращения и параметру «{ $parameter }»
 stationary-table-errors = Дисбаланс из-за погрешностей параметра «{ $parameter }» при { $speed }
+stationary-class = { $word ->
+        [balanced] уравновешено
+        [partly_balanced] уравновешено частично
+        [reduced] дисбаланс уменьшен
+        [touching] шарики соприкасаются
+        [together] шарики совпадают
+        [opposed] шарики диаметрально противоположны
+        [spread] шарики разведены
+       *[single] положение равновесия
+    }
+stationary-change = { $word ->
+        [fold] поворот ветви (складка)
+        [branch_point] пересечение ветвей
+        [hopf] начало колебаний (Хопф)
+       *[real_root] смена устойчивости
+    }
 stationary-growing-roots = неустойчивые корни { $side ->
         [before] до смены
        *[behind] после смены

@@ -187,6 +187,11 @@ page-modes = Моды при { $speed }
 page-machine = Машина
 page-next = Что делать дальше
 page-findings = Все выводы
+page-balls = { $count ->
+        [one] { $count } шарик
+        [few] { $count } шарика
+       *[other] { $count } шариков
+    }
 page-mode = Мода { $number }
 page-whirl = { $whirl ->
         [forward] прямая
@@ -199,6 +204,8 @@ page-grows = растёт
 axis-amplitude = амплитуда
 axis-growth = инкремент
 strip-unstable = неустойчиво
+strip-response = неустойчивый отклик
+strip-jump = скачок
 axis-speed-plain = частота вращения
 axis-operating = рабочая частота вращения
 axis-operating-range = рабочие частоты вращения

@@ -132,6 +132,22 @@ stationary-alt-errors = { $parameter } parametri bo‘yicha eng yaxshi va eng yo
 stationary-table-stabilised = { $speed } tezlikda { $parameter } parametri bo‘yicha balansirlangan holatning eng katta o‘sish sur’ati
 stationary-table-chart = Tezlik va { $parameter } parametri bo‘yicha balansirlangan holat va turg‘un holatlar
 stationary-table-errors = { $speed } tezlikda { $parameter } parametri xatolari keltirib chiqaradigan disbalans
+stationary-class = { $word ->
+        [balanced] balanslangan
+        [partly_balanced] qisman balanslangan
+        [reduced] disbalansi kamaygan
+        [touching] sharchalar tegib turgan
+        [together] sharchalar bir joyda
+        [opposed] sharchalar qarama-qarshi
+        [spread] sharchalar ajralgan
+       *[single] muvozanat holati
+    }
+stationary-change = { $word ->
+        [fold] tarmoq qaytadi (buklanish)
+        [branch_point] tarmoqlar kesishadi
+        [hopf] tebranish boshlanadi (Xopf)
+       *[real_root] turg‘unlik o‘zgaradi
+    }
 stationary-growing-roots = o‘suvchi ildizlar, { $side ->
         [before] undan oldin
        *[behind] undan keyin

@@ -143,6 +143,7 @@ page-modes = { $speed } tezlikdagi modalar
 page-machine = Mashina
 page-next = Keyin nima qilish kerak
 page-findings = Barcha xulosalar
+page-balls = { $count } ta sharcha
 page-mode = { $number }-moda
 page-whirl = { $whirl ->
         [forward] to‘g‘ri pretsessiya
@@ -155,6 +156,8 @@ page-grows = o‘sadi
 axis-amplitude = amplituda
 axis-growth = o‘sish sur’ati
 strip-unstable = noturg‘un
+strip-response = noturg‘un javob
+strip-jump = sakrash
 axis-speed-plain = tezlik
 axis-operating = ish tezligi
 strip-stable-limit = pastda turg‘un

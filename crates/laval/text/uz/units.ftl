@@ -2,3 +2,6 @@
 
 unit-rpm = ayl/min
 unit-Hz = Gs
+unit-mil = mil
+unit-in = dyuym
+unit-ft = fut

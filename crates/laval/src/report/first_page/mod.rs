@@ -84,9 +84,11 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
             let detail = c.detail.as_ref().map_or(String::new(), |d| format!("<small>{}</small>", say(d)));
             let _ = writeln!(
                 s,
-                "<tr><td>{}</td><td>{}{detail}</td><td>{}</td><td class=\"s {}\">{}</td></tr>",
+                "<tr><td>{}</td><td>{}{detail}</td><td{}>{}</td><td class=\"s {}\">{}</td></tr>",
                 say(&c.what),
                 say(&c.result),
+                // on a narrow screen the heading stands before the value
+                if c.required.is_some() || c.verdict == Verdict::NoLimit { format!(" data-head=\"{}\"", title("page-required")) } else { String::new() },
                 escape(&required(style, c)),
                 class(c.verdict),
                 escape(&verdict(style, c, false))

@@ -1,11 +1,13 @@
 //! Amplitudes over the speed, with the unstable ranges, the operating speed and the jumps.
 
-use crate::outcome::{Arg, Axis, Band, Figure, Line, Message, OverSpeed, Overview, Panel, Rule, Scale, Table};
+use crate::outcome::{Arg, Axis, Band, Figure, Line, Message, OverSpeed, Overview, Panel, Resonance, Rule, Scale, Table};
 
 /// Name of the figure and of its table.
 const NAME: &str = "over_speed";
 /// Decades of growth shown below the largest.
 const RANGE: f64 = 50.0;
+/// Resonances named, at most.
+const NAMED: usize = 4;
 
 /// The tables that the figure draws.
 pub(in super::super) fn tables(over: &OverSpeed) -> Vec<Table> {
@@ -25,7 +27,21 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed) -> Figure 
     let label = Message::new("axis-speed-plain");
     let x = if wide { Axis::log(label, "rad/s") } else { Axis::new(label, "rad/s") };
     let mut figure = Figure::new(NAME, Message::new("page-over-speed"), describe(over)).x(x.range(from, to));
+    // the highest are named; without an unbalance that forces the machine all are alike
+    let mut resonances: Vec<_> = over.resonances.iter().filter(|r| (from..=to).contains(&r.speed)).collect();
+    let height = |r: &Resonance| r.amplitude.as_ref().map_or(0.0, |a| a.1);
+    resonances.sort_by(|a, b| height(b).total_cmp(&height(a)));
+    resonances.truncate(NAMED);
     let marks = |mut panel: Panel| {
+        for r in &resonances {
+            panel = panel.mark(Rule::x(r.speed, Message::new("strip-resonance")));
+        }
+        for w in over.jumps.iter().filter(|w| (from..=to).contains(*w)) {
+            panel = panel.mark(Rule::x(*w, Message::new("strip-jump")));
+        }
+        for (a, b) in &over.unstable_response {
+            panel = panel.mark(Band::x(*a, *b).strip().pink().name(Message::new("strip-response")));
+        }
         for u in &over.unstable {
             panel = panel.mark(Band::x(u.from, u.to).strip().name(Message::new("strip-unstable")));
         }

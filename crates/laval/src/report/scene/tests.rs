@@ -150,3 +150,32 @@ fn a_figure_is_in_the_words_of_the_reader() {
     assert_eq!(s.legend[0].label, "forward");
     assert!(s.panels[0].rules[0].label.starts_with("уравновешено") && s.panels[0].rules[0].label.contains("0,25"));
 }
+
+/// A logarithmic axis shows the decades in which a curve is: not a single minimum far below, and every other curve with its largest values.
+#[test]
+fn logarithmic_axes_show_the_decades_that_matter() {
+    let deep = |floor: f64| (0..101).map(|k| if k == 50 { floor } else { 10f64.powf(-2.0 * f64::from((k - 50i32).abs()) / 50.0) }).collect::<Vec<f64>>();
+    let decades = |s: &Scene| (s.panels[0].y.hi / s.panels[0].y.lo).log10();
+    for floor in [1e-6, 1e-9, 1e-14] {
+        let d = decades(&scene(Axis::log("y", "N"), deep(floor)));
+        assert!((2.9..=3.6).contains(&d), "{floor}: {d}");
+    }
+    // twelve decades that are all there
+    let d = decades(&scene(Axis::log("y", "N"), (0..120).map(|k| 10f64.powf(-0.1 * f64::from(k))).collect()));
+    assert!((4.9..=5.6).contains(&d), "{d}");
+    // nothing is cut where there is little
+    let d = decades(&scene(Axis::log("y", "N"), (0..50).map(|k| 10f64.powf(-0.04 * f64::from(k))).collect()));
+    assert!((1.9..=2.3).contains(&d), "{d}");
+    let both = |other: f64| {
+        let n = 40;
+        let t = Table::new("t", "")
+            .float("x", "", "", (0..n).map(f64::from).collect())
+            .float("y", "N", "", vec![1.0; n as usize])
+            .float("z", "N", "", vec![other; n as usize])
+            .build()
+            .unwrap();
+        let panel = Panel::new(Axis::log("y", "N")).mark(Line::new("t", "x", "y")).mark(Line::new("t", "x", "z"));
+        scene_of(&Figure::new("f", "", "").x(Axis::new("x", "")).panel(panel), &[t]).unwrap()
+    };
+    assert!(both(1e-7).panels[0].y.lo <= 1e-7 && both(1e-13).panels[0].y.lo > 1e-6);
+}

@@ -5,7 +5,7 @@ pub use super::balance::{Balancing, Caught};
 pub use super::drive::Capture;
 pub use super::history::energy::EnergyAccount;
 pub use super::moved_roots::MovedRoots;
-pub use super::spectra::{Part, Window as SpectrumWindow};
+pub use super::spectra::{NaturalFrequency, Part, Window as SpectrumWindow};
 pub use super::steady_state::stored::{SettledMotion, Settling};
 
 use super::history::per_second;
@@ -195,6 +195,8 @@ pub struct MotionRecord {
     pub moved_roots: Option<MovedRoots>,
     /// Spectra of the body requested.
     pub spectra: Vec<SpectrumWindow>,
+    /// With spectra: natural frequencies of the machine linearised at rest.
+    pub natural: Vec<NaturalFrequency>,
     /// Unbalance of a machine with parts that balance by themselves.
     pub balancing: Option<Balancing>,
     /// Its motion to be played.
@@ -210,6 +212,8 @@ pub(in crate::study) struct Beside<'s> {
     pub last_turns: Option<LastTurns>,
     pub moved_roots: Option<MovedRoots>,
     pub spectra: Vec<SpectrumWindow>,
+    /// With spectra: natural frequencies of the machine linearised at rest.
+    pub natural: Vec<NaturalFrequency>,
 }
 
 impl MotionRecord {
@@ -249,6 +253,7 @@ impl MotionRecord {
             forms: forms(system),
             moved_roots: beside.moved_roots,
             spectra: beside.spectra,
+            natural: beside.natural,
             animation: if balancing.is_some() { animation::played(motion, trajectory) } else { None },
             balancing,
         }

@@ -254,6 +254,7 @@ kick = { "drum.x'" = "20 mm/s" }
             no_account,
             last_turns,
             moved_roots,
+            natural: spectra::natural(exact, &spectra),
             spectra,
         };
         let record = MotionRecord::of(&mut motion, &trajectory, beside);
@@ -271,7 +272,7 @@ kick = { "drum.x'" = "20 mm/s" }
         outcome = self.findings(system, record).into_iter().chain(moved).fold(outcome, Outcome::finding);
         outcome = history::common_findings(system, record, outcome);
         if let Some(spectra) = &self.spectra {
-            outcome = spectra.report(&record.spectra, outcome)?;
+            outcome = spectra.report(record, outcome)?;
         }
         if let Some((finding, point)) = result.capture.map(|c| c.report()) {
             outcome = outcome.finding(finding).special_point(point);

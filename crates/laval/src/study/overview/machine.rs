@@ -1,8 +1,10 @@
 //! Bodies and what joins them, for the drawing of the machine.
 
-use crate::model::part::Link;
-use crate::model::system::{Slot, System};
-use crate::outcome::{Arg, Block};
+use crate::model::part::{At, Link, Physics};
+use crate::model::system::{Body, Slot, System, Workspace};
+use crate::model::tangent::{Tangent, TangentScratch};
+use crate::outcome::{Arg, Block, Joint};
+use crate::study::shared::stations::Stations;
 
 /// Values shown of a part.
 const MOST_LABELS: usize = 2;
@@ -10,18 +12,24 @@ const MOST_LABELS: usize = 2;
 /// Bodies first, then what joins them, in the order of the file.
 pub(super) fn blocks(system: &System) -> Vec<Block> {
     let bodies = system.bodies();
+    let stations = Stations::of(system);
     let is_body = |k: usize| bodies.iter().any(|b| b.slot == k);
-    let body = |k: usize, slot: &Slot| Block::Body {
-        name: slot.name.clone(),
-        rotor: turns(system, k),
-        labels: labels(system, slot),
-        grounded: slot.part.body().is_some_and(|b| b.parameters().stiffness.is_some()),
-        cavity: cavity(system, &slot.name),
+    let place = |b: &Body| stations.all.iter().find(|s| s.body == b.name).map_or(0.0, |s| s.place - s.height);
+    let body = |b: &Body| {
+        let slot = &system.slots()[b.slot];
+        let own = slot.part.body().is_some_and(|b| b.parameters().stiffness.is_some());
+        Block::Body {
+            name: slot.name.clone(),
+            rotor: turns(system, b.slot),
+            labels: labels(system, slot),
+            grounded: if own { joint(system, slot) } else { Joint::default() },
+            cavity: cavity(system, &slot.name),
+            place: place(b),
+        }
     };
-    let drawn = system.slots().iter().enumerate();
-    let bodies: Vec<Block> = drawn.clone().filter(|(k, _)| is_body(*k)).map(|(k, s)| body(k, s)).collect();
-    let links = drawn.filter(|(k, _)| !is_body(*k)).flat_map(|(_, s)| link(system, s));
-    bodies.into_iter().chain(links).collect()
+    let others = system.slots().iter().enumerate().filter(|(k, _)| !is_body(*k));
+    let others: Vec<Block> = others.filter_map(|(_, s)| balls(system, s).or_else(|| link(system, s))).collect();
+    bodies.iter().map(body).chain(others).collect()
 }
 
 /// The body spins with the rotor: it can carry an unbalance.
@@ -58,6 +66,43 @@ fn cavity(system: &System, body: &str) -> Option<(f64, f64, f64)> {
     Some((value(radius)?, value(free_surface)?, value(height)?))
 }
 
+/// What a part is made of: its force on a displacement and on a velocity against each of them, where nothing is displaced. A force law that begins with no
+/// stiffness, and an exact reaction over the frequency, are springs.
+fn joint(system: &System, slot: &Slot) -> Joint {
+    let (n, zero, states) = (system.n(), vec![0.0; system.n()], vec![0.0; system.m()]);
+    let speed = system.machine.speed.unwrap_or(0.0);
+    let at = At { q: &zero, v: &zero, a: &zero, z: &states, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    let gap = slot.part.contacts().and_then(|contacts| {
+        let p = &system.params()[slot.params.clone()];
+        system.with_local(slot, &at, &mut Workspace::default(), |l| contacts.clearance(p, l))
+    });
+    let gap = gap.is_some_and(|g| g > 0.0);
+    if matches!(slot.physics, Physics::Frequency(_)) {
+        return Joint { elastic: true, damped: false, gap };
+    }
+    let (mut t, mut scratch) = (Tangent::default(), TangentScratch::default());
+    system.tangent(&at, false, &mut t, &mut scratch, |s| s.name == slot.name);
+    let damped = (0..n).any(|i| t.v[(i, i)] != 0.0);
+    let elastic = (0..n).any(|i| t.q[(i, i)] != 0.0) || !slot.is_linear() || !damped;
+    Joint { elastic, damped, gap }
+}
+
+/// Masses that move in a body, as balls in their tracks.
+fn balls(system: &System, slot: &Slot) -> Option<Block> {
+    let masses = slot.part.movable_masses()?;
+    let body = slot.layout.ports.iter().find_map(|p| match &p.link {
+        Link::On(a) => a.body.clone(),
+        Link::Between(a, _) => a.body.clone(),
+    })?;
+    let (zero, states) = (vec![0.0; system.n()], vec![0.0; system.m()]);
+    let at = At { q: &zero, v: &zero, a: &zero, z: &states, phase: 0.0, speed: 0.0, spin_accel: 0.0, t: 0.0 };
+    let p = &system.params()[slot.params.clone()];
+    let outlines = system.with_local(slot, &at, &mut Workspace::default(), |l| masses.outlines(p, l));
+    let count = outlines.iter().filter(|o| o.movable).count();
+    let tracks = outlines.len() - count;
+    (count > 0).then(|| Block::Balls { name: slot.name.clone(), body, count, tracks: tracks.max(1), labels: labels(system, slot) })
+}
+
 fn link(system: &System, slot: &Slot) -> Option<Block> {
     let end = |a: &crate::model::field::Attach| a.body.clone().map(|b| (b, a.position));
     let ends = slot.layout.ports.iter().find_map(|p| match &p.link {
@@ -70,5 +115,6 @@ fn link(system: &System, slot: &Slot) -> Option<Block> {
             Link::Between(..) => None,
         })
     })?;
-    Some(Block::Link { name: slot.name.clone(), kind: slot.part.kind(), ends, labels: labels(system, slot) })
+    let joint = joint(system, slot);
+    Some(Block::Link { name: slot.name.clone(), kind: slot.part.kind(), ends, labels: labels(system, slot), joint })
 }

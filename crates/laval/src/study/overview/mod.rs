@@ -30,6 +30,7 @@ use crate::study::shared::limits::{self, Limits};
 pub(super) use crate::study::shared::operation::MARGIN;
 use crate::study::shared::operation::{self, Operation};
 use crate::study::shared::speed_range::{self, SpinSpeeds};
+use crate::study::shared::stations::Stations;
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
 use laval_num::work::watched;
@@ -204,6 +205,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         over_speed: over_speed::over_speed(&facts),
         modes: shapes::modes(&facts),
         machine: machine::blocks(system),
+        horizontal: Stations::horizontal(system),
         left_out: left_out::left_out(&facts),
         ..Overview::default()
     };

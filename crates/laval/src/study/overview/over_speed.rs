@@ -1,7 +1,7 @@
 //! Growth, response and jumps over the spin speed.
 
 use super::Facts;
-use crate::outcome::{OverSpeed, Resonance, Unstable};
+use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
 use crate::solve::pencil::Whirl;
 use crate::solve::stability::Row;
@@ -29,6 +29,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         out.unstable.sort_by_number(|a| a.from);
         (out.growth_speed, out.growth) = row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).unzip();
     }
+    out.unstable_response = unstable_responses(facts, &out.unstable);
     let forced = facts.forced.as_ref().map(|f| &f.curve);
     if facts.criticals.get().is_some() || forced.is_some() {
         match facts.criticals.get().map_or(forced, |found| found.response.as_ref()) {
@@ -60,13 +61,13 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         out.amplitudes.iter_mut().for_each(|a| a.1.reverse());
     }
     out.shown = shown(facts, &out);
-    let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty());
+    let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty() && out.unstable_response.is_empty());
     known.then_some(out)
 }
 
 /// From well below the lowest event or the operating speed on.
 fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
-    let events = over.unstable.iter().map(|u| u.from).chain(over.resonances.iter().map(|r| r.speed)).chain(over.jumps.iter().copied());
+    let events = over.unstable.iter().map(|u| u.from).chain(over.unstable_response.iter().map(|u| u.0)).chain(over.resonances.iter().map(|r| r.speed)).chain(over.jumps.iter().copied());
     let lowest = events.chain(facts.operating.map(|o| o.low)).fold(f64::INFINITY, f64::min);
     let from = if lowest.is_finite() { SHOWN * lowest } else { 0.0 };
     (from.max(over.range.0), over.range.1)
@@ -132,5 +133,20 @@ fn jumps(facts: &Facts) -> Vec<f64> {
     let found = responses.flat_map(|o| &o.findings).filter(|f| f.id == "jump_up" || f.id == "jump_down");
     let mut out: Vec<f64> = found.filter_map(|f| f.value).map(|w| facts.sign * w).filter(|w| *w > 0.0).collect();
     ascending(&mut out);
+    out
+}
+
+/// Ranges in which a nonlinear response of the file has no stable motion, where the linearised machine is not unstable.
+fn unstable_responses(facts: &Facts, linear: &[Unstable]) -> Vec<(f64, f64)> {
+    let responses = facts.outcomes.iter().filter(|o| o.kind == NonlinearResponse::KIND);
+    let marks = responses.flat_map(|o| &o.figures).filter(|f| f.name == "response").flat_map(|f| f.panels.first()).flat_map(|p| &p.marks);
+    let bands = marks.filter_map(|m| match m {
+        Mark::Band(Band { place: BandPlace::X(a, b), strip: true, .. }) => Some((facts.sign * a, facts.sign * b)),
+        _ => None,
+    });
+    let mut out: Vec<(f64, f64)> = bands.map(|(a, b)| (a.min(b), a.max(b))).filter(|r| r.1 > 0.0).collect();
+    out.retain(|r| !linear.iter().any(|u| u.from <= r.1 && r.0 <= u.to));
+    out.sort_by(|a, b| a.0.total_cmp(&b.0));
+    out.dedup();
     out
 }

@@ -8,6 +8,7 @@ pub(in crate::study) mod probes;
 pub(in crate::study) mod region;
 pub(in crate::study) mod size;
 pub mod speed_range;
+pub mod stations;
 pub mod support;
 pub(in crate::study) mod validity;
 pub(in crate::study) mod watch;

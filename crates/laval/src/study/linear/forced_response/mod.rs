@@ -10,6 +10,8 @@
 //! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
 
 mod observed;
+mod orbits;
+mod polar;
 mod report;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -30,6 +32,7 @@ use crate::study::{Context, Study};
 use laval_num::order::SortByNumber;
 use observed::observed;
 pub use observed::{Observations, Outside, Shows};
+pub use orbits::{AtSpeed, Gap, Orbits, Reason};
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
@@ -47,7 +50,8 @@ impl Study for ForcedResponse {
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
 "#;
     const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and \
-        wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located. \
+        wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; \
+        orbits and deflected shapes at the operating speed and at the largest resonances. \
         Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
     const FIELDS: &'static [Field] = &[Field::required(
         "speed",
@@ -115,9 +119,10 @@ impl Study for ForcedResponse {
             let there = response(system, &state, e.speed)?;
             *direction = there.map_or(f64::NAN, |r| r.direction_of(&system.probes()[e.probe]));
         }
+        let orbits = orbits::orbits(self, system, &state, &found)?;
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
         let end = context.end(found.complete);
-        Ok(ForcedResponseResult { curve: found, strongest, observed, directions, states, end })
+        Ok(ForcedResponseResult { curve: found, strongest, observed, directions, orbits, states, end })
     }
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -144,6 +149,8 @@ pub struct ForcedResponseResult {
     pub observed: Observations,
     /// Angle of the major axis of the orbit from x at the largest resonance of a displacement, and of a tilt, rad; NaN where there is none.
     pub directions: [f64; 2],
+    /// Motions at the operating speed and at resonances.
+    pub orbits: Orbits,
     /// States at the ends of the range.
     pub states: EndStates,
     /// How the study ended.

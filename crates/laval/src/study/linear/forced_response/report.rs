@@ -1,5 +1,6 @@
 //! Findings, tables and the figure of a linear response.
 
+use super::polar::Polar;
 use super::{ForcedResponse, ForcedResponseResult, largest};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
@@ -57,6 +58,14 @@ impl<'a> Shown<'a> {
         if !one {
             out = out.table(extrema);
             out = if figure.panels.is_empty() { out } else { out.figure(figure) };
+            if let Some(polar) = Polar::of(self.system, self.result) {
+                out = out.table(polar.table().build().map_err(inconsistent)?).figure(polar.figure());
+            }
+        }
+        let orbits = &self.result.orbits;
+        if !orbits.at.is_empty() {
+            out = out.table(orbits.table().build().map_err(inconsistent)?).figure(orbits.orbit_figure(self.system));
+            out = orbits.shape_figure(self.system).into_iter().fold(out, Outcome::figure);
         }
         out.checked().map_err(inconsistent)
     }

@@ -11,6 +11,7 @@
 
 mod findings;
 mod report;
+mod shapes;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -26,6 +27,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{ABOUT, About, SPEED, admit_roots, admit_threshold, speed};
 use crate::study::{Context, Study};
 use serde::{Deserialize, Serialize};
+pub use shapes::Shapes;
 
 /// See the [module](self).
 pub struct Modes {
@@ -48,6 +50,8 @@ pub struct ModesResult {
     pub spectrum: Spectrum,
     /// Of a machine with parts that have no time form: its roots, and where they were counted.
     pub roots: Option<Roots>,
+    /// How every point of a machine with several moves in each mode.
+    pub shapes: Option<Shapes>,
     /// Number of growing roots by the argument principle, of a machine that holds the fit of a part.
     pub growing: Option<usize>,
     /// How the study ended.
@@ -77,8 +81,8 @@ impl Study for Modes {
     const KIND: &'static str = "modes";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 "#;
-    const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, and how much each body \
-        takes part. about = \"turning\" linearises about the state that turns with the rotor.";
+    const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body \
+        takes part, and the shape along the axis of a machine with several points. about = \"turning\" linearises about the state that turns with the rotor.";
     const FIELDS: &'static [Field] =
         &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD, region::FREQUENCY_LIMIT];
 
@@ -114,7 +118,8 @@ impl Study for Modes {
         };
         let growing =
             if roots.is_none() && holds_fit(system) { growing(&mut Characteristic::new(system, &about), &spectrum) } else { None };
-        Ok(ModesResult { about, spectrum, roots, growing, end: context.end(!context.cancelled()) })
+        let shapes = Shapes::of(system, &spectrum.modes);
+        Ok(ModesResult { about, spectrum, roots, shapes, growing, end: context.end(!context.cancelled()) })
     }
 
     fn report(&self, system: &System, result: &ModesResult, name: &str) -> Result<Outcome, Diagnostic> {

@@ -47,6 +47,10 @@ impl<'a> Shown<'a> {
         if let Some(roots) = &self.result.roots {
             out = out.table(region::areas(roots)?);
         }
+        if let Some(shapes) = &self.result.shapes {
+            let figure = shapes.figure(self.system, self.modes(), self.study.speed, |m| self.grows(m));
+            out = out.table(shapes.table().build().map_err(inconsistent)?).figure(figure);
+        }
         // a table tells few modes better
         out = if self.modes().len() < FEW { out } else { out.figure(self.figure()) };
         out.checked().map_err(inconsistent)

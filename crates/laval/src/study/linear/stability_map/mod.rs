@@ -10,6 +10,7 @@
 //! Sources: `docs/theory/linear-vibration.md#stability-boundaries`, `docs/theory/liquid-plane-flow.md#instability`.
 
 mod findings;
+mod regions;
 mod report;
 
 use super::criterion::{CRITERION, Criterion};

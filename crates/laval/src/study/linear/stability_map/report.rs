@@ -1,5 +1,6 @@
 //! Tables, special points and the figure of a stability map.
 
+use super::regions::Regions;
 use super::{StabilityMap, StabilityMapResult};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -96,6 +97,9 @@ impl<'a> Shown<'a> {
         // along the speed there are no boundaries and peaks at one speed, and without a parameter no curve
         if !one {
             out = out.table(self.boundary_table()?).table(self.peaks_table()?);
+        }
+        if two && !self.regions().is_empty() {
+            out = out.table(self.regions().table(&self.name, self.unit).build().map_err(inconsistent)?);
         }
         // where nothing is known to grow there is nothing to draw
         if grows && (two || !one) {
@@ -215,6 +219,30 @@ impl<'a> Shown<'a> {
             .map_err(inconsistent)
     }
 
+    /// Unstable regions, where all of their boundary is located.
+    fn regions(&self) -> Regions {
+        if self.endless || !self.two() || self.study.speed.is_one() || !self.complete() || self.edges.iter().any(|e| !e.1.located) {
+            return Regions::default();
+        }
+        let rows = self.rows().iter().enumerate();
+        Regions::of(&rows.map(|(k, r)| (self.value(k), r.unstable_ranges(self.threshold))).collect::<Vec<_>>())
+    }
+
+    /// Growth rates of which the map has curves: halves of the largest.
+    fn levels(&self) -> Vec<f64> {
+        let most = self.cells.iter().map(|c| c.sample.value.re).filter(|g| g.is_finite()).fold(0.0, f64::max);
+        let round = |x: f64| {
+            let power = 10f64.powf(x.log10().floor());
+            [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|v| *v <= x * (1.0 + 1e-9)).unwrap_or(power)
+        };
+        if !(most > self.threshold.max(0.0)) {
+            return Vec::new();
+        }
+        let mut out: Vec<f64> = [0.8, 0.4, 0.15].into_iter().map(|share| round(share * most)).filter(|g| *g > self.threshold).collect();
+        out.dedup();
+        out
+    }
+
     /// Largest growth rate at a speed, between the speeds of the map; NaN where it is not known.
     fn growth_at(&self, speed: f64) -> f64 {
         let known: Vec<(f64, f64)> = self.cells.iter().filter(|c| !self.unknown(c)).map(|c| (c.sample.speed, c.sample.value.re)).collect();
@@ -253,9 +281,14 @@ impl<'a> Shown<'a> {
             return figure.x(Axis::parameter(&name, unit)).panel(growth);
         }
         if self.two() {
-            let heat = Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(threshold);
+            let heat = Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging();
+            let located = !self.regions().is_empty();
+            let heat = if located { heat.curves(self.levels()) } else { heat.contour(threshold) };
             let alt = Message::new("stability-map-alt-map").arg("parameter", parameter_name(&name));
             let mut panel = Panel::new(Axis::parameter(&name, unit)).mark(heat);
+            if located {
+                panel = panel.mark(Band::across("regions", name.clone(), "from", "to").bad().name("unstable"));
+            }
             if let Some(o) = &operating {
                 panel = panel.mark(o.rule());
             }

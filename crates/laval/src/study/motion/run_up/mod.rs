@@ -225,6 +225,7 @@ hold = "2 s"
             no_account,
             last_turns,
             moved_roots: moved_roots(exact, &timed, last.speed, context),
+            natural: spectra::natural(exact, &spectra),
             spectra,
         };
         let record = MotionRecord::of(&mut motion, &trajectory, beside);

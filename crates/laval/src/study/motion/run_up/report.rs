@@ -30,7 +30,7 @@ pub(super) fn report(study: &RunUp, system: &System, result: &RunUpResult, name:
     outcome = history::common_findings(system, record, outcome);
     outcome = envelope_shown(study, system, result, outcome)?;
     if let Some(spectra) = &study.spectra {
-        outcome = spectra.report(&record.spectra, outcome)?;
+        outcome = spectra.report(record, outcome)?;
     }
     let outcome = history::shown(system, record, None, outcome)?;
     balance::report(system, record, outcome)

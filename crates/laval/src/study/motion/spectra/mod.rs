@@ -15,8 +15,10 @@
 //! Sources: F. J. Harris, Proc. IEEE 66 (1978) 51 (windows); P. Goldman and A. Muszynska, J. Eng. Gas Turbines Power 121 (1999) 524 (full spectrum).
 
 mod analyse;
+mod natural;
 mod report;
 
+use super::record::MotionRecord;
 use super::start::Start;
 use super::turns::{merged, separated};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -27,6 +29,8 @@ use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use analyse::Record;
 pub use analyse::{Part, Window};
+pub use natural::NaturalFrequency;
+pub(in crate::study) use natural::natural;
 use std::f64::consts::TAU;
 
 /// `waterfall`.
@@ -140,7 +144,7 @@ impl Spectra {
     ///
     /// # Errors
     /// A table that contradicts itself.
-    pub fn report(&self, windows: &[Window], outcome: Outcome) -> Result<Outcome, Diagnostic> {
-        report::report(self, windows, outcome)
+    pub fn report(&self, record: &MotionRecord, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+        report::report(self, &record.spectra, &record.natural, outcome)
     }
 }

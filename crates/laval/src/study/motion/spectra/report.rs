@@ -2,6 +2,7 @@
 
 use super::Spectra;
 use super::analyse::{Part, Window};
+use super::natural::{self, NaturalFrequency};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Line, Message, Outcome, Panel, Rule, Table};
 use crate::study::shared::support::inconsistent;
@@ -79,7 +80,7 @@ struct Seen {
     at: usize,
 }
 
-pub(super) fn report(spectra: &Spectra, windows: &[Window], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+pub(super) fn report(spectra: &Spectra, windows: &[Window], natural: &[NaturalFrequency], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     if windows.is_empty() {
         return Ok(outcome.finding(Finding::info("no_spectra", "spectra-none")));
     }
@@ -109,7 +110,14 @@ pub(super) fn report(spectra: &Spectra, windows: &[Window], mut outcome: Outcome
             .float("amplitude", "m", "radius of the circular part of this line", rows.iter().map(|r| r.1.1).collect())
             .build()
             .map_err(inconsistent)?;
-        outcome = outcome.table(table).figure(figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1), drawn_range(&rows, y.0)));
+        let mut drawn = figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1), drawn_range(&rows, y.0));
+        if let Some(panel) = drawn.panels.first_mut().filter(|_| !natural.is_empty()) {
+            panel.marks.push(natural::line(natural, if along_speed { "speed" } else { "t" }, y.0).into());
+        }
+        outcome = outcome.table(table).figure(drawn);
+    }
+    if outcome.find_table("waterfall").or(outcome.find_table("order_spectra")).is_some() && !natural.is_empty() {
+        outcome = outcome.table(natural::table(natural).build().map_err(inconsistent)?);
     }
     if outcome.find_table("waterfall").is_some() {
         outcome = outcome.table(spin_orders(spectra, windows)?);

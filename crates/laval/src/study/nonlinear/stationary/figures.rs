@@ -1,6 +1,7 @@
 //! Figures: displacement, unbalance and angles over the speed; the chart; what errors cost.
 
 use super::chart::{Chart, WORDS as CELLS};
+use super::classify::WORDS as CLASSES;
 use super::errors::Errors;
 use super::report::{Report, Reported, column_of};
 use super::{findings, unit_of, wide};
@@ -20,6 +21,14 @@ fn axis(label: Arg, unit: &str) -> Axis {
         "kg" => Axis::new(label, "g").factor(1e3),
         _ => Axis::new(label, unit),
     }
+}
+
+/// What happens at special points of branches, as tables call it.
+const CHANGES: &[&str] = &["fold", "branch_point", "hopf", "real_root"];
+
+/// Words of a column, and how a legend calls them.
+fn called(key: &'static str, words: &[&'static str]) -> Vec<(String, Arg)> {
+    words.iter().map(|w| (w.replace('_', " "), Message::new(key).arg("word", Arg::word(w)).into())).collect()
 }
 
 /// Branches of which the angles can be distinguished from each other.
@@ -56,7 +65,8 @@ impl Report<'_> {
         let mut panels = Vec::new();
         let most = largest(reported.points.iter().map(|p| p.seen.radius()));
         let line = |column: String| {
-            Line::new("branches", "speed", column).group("kind").begins_where("begins").solid_where("stable").meaning("stable", "unstable")
+            let line = Line::new("branches", "speed", column).group("kind").called(called("stationary-class", CLASSES));
+            line.begins_where("begins").solid_where("stable").meaning("stable", "unstable")
         };
         let changes = self.found.paths.iter().any(|p| !p.special.is_empty());
         // of several bodies the table of continua tells the largest distance only
@@ -68,7 +78,7 @@ impl Report<'_> {
             let mut panel = Panel::new(Axis::new(Arg::of("distance from the axis", Arg::name(&body.name)), "m").metres(most))
                 .mark(line(column.clone()));
             if changes {
-                panel = panel.mark(Points::new("changes", "speed", column).group("change"));
+                panel = panel.mark(Points::new("changes", "speed", column).group("change").called(called("stationary-change", CHANGES)));
             }
             if alone {
                 panel = panel.mark(continua("radius"));

@@ -1,0 +1,225 @@
+//! A machine that lies: the rotor from left to right, its supports and what they stand on below it, numbers at the parts and their names below.
+
+use super::super::super::text::px;
+use super::glyphs::{ball, ground, joint, lines, reach, rect, text};
+use super::{Body, Parts, WIDTH};
+use crate::outcome::Joint;
+use std::fmt::Write;
+
+const LEFT: f64 = 44.0;
+const RIGHT: f64 = WIDTH - 44.0;
+/// Half height and half length of a disc, most of a body with a cavity; least distance of two places.
+const DISC: (f64, f64) = (36.0, 11.0);
+const CAVITY: (f64, f64) = (44.0, 60.0);
+const APART: f64 = 46.0;
+/// Length of supports, height of what they stand on.
+const SUPPORT: f64 = 46.0;
+const BLOCK: f64 = 22.0;
+const SHAFT: f64 = 5.0;
+const LINE: f64 = 15.0;
+
+/// Numbers at the parts, and their names.
+#[derive(Default)]
+struct Key {
+    entries: Vec<(String, String)>,
+}
+
+impl Key {
+    fn mark(&mut self, s: &mut String, (x, y): (f64, f64), name: &str, values: &str) {
+        self.entries.push((name.into(), values.into()));
+        let _ = write!(s, "<circle class=\"num\" cx=\"{}\" cy=\"{}\" r=\"7.5\"/>", px(x), px(y));
+        let _ = write!(s, "<text class=\"dl b\" text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y + 4.0), self.entries.len());
+    }
+}
+
+/// A joint at a place, downwards to a block or to the ground (`None`).
+struct Support<'a> {
+    x: f64,
+    to: Option<usize>,
+    joint: Joint,
+    name: &'a str,
+    text: &'a str,
+    upwards: bool,
+}
+
+pub(super) fn lying(parts: &Parts) -> (String, String) {
+    let rotors: Vec<usize> = (0..parts.bodies.len()).filter(|&k| parts.bodies[k].rotor).collect();
+    let blocks: Vec<usize> = (0..parts.bodies.len()).filter(|&k| !parts.bodies[k].rotor).collect();
+    let at = places(parts);
+    let half = |k: &usize| shape(&parts.bodies[*k]);
+    let tallest = rotors.iter().map(|k| half(k).0).fold(DISC.0, f64::max);
+    let supports = supports(parts, &rotors, &blocks, &at);
+    let above = supports.iter().any(|p| p.upwards);
+    let axis = if above { 60.0 } else { 20.0 } + tallest;
+    let mut s = String::new();
+    let mut key = Key::default();
+    // the rotor
+    let xs: Vec<f64> = rotors.iter().map(|&k| at(k, 0.0)).chain(supports.iter().map(|p| p.x)).collect();
+    let (first, last) = xs.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+    let _ = write!(s, "<path class=\"axis\" d=\"M{} {y}H{}\"/>", px(first - 34.0), px(last + 34.0), y = px(axis));
+    if !rotors.is_empty() {
+        rect(&mut s, "steel", (first - 16.0, axis - SHAFT), (last - first + 32.0, 2.0 * SHAFT));
+    }
+    for &k in &rotors {
+        let (b, x, (tall, long)) = (&parts.bodies[k], at(k, 0.0), half(&k));
+        body(&mut s, b, (x, axis), (tall, long));
+        key.mark(&mut s, (x + long + 10.0, axis - tall + 2.0), b.name, &b.text);
+        for r in parts.balls.iter().filter(|r| r.body == k) {
+            for t in 0..r.tracks {
+                let dx = 15.0 * (t as f64 - 0.5 * (r.tracks as f64 - 1.0));
+                ball(&mut s, x + dx, axis - tall + 9.0);
+                ball(&mut s, x + dx, axis + tall - 9.0);
+            }
+            key.mark(&mut s, (x + long + 10.0, axis + tall - 4.0), r.name, &r.text);
+        }
+    }
+    // shafts between bodies of the rotor
+    for l in &parts.links {
+        if let [Some(a), Some(b)] = l.ends
+            && parts.bodies[a.0].rotor
+            && parts.bodies[b.0].rotor
+        {
+            key.mark(&mut s, (0.5 * (at(a.0, a.1) + at(b.0, b.1)), axis - 16.0), l.name, &l.text);
+        }
+    }
+    // blocks below, each as wide as what stands on it
+    let top = |level: usize| axis + tallest + SUPPORT + (BLOCK + SUPPORT) * level as f64;
+    let floor = top(blocks.len());
+    for (level, &k) in blocks.iter().enumerate() {
+        let own: Vec<f64> = supports.iter().filter(|p| p.to == Some(level)).map(|p| p.x).collect();
+        let (from, to) = own.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x - 30.0), b.max(x + 30.0)));
+        let (from, to) = if from < to { (from, to) } else { (LEFT + 40.0, RIGHT - 40.0) };
+        rect(&mut s, "hous", (from, top(level)), (to - from, BLOCK));
+        let b = &parts.bodies[k];
+        key.mark(&mut s, (0.5 * (from + to), top(level) + 0.5 * BLOCK), b.name, &b.text);
+        if b.grounded.elastic || b.grounded.damped {
+            for x in [from + 20.0, to - 20.0] {
+                joint(&mut s, x, top(level) + BLOCK, floor, b.grounded);
+            }
+        }
+        // what joins it with blocks further down, and with the ground
+        let mut beside = 0.0;
+        for l in &parts.links {
+            let [a, b] = l.ends.map(|e| e.map(|e| e.0));
+            let other = if a == Some(k) { b } else { a };
+            let lower = other.map(|o| blocks.iter().position(|x| *x == o));
+            let target = match lower {
+                Some(Some(l)) if l > level => Some(top(l)),
+                None => Some(floor),
+                _ => None,
+            };
+            if let Some(to_y) = target.filter(|_| a == Some(k) || b == Some(k)) {
+                let x = 0.5 * (from + to) + beside;
+                joint(&mut s, x, top(level) + BLOCK, to_y, l.joint);
+                key.mark(&mut s, (x + reach(l.joint) + 10.0, top(level) + BLOCK + 0.5 * SUPPORT), l.name, &l.text);
+                beside += 44.0;
+            }
+        }
+    }
+    for p in &supports {
+        let foot = p.to.map_or(floor, top);
+        if p.upwards {
+            // on a body it ends at its edge
+            let on = rotors.iter().find(|k| (at(**k, 0.0) - p.x).abs() < half(k).1);
+            let end = axis - on.map_or(SHAFT, |k| half(k).0);
+            let from = axis - tallest - 40.0;
+            joint(&mut s, p.x, from, end, p.joint);
+            ground(&mut s, p.x - 16.0, p.x + 16.0, from, true);
+            key.mark(&mut s, (p.x - reach(p.joint) - 10.0, 0.5 * (from + end)), p.name, p.text);
+        } else {
+            joint(&mut s, p.x, axis + SHAFT, foot, p.joint);
+            key.mark(&mut s, (p.x + reach(p.joint) + 10.0, 0.5 * (axis + tallest + foot)), p.name, p.text);
+        }
+    }
+    ground(&mut s, first.min(LEFT) - 20.0, last.max(RIGHT) + 20.0, floor, false);
+    let mut y = floor + 28.0;
+    for (k, (name, values)) in key.entries.iter().enumerate() {
+        text(&mut s, "dl b", (6.0, y), &(k + 1).to_string());
+        for (class, line) in lines(name, values, WIDTH - 34.0) {
+            text(&mut s, class, (28.0, y), &line);
+            y += LINE;
+        }
+        y += 3.0;
+    }
+    (s, px(y - 6.0))
+}
+
+/// What carries the rotor. Parts at one place stand beside each other; what would pass a block leads upwards.
+fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &impl Fn(usize, f64) -> f64) -> Vec<Support<'a>> {
+    let mut out: Vec<Support> = Vec::new();
+    for l in &parts.links {
+        let on = |e: Option<(usize, f64)>| e.filter(|e| rotors.contains(&e.0));
+        let (rotor, other) = match (on(l.ends[0]), on(l.ends[1])) {
+            (Some(r), None) => (r, l.ends[1]),
+            (None, Some(r)) => (r, l.ends[0]),
+            _ => continue,
+        };
+        let to = other.and_then(|o| blocks.iter().position(|b| *b == o.0));
+        let upwards = to.is_none() && !blocks.is_empty();
+        out.push(Support { x: at(rotor.0, rotor.1), to, joint: l.joint, name: l.name, text: &l.text, upwards });
+    }
+    let mut k = 0;
+    while k < out.len() {
+        let same: Vec<usize> = (0..out.len()).filter(|&j| (out[j].x - out[k].x).abs() < 1.0 && out[j].upwards == out[k].upwards).collect();
+        if same.len() > 1 && same[0] == k {
+            let (middle, step) = (out[k].x, 36.0);
+            for (i, &j) in same.iter().enumerate() {
+                out[j].x = middle + step * (i as f64 - 0.5 * (same.len() as f64 - 1.0));
+            }
+        }
+        k += 1;
+    }
+    out
+}
+
+/// Where a point of a body of the rotor is drawn: along the axis, but none nearer to another than [`APART`].
+fn places(parts: &Parts) -> impl Fn(usize, f64) -> f64 {
+    let place: Vec<f64> = parts.bodies.iter().map(|b| b.place).collect();
+    let rotor = |k: usize| parts.bodies[k].rotor;
+    let on = parts.links.iter().flat_map(|l| l.ends.into_iter().flatten()).filter(|e| rotor(e.0)).map(|e| place[e.0] + e.1);
+    let own = (0..place.len()).filter(|&k| rotor(k)).map(|k| place[k]);
+    let mut all: Vec<f64> = on.chain(own).collect();
+    all.sort_by(f64::total_cmp);
+    let size = all.last().zip(all.first()).map_or(0.0, |(b, a)| b - a);
+    all.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * size);
+    let count = all.len();
+    let apart = if count > 1 { APART.min((RIGHT - LEFT) / (count - 1) as f64) } else { 0.0 };
+    let even = |z: f64| if size > 0.0 { LEFT + (RIGHT - LEFT) * (z - all[0]) / size } else { 0.5 * (LEFT + RIGHT) };
+    let mut xs: Vec<f64> = all.iter().map(|z| even(*z)).collect();
+    for k in 1..count {
+        xs[k] = xs[k].max(xs[k - 1] + apart);
+    }
+    for k in (0..count.saturating_sub(1)).rev() {
+        xs[k] = xs[k].min(xs[k + 1] - apart);
+    }
+    // the last may have left the drawing
+    let over = xs.last().map_or(0.0, |x| (x - RIGHT).max(0.0));
+    let known: Vec<(f64, f64)> = all.into_iter().zip(xs.into_iter().map(move |x| x - over)).collect();
+    move |k: usize, height: f64| {
+        let z = place[k] + height;
+        let near = known.iter().min_by(|a, b| (a.0 - z).abs().total_cmp(&(b.0 - z).abs()));
+        near.map_or(0.5 * (LEFT + RIGHT), |n| n.1)
+    }
+}
+
+/// Half height and half length of a body of the rotor.
+fn shape(b: &Body) -> (f64, f64) {
+    match b.cavity {
+        Some((radius, _, height)) => {
+            let scale = (CAVITY.0 / radius).min(CAVITY.1 / (0.5 * height));
+            ((scale * radius + 7.0).max(20.0), (0.5 * scale * height + 7.0).max(16.0))
+        }
+        None => DISC,
+    }
+}
+
+fn body(s: &mut String, b: &Body, (x, y): (f64, f64), (tall, long): (f64, f64)) {
+    rect(s, "steel", (x - long, y - tall), (2.0 * long, 2.0 * tall));
+    let Some((radius, free, _)) = b.cavity else { return };
+    let (inner, depth) = (tall - 7.0, long - 7.0);
+    let layer = inner * (1.0 - (free / radius).clamp(0.0, 1.0));
+    rect(s, "hollow", (x - depth, y - inner), (2.0 * depth, 2.0 * inner));
+    for from in [y - inner, y + inner - layer] {
+        rect(s, "oil", (x - depth, from), (2.0 * depth, layer));
+    }
+}

@@ -1,0 +1,112 @@
+use super::*;
+
+fn body(name: &str, rotor: bool, place: f64) -> Block {
+    Block::Body {
+        name: name.into(),
+        rotor,
+        labels: vec![Arg::quantity(2.0, "kg")],
+        grounded: Joint { elastic: !rotor, damped: false, gap: false },
+        cavity: None,
+        place,
+    }
+}
+
+fn link(name: &str, ends: [Option<(&str, f64)>; 2], joint: Joint) -> Block {
+    let ends = ends.map(|e| e.map(|(b, z)| (b.to_string(), z)));
+    Block::Link { name: name.into(), kind: "part", ends, labels: vec![Arg::quantity(1e6, "N/m"), Arg::quantity(30.0, "N s/m")], joint }
+}
+
+const SPRING: Joint = Joint { elastic: true, damped: false, gap: false };
+const DAMPER: Joint = Joint { elastic: false, damped: true, gap: false };
+
+fn page(machine: Vec<Block>, horizontal: bool) -> String {
+    drawing(&Overview { machine, horizontal, ..Overview::default() }, &Style::default())
+}
+
+/// Places and texts of all labels.
+fn texts(svg: &str) -> Vec<(f64, f64, String)> {
+    let number = |tag: &str, name: &str| -> f64 {
+        tag.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    };
+    let one = |t: &str| {
+        let (tag, rest) = t.split_once('>').unwrap();
+        (number(tag, "x"), number(tag, "y"), rest.split('<').next().unwrap().to_string())
+    };
+    svg.split("<text").skip(1).map(one).collect()
+}
+
+/// Twelve bodies on long names: every word is there, none upon another, all within the drawing.
+#[test]
+fn every_label_is_whole_and_none_lies_upon_another() {
+    let long = "сепаратор с самоочищающимся барабаном и гидравлическим приводом";
+    let mut machine: Vec<Block> = (0..12).map(|k| body(&format!("body {k} {long}"), k < 9, -0.1 * f64::from(k))).collect();
+    for k in 0..11 {
+        let ends = [Some((k, 0.0)), Some((k + 1, 0.0))].map(|e| e.map(|(k, z)| (format!("body {k} {long}"), z)));
+        machine.push(Block::Link { name: format!("link {k} {long}"), kind: "part", ends, labels: Vec::new(), joint: SPRING });
+    }
+    for horizontal in [false, true] {
+        let svg = page(machine.clone(), horizontal);
+        let all = texts(&svg);
+        let said: String = all.iter().map(|t| t.2.replace(' ', "")).collect();
+        for k in 0..12 {
+            assert!(said.contains(&format!("body{k}{}", long.replace(' ', ""))), "{horizontal} {k}");
+        }
+        let height: f64 = svg.split("viewBox=\"0 0 372 ").nth(1).unwrap().split('"').next().unwrap().parse().unwrap();
+        for (i, a) in all.iter().enumerate() {
+            let wide = super::super::super::text::width(&a.2, 11.5);
+            assert!(a.0 >= 0.0 && a.1 <= height, "{a:?} of {height}");
+            assert!(a.2.len() <= 2 || a.0 + wide <= WIDTH + 1.0, "{a:?} {wide}");
+            for b in all[..i].iter().filter(|b| b.2.len() > 2 && a.2.len() > 2) {
+                assert!((a.1 - b.1).abs() > 10.0, "{a:?} {b:?}");
+            }
+        }
+    }
+}
+
+/// A damper is a piston in a cylinder, a spring a zigzag, both stand side by side; a gap has two plates.
+#[test]
+fn parts_have_their_signs() {
+    let draw = |joint: Joint| page(vec![body("disc", true, 0.0), link("l", [Some(("disc", 0.0)), None], joint)], false);
+    let signs = |svg: &str| -> Vec<String> {
+        svg.split("<path class=\"spr\" d=\"").skip(1).map(|p| p.split('"').next().unwrap().to_string()).collect()
+    };
+    let zigzag = |d: &str| d.matches('L').count() > 5;
+    let piston = |d: &str| d.matches('H').count() == 2 && !d.contains('L');
+    let found = signs(&draw(SPRING));
+    assert!(found.len() == 1 && zigzag(&found[0]));
+    let found = signs(&draw(DAMPER));
+    assert!(found.len() == 1 && piston(&found[0]), "{found:?}");
+    let found = signs(&draw(Joint { damped: true, ..SPRING }));
+    assert!(found.len() == 2 && zigzag(&found[0]) && piston(&found[1]));
+    let found = signs(&draw(Joint { gap: true, ..SPRING }));
+    assert!(found.len() == 1 && zigzag(&found[0]) && found[0].matches('H').count() == 2);
+}
+
+/// Of a machine that lies the supports stand along the axis in the order and in proportion to their places.
+#[test]
+fn a_lying_rotor_has_its_supports_in_their_places() {
+    let machine = vec![
+        body("wheel", true, 0.0),
+        link("front", [Some(("wheel", -0.1)), None], SPRING),
+        link("rear", [Some(("wheel", -0.5)), None], SPRING),
+    ];
+    let svg = page(machine, true);
+    let start = |d: &str| -> f64 { d[1..].split(' ').next().unwrap().parse().unwrap() };
+    let xs: Vec<f64> = svg.split("<path class=\"spr\" d=\"").skip(1).map(start).collect();
+    let wheel = svg.split("<rect class=\"steel\"").nth(2).unwrap();
+    let x: f64 = wheel.split("x=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap();
+    let wheel = x + 11.0;
+    assert!(xs.len() == 2 && xs[1] < xs[0] && xs[0] < wheel, "{xs:?} {wheel}");
+    assert!(((wheel - xs[0]) / (wheel - xs[1]) - 0.2).abs() < 0.02, "{xs:?} {wheel}");
+}
+
+#[test]
+fn balls_are_drawn_in_their_body() {
+    let balls = Block::Balls { name: "ring".into(), body: "disc".into(), count: 3, tracks: 2, labels: Vec::new() };
+    for horizontal in [false, true] {
+        let svg = page(vec![body("disc", true, 0.0), balls.clone()], horizontal);
+        // two tracks, each cut twice
+        assert_eq!(svg.matches("class=\"ballk\"").count(), 4);
+        assert!(svg.contains("3 balls") && svg.contains(">ring<"));
+    }
+}

@@ -1,0 +1,86 @@
+//! Natural frequencies of the machine linearised at rest, for waterfalls: lines that a motion may meet.
+
+use super::analyse::Window;
+use crate::model::system::System;
+use crate::outcome::{Arg, Line, Table, TableBuilder};
+use crate::solve::pencil::{Whirl, modes_about};
+use crate::solve::rest::rest;
+use crate::solve::roots::transcendental;
+use serde::{Deserialize, Serialize};
+
+/// Instants at which modes are computed, at most, and lines on each side of zero.
+const INSTANTS: usize = 24;
+const LINES: usize = 8;
+/// Name of the table.
+const NAME: &str = "natural_frequencies";
+
+/// A natural frequency at one instant of a motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NaturalFrequency {
+    /// Time at the middle of the window, s.
+    pub t: f64,
+    /// Spin speed there, rad/s.
+    pub speed: f64,
+    /// Number in order of size, negative for a backward whirl.
+    pub line: i64,
+    /// rad/s; negative turns against the rotor.
+    pub frequency: f64,
+}
+
+/// Lines over the instants of these windows, one after the other; empty where the machine cannot be linearised at rest. A mode without direction of whirl is
+/// on both sides of zero.
+pub(in crate::study) fn natural(system: &System, windows: &[Window]) -> Vec<NaturalFrequency> {
+    let mut out = Vec::new();
+    // the roots of a machine without form in time take seconds at every speed
+    if transcendental(system) {
+        return out;
+    }
+    let count = windows.len().min(INSTANTS);
+    for k in 0..count {
+        let w = &windows[if count > 1 { k * (windows.len() - 1) / (count - 1) } else { 0 }];
+        let Ok(spectrum) = rest(system, w.speed).and_then(|about| modes_about(system, &about, false)) else { continue };
+        for (side, not) in [(1, Whirl::Backward), (-1, Whirl::Forward)] {
+            let own = spectrum.modes.iter().filter(|m| m.whirl != Whirl::None && m.whirl != not && m.frequency() > 0.0);
+            let mut all: Vec<f64> = own.map(|m| m.frequency()).collect();
+            all.sort_by(f64::total_cmp);
+            let line = |(i, f): (usize, f64)| NaturalFrequency {
+                t: w.t,
+                speed: w.speed,
+                line: side * (i as i64 + 1),
+                frequency: side as f64 * f,
+            };
+            out.extend(all.into_iter().take(LINES).enumerate().map(line));
+        }
+    }
+    out.sort_by_key(|r| r.line);
+    out
+}
+
+pub(super) fn table(rows: &[NaturalFrequency]) -> TableBuilder {
+    let column = |f: fn(&NaturalFrequency) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
+    Table::new(NAME, "Natural frequencies of the machine linearised at rest, backward ones negative")
+        .int("line", "", "number in order of frequency, negative for backward whirl", rows.iter().map(|r| r.line).collect())
+        .float("t", "s", "time at the middle of the window", column(|r| r.t))
+        .float("speed", "rad/s", "spin speed there", column(|r| r.speed))
+        .float("frequency", "rad/s", "natural frequency; negative turns against the rotor", column(|r| r.frequency))
+        .float(
+            "order",
+            "",
+            "natural frequency over spin frequency",
+            column(|r| if r.speed == 0.0 { f64::NAN } else { r.frequency / r.speed.abs() }),
+        )
+        .flag("observed", "found in the motion; these are computed", vec![false; rows.len()])
+}
+
+/// The lines, dashed and without names of their own.
+pub(super) fn line(rows: &[NaturalFrequency], x: &str, y: &str) -> Line {
+    let mut names: Vec<(String, Arg)> = Vec::new();
+    for r in rows {
+        let key = format!("line {}", r.line);
+        if names.iter().all(|n| n.0 != key) {
+            names.push((key, Arg::default()));
+        }
+    }
+    let line = Line::new(NAME, x, y).group("line").called(names).reference();
+    line.solid_where("observed").meaning(Arg::default(), "natural frequency")
+}

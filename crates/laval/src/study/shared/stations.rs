@@ -1,0 +1,226 @@
+//! Stations of a machine along its axis: every point of a body whose displacement is known, with its place, for pictures of shapes and orbits.
+
+use crate::model::capability::scope::Axis;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::Link;
+use crate::model::probe::Sight;
+use crate::model::system::{Body, System};
+use crate::outcome::{TableBuilder, Tiles};
+use crate::solve::sectors::circular;
+use laval_num::complex::C64;
+use serde::{Deserialize, Serialize};
+
+/// A point of a body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Station {
+    /// Name of the body.
+    pub body: String,
+    /// Height above its reference point, m.
+    pub height: f64,
+    /// Place along the axis of the machine, m; where that is not known, in steps.
+    pub place: f64,
+    /// Stations of one line are joined: those of the shaft, and of every body beside it.
+    pub line: usize,
+    /// Something is attached there, or names it; else an end of a body, which shows its tilt.
+    pub named: bool,
+    /// Both components of the displacement over the coordinates.
+    pub rows: [Vec<(usize, f64)>; 2],
+}
+
+/// All stations, bodies in the order of the machine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stations {
+    /// In the order of bodies, each from its lowest to its highest.
+    pub all: Vec<Station>,
+    /// Places are distances; else bodies stand one below the other in equal steps.
+    pub to_scale: bool,
+}
+
+/// Share of the extent of a machine within which two places are one.
+const SAME: f64 = 1e-9;
+
+impl Stations {
+    /// The stations of a machine.
+    pub fn of(system: &System) -> Stations {
+        let bodies = system.bodies();
+        let masses = masses(system);
+        let mut all = Vec::new();
+        for (k, body) in bodies.iter().enumerate() {
+            let mut own: Vec<Station> = system.probes().iter().filter(|p| p.body == k).filter_map(|p| named(body, p)).collect();
+            own.extend(ends(body, &own, masses[k]));
+            own.sort_by(|a, b| a.height.total_cmp(&b.height));
+            all.extend(own);
+        }
+        let (lines, offsets) = (lines(system, &bodies), offsets(system, &bodies));
+        let number = |name: &str| bodies.iter().position(|b| b.name == name).unwrap_or_default();
+        for s in &mut all {
+            let k = number(&s.body);
+            (s.line, s.place) = (lines[k], offsets[k] + s.height);
+        }
+        let mut out = Stations { all, to_scale: true };
+        if out.coincide(&bodies, &lines) {
+            out.stack(system, &bodies);
+        }
+        out
+    }
+
+    /// More than a single point moves.
+    pub fn have_shape(&self) -> bool {
+        self.all.len() > 1
+    }
+
+    /// Nothing is known of where bodies stand: all places are one, or those of two bodies of a shaft are.
+    fn coincide(&self, bodies: &[Body], lines: &[usize]) -> bool {
+        let extent = |own: &mut dyn Iterator<Item = f64>| own.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let (low, high) = extent(&mut self.all.iter().map(|s| s.place));
+        let size = low.abs().max(high.abs());
+        let of = |k: usize| extent(&mut self.all.iter().filter(|s| s.body == bodies[k].name).map(|s| s.place));
+        let pairs = (0..bodies.len()).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|(i, j)| lines[*i] == lines[*j]);
+        let overlap = |(i, j): (usize, usize)| {
+            let (a, b) = (of(i), of(j));
+            a.0.max(b.0) <= a.1.min(b.1) + SAME * size
+        };
+        high - low <= SAME * size || pairs.into_iter().any(overlap)
+    }
+
+    /// Bodies one below the other: what turns above what carries it.
+    fn stack(&mut self, system: &System, bodies: &[Body]) {
+        self.to_scale = false;
+        let mut order: Vec<&Body> = bodies.iter().collect();
+        order.sort_by_key(|b| !turns(system, b));
+        let extent = |name: &str| {
+            let own = self.all.iter().filter(|s| s.body == name).map(|s| s.height);
+            own.fold((0.0f64, 0.0f64), |(a, b), x| (a.min(x), b.max(x)))
+        };
+        let extents: Vec<(f64, f64)> = order.iter().map(|b| extent(&b.name)).collect();
+        let largest = extents.iter().map(|(a, b)| b - a).fold(0.0, f64::max);
+        let gap = if largest > 0.0 { 0.6 * largest } else { 1.0 };
+        let mut top = 0.0;
+        for (b, (low, high)) in order.iter().zip(extents) {
+            for s in self.all.iter_mut().filter(|s| s.body == b.name) {
+                s.place = top - high + s.height;
+            }
+            top -= high - low + gap;
+        }
+    }
+
+    /// Forward and backward circular amplitudes of every station.
+    pub fn motion(&self, q: &[C64]) -> Vec<[C64; 2]> {
+        let along = |rows: &[(usize, f64)]| rows.iter().fold(C64::zero(), |s, &(g, x)| s + q[g].scale(x));
+        let one = |s: &Station| {
+            let (f, b) = circular(along(&s.rows[0]), along(&s.rows[1]));
+            [f, b]
+        };
+        self.all.iter().map(one).collect()
+    }
+
+    /// Adds the columns by which pictures are drawn: stations of all pictures one after the other, with the motion of each.
+    pub(in crate::study) fn columns(&self, table: TableBuilder, motions: &[&[[C64; 2]]], unit: &str) -> TableBuilder {
+        let rows = || motions.iter().flat_map(|m| self.all.iter().zip(m.iter()));
+        let number = |f: &dyn Fn(&Station, &[C64; 2]) -> f64| rows().map(|(s, m)| f(s, m)).collect::<Vec<f64>>();
+        let size = |m: &[C64; 2], sign: f64| m[0].abs() + sign * m[1].abs();
+        table
+            .names(Tiles::BODY, "body", rows().map(|r| r.0.body.clone()).collect())
+            .float(Tiles::HEIGHT, "m", "height above the reference point of the body", number(&|s, _| s.height))
+            .float(Tiles::PLACE, if self.to_scale { "m" } else { "" }, "place along the axis", number(&|s, _| s.place))
+            .int(Tiles::LINE, "", "stations of one line are joined", rows().map(|r| r.0.line as i64).collect())
+            .flag(Tiles::NAMED, "something is attached there; else an end of the body", rows().map(|r| r.0.named).collect())
+            .float("major", unit, "semi-major axis of the orbit", number(&|_, m| size(m, 1.0)))
+            .float("minor", unit, "semi-minor axis of the orbit, negative for backward whirl", number(&|_, m| size(m, -1.0)))
+            .float(Tiles::FORWARD, unit, "forward amplitude", number(&|_, m| m[0].abs()))
+            .float(Tiles::FORWARD_PHASE, "rad", "angle of the forward amplitude", number(&|_, m| m[0].arg()))
+            .float(Tiles::BACKWARD, unit, "backward amplitude", number(&|_, m| m[1].abs()))
+            .float(Tiles::BACKWARD_PHASE, "rad", "angle of the backward amplitude", number(&|_, m| m[1].arg()))
+    }
+
+    /// Whether the axis lies.
+    pub fn horizontal(system: &System) -> bool {
+        system.machine.axis == Axis::Horizontal
+    }
+}
+
+/// The station of a probe of a displacement.
+fn named(body: &Body, probe: &crate::model::probe::Probe) -> Option<Station> {
+    let Sight::Displacement(height) = probe.sight else { return None };
+    Some(Station { body: body.name.clone(), height, place: 0.0, line: 0, named: true, rows: probe.rows.clone() })
+}
+
+/// Mass, and moment of inertia about a diameter through the reference point, of every body by itself.
+fn masses(system: &System) -> Vec<(f64, f64)> {
+    let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+    system.linear(system.params(), system.machine.speed.unwrap_or(0.0), Form::Frequency, &mut model, &mut scratch);
+    let m = &model.blocks.mass;
+    system.bodies().iter().map(|b| (m[(b.x, b.x)], b.tilt.map_or(0.0, |t| m[(t, t)]))).collect()
+}
+
+/// Ends of a body that tilts and whose other stations lie too near each other to show it: a radius of gyration from its reference point.
+fn ends(body: &Body, known: &[Station], (mass, inertia): (f64, f64)) -> Vec<Station> {
+    let Some(t) = body.tilt else { return Vec::new() };
+    let heights = known.iter().map(|s| s.height);
+    let (low, high) = heights.fold((0.0f64, 0.0f64), |(a, b), x| (a.min(x), b.max(x)));
+    let radius = (inertia / mass).sqrt();
+    let radius = if radius.is_finite() && radius > 0.0 { radius } else { high - low };
+    let radius = if radius > 0.0 { radius } else { 1.0 };
+    if high - low >= radius {
+        return Vec::new();
+    }
+    let one = |z: f64| Station {
+        body: body.name.clone(),
+        height: z,
+        place: 0.0,
+        line: 0,
+        named: false,
+        rows: [vec![(body.x, 1.0), (t + 1, z)], vec![(body.x + 1, 1.0), (t, -z)]],
+    };
+    // beside a station there is no need of an end
+    [-radius, radius].into_iter().filter(|z| known.iter().all(|s| (s.height - z).abs() > 0.2 * radius)).map(one).collect()
+}
+
+fn turns(system: &System, body: &Body) -> bool {
+    system.slots()[body.slot].part.body().is_some_and(|b| b.parameters().unbalance.is_some())
+}
+
+/// Pairs of bodies that a part joins, with the distance of the reference point of the second above that of the first.
+fn joints(system: &System, bodies: &[Body]) -> Vec<(usize, usize, f64)> {
+    let number = |name: &Option<String>| bodies.iter().position(|b| Some(&b.name) == name.as_ref());
+    let ports = system.slots().iter().flat_map(|s| &s.layout.ports);
+    let between = ports.filter_map(|p| match &p.link {
+        Link::Between(a, b) => Some((number(&a.body)?, number(&b.body)?, a.position - b.position)),
+        Link::On(_) => None,
+    });
+    between.filter(|(a, b, _)| a != b).collect()
+}
+
+/// The line of every body: bodies of a shaft, which turn and are joined, share one.
+fn lines(system: &System, bodies: &[Body]) -> Vec<usize> {
+    let mut line: Vec<usize> = (0..bodies.len()).collect();
+    for (a, b, _) in joints(system, bodies) {
+        if turns(system, &bodies[a]) && turns(system, &bodies[b]) {
+            let (keep, leave) = (line[a].min(line[b]), line[a].max(line[b]));
+            line.iter_mut().filter(|l| **l == leave).for_each(|l| *l = keep);
+        }
+    }
+    line
+}
+
+/// Place of the reference point of every body, from the points that parts join.
+fn offsets(system: &System, bodies: &[Body]) -> Vec<f64> {
+    let joints = joints(system, bodies);
+    let mut out: Vec<Option<f64>> = vec![None; bodies.len()];
+    for first in 0..bodies.len() {
+        if out[first].is_none() {
+            out[first] = Some(0.0);
+        }
+        // each pass reaches one body farther
+        for _ in 0..bodies.len() {
+            for &(a, b, d) in &joints {
+                match (out[a], out[b]) {
+                    (Some(x), None) => out[b] = Some(x + d),
+                    (None, Some(x)) => out[a] = Some(x - d),
+                    _ => {}
+                }
+            }
+        }
+    }
+    out.into_iter().map(|x| x.unwrap_or_default()).collect()
+}
