@@ -10,4 +10,5 @@ pub mod cavity;
 pub mod diagnostic;
 pub mod model;
 pub mod parts;
+pub mod text;
 pub mod units;
