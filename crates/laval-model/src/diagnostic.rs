@@ -1,7 +1,7 @@
 //! One thing that is wrong (or doubtful) in a file or a request, said once, with its place and help.
 
 use crate::text;
-use crate::text::Text;
+use crate::text::{Argument, Text};
 use std::fmt;
 use std::ops::Range;
 
@@ -87,6 +87,16 @@ impl Diagnostic {
     }
 }
 
+impl Diagnostic {
+    /// The sentence with its help in brackets.
+    pub fn sentence(&self) -> Text {
+        match &self.help {
+            Some(help) => text!("{message} ({help})", message = self.message, help),
+            None => self.message.clone(),
+        }
+    }
+}
+
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.message.fmt(f)?;
@@ -110,7 +120,9 @@ impl Diagnostics {
     /// Orders them by place, those without one first, and drops repetitions.
     pub fn sort_by_place(&mut self) {
         let key = |d: &Diagnostic| d.span.as_ref().map(|s| (s.start, s.end));
-        self.0.sort_by(|a, b| key(a).cmp(&key(b)).then_with(|| a.code.cmp(b.code)).then_with(|| a.message.to_string().cmp(&b.message.to_string())));
+        self.0.sort_by(|a, b| {
+            key(a).cmp(&key(b)).then_with(|| a.code.cmp(b.code)).then_with(|| a.message.to_string().cmp(&b.message.to_string()))
+        });
         self.0.dedup();
     }
     /// At least one error.
@@ -138,6 +150,11 @@ impl fmt::Display for Diagnostics {
     }
 }
 impl std::error::Error for Diagnostics {}
+
+/// A guess at what was meant, and the list of what there is.
+pub fn meant(near: impl Argument, list: Text) -> Text {
+    text!("did you mean {near}? {list}", near, list = text::sentence(list))
+}
 
 /// The candidate a mistyped word probably means: smallest number of single letters changed, left out, added or swapped with a
 /// neighbour, at most a third of the word; capitals do not count.

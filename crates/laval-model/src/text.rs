@@ -4,14 +4,14 @@ use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 
 /// A sentence or phrase: an English template with named places, and what stands in them. [`text!`](crate::text!) makes it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Text {
     template: &'static str,
     args: Box<[(&'static str, Arg)]>,
 }
 
 /// What stands in a place of a template.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Arg {
     /// The same in all languages: a name, a word of the file, a number with its unit.
     Plain(String),

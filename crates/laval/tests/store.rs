@@ -51,8 +51,8 @@ impl Progress for Reported {
     fn restored(&self, done: u64, total: u64) {
         self.restored.lock().unwrap().push((done, total));
     }
-    fn note(&self, text: &str) {
-        self.notes.lock().unwrap().push(text.into());
+    fn note(&self, text: &laval::text::Text) {
+        self.notes.lock().unwrap().push(text.to_string());
     }
 }
 

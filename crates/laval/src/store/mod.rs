@@ -40,6 +40,8 @@ pub use collected::Collected;
 
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, End, Finding, Message};
+use crate::text;
+use crate::text::Text;
 #[cfg(feature = "parquet")]
 use folder::Folder;
 use serde::{Deserialize, Serialize};
@@ -74,7 +76,7 @@ pub trait Host: Sync {
     /// Of the rows under way, how much is done.
     fn part(&self, _rows: f64) {}
     /// A remark that the result does not hold, because it does not depend on it.
-    fn note(&self, text: &str);
+    fn note(&self, text: &Text);
     /// Most rows; chunks that begin beyond are left out.
     fn most_rows(&self) -> u64;
 }
@@ -102,15 +104,20 @@ impl Plan {
     }
 
     fn check(&self) -> Result<(), Diagnostic> {
-        let wrong = |message: String| Err(Diagnostic::error("store.plan", message));
+        let wrong = |message: Text| Err(Diagnostic::error("store.plan", message));
         if self.rows == 0 || self.chunk == 0 || self.columns.is_empty() {
-            return wrong("a study needs at least one row, one row in a chunk, and one column".into());
+            return wrong(text!("a study needs at least one row, one row in a chunk, and one column"));
         }
         if self.chunks() > MOST_CHUNKS {
-            return wrong(format!("{} rows in chunks of {} are more than {MOST_CHUNKS} chunks", self.rows, self.chunk));
+            return wrong(text!(
+                "{rows} rows in chunks of {chunk} are more than {most} chunks",
+                rows = self.rows,
+                chunk = self.chunk,
+                most = MOST_CHUNKS
+            ));
         }
         match self.columns.iter().enumerate().find(|(i, c)| self.columns[..*i].iter().any(|o| o.name == c.name)) {
-            Some((_, c)) => wrong(format!("two columns are named \"{}\"", c.name)),
+            Some((_, c)) => wrong(text!("two columns are named \"{name}\"", name = c.name)),
             None => Ok(()),
         }
     }
@@ -174,7 +181,7 @@ impl Place {
             #[cfg(feature = "parquet")]
             Some(keep) => Folder::open(keep, plan, host).map(|f| Place::Folder(Box::new(f))),
             #[cfg(not(feature = "parquet"))]
-            Some(_) => Err(Diagnostic::error("store.parquet", "this build cannot write Parquet, which long studies are kept in")),
+            Some(_) => Err(Diagnostic::error("store.parquet", text!("this build cannot write Parquet, which long studies are kept in"))),
         }
     }
 
@@ -327,7 +334,7 @@ impl Results {
     /// When a chunk cannot be read.
     pub fn numbers(&self, column: &str) -> Result<Vec<f64>, Diagnostic> {
         let Some(c) = self.position(column) else {
-            return Err(Diagnostic::error("store.columns", format!("there is no column \"{column}\"")));
+            return Err(Diagnostic::error("store.columns", text!("there is no column \"{column}\"", column)));
         };
         let mut out = Vec::with_capacity(usize::try_from(self.done).unwrap_or_default());
         for chunk in self.chunks() {

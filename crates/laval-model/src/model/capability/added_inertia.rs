@@ -6,9 +6,9 @@ use super::super::params::{Parametric, Params};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Removed {
     /// How much of what, as a sentence without its stop.
-    pub what: String,
+    pub what: Text,
     /// What to change where too little is left.
-    pub help: &'static str,
+    pub help: Text,
 }
 
 /// A part whose added inertia may be negative.

@@ -29,6 +29,7 @@ use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or};
 use crate::study::{Context, Study};
+use crate::text;
 use laval_num::work::piece;
 use serde::{Deserialize, Serialize};
 
@@ -135,9 +136,9 @@ pub struct Campbell {
 pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
     if transcendental(system) {
-        context.announce(total as f64, COUNTS, "speeds at which roots are counted, one after another");
+        context.announce(total as f64, COUNTS, text!("speeds at which roots are counted, one after another"));
     } else {
-        context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+        context.announce(total as f64, 10_000.0, text!("eigenvalue problems to solve"));
     }
     let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
         context.progress.report(k as u64, total);

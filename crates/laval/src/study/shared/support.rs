@@ -10,6 +10,7 @@ use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
 use crate::solve::{rest, turning};
+use crate::text;
 use serde::{Deserialize, Serialize};
 
 /// Bounds of a spin speed, rad/s. Coefficients of bearings are given for one sense of turning, that of the axes: a machine that turns the other way is
@@ -157,9 +158,9 @@ pub fn admit_threshold(system: &System, speed: f64, threshold: f64) -> Result<()
     match decay_uncounted(system, speed) {
         Some(name) if threshold < 0.0 => Err(Diagnostic::error(
             "study.growth_threshold",
-            format!("with {name} roots are counted where they grow: whether one decays more slowly than at a growth_threshold below 0 is not known"),
+            text!("with {name} roots are counted where they grow: whether one decays more slowly than at a growth_threshold below 0 is not known", name = text::term(name)),
         )
-        .help("give a growth_threshold of 0 or more; a transient shows how fast a motion dies out")),
+        .help(text!("give a growth_threshold of 0 or more; a transient shows how fast a motion dies out"))),
         _ => Ok(()),
     }
 }
@@ -169,9 +170,9 @@ pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) ->
     let found = values.number("speed").or(system.machine.speed);
     if found.is_none() {
         diagnostics.push(
-            Diagnostic::error("study.speed", "this study needs a spin speed")
+            Diagnostic::error("study.speed", text!("this study needs a spin speed"))
                 .at(values.span_of("speed"))
-                .help("give speed = \"3000 rpm\" here, or once for all studies in [machine]"),
+                .help(text!("give speed = \"3000 rpm\" here, or once for all studies in [machine]")),
         );
     }
     found
@@ -208,7 +209,7 @@ pub fn range_or(
     diagnostics: &mut Diagnostics,
 ) -> Option<RangeValue> {
     let wrong = if range.is_one() {
-        let message = format!("{field} is one value, and this study needs a range");
+        let message = text!("{field} is one value, and this study needs a range", field);
         Some((message, format!("write {field} = {{ from = .., to = .. }}{one}")))
     } else if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
         Some((format!("{field} must go from a lower to a higher value"), apart(range.from, range.to).to_string()))
