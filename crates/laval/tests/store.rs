@@ -382,7 +382,7 @@ fn an_error_of_the_computation_keeps_what_was_written() {
     let dir = Dir::new("error");
     let keep = dir.keep();
     let context = Context { keep: Some(&keep), ..Context::quiet("s") };
-    let fail = |r: Range<usize>| if r.start < 40 { Ok(Some(rows(r))) } else { Err(Diagnostic::error("x", "no")) };
+    let fail = |r: Range<usize>| if r.start < 40 { Ok(Some(rows(r))) } else { Err(Diagnostic::error("x", laval::text!("no"))) };
     assert_eq!(store::run(plan(), &context, |r, _| fail(r)).err().unwrap().code, "x");
     let wrong = store::run(plan(), &context, |_, _| Ok(Some(vec![Cells::Float(vec![1.0])]))).err().unwrap();
     assert_eq!(wrong.code, "store.columns");

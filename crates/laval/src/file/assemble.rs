@@ -367,7 +367,7 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
         let map = "[[study]]\nkind = \"stability_map\"\nspeed = { from = 1, to = 100 }\n";
         let help = |studies: &str| {
             let l = load(&format!("{machine}{hertz}{studies}")).unwrap_or_else(|d| panic!("{d:?}"));
-            l.refusals()[0].diagnostic.help.as_deref().unwrap_or_default().to_string()
+            l.refusals()[0].diagnostic.help.as_ref().map_or_else(String::new, |h| h.to_string())
         };
         let campbell = "[[study]]\nkind = \"campbell\"\nspeed = { from = 1, to = 100 }\n";
         assert!(
