@@ -36,11 +36,8 @@ fn a_mistake_is_said_in_every_language() {
     let english = said(&[]);
     let want = "fan.toml:9:11: error[body.missing]: damper \"damper\" is attached to \"drun\", which does not exist\n  help: did you mean \"drum\"? Bodies of this machine: \"drum\", \"ground\"\n";
     assert_eq!(english, want);
-    let sentences = [
-        ("ru", "ошибка", "подсказка", "которого нет"),
-        ("kk", "қате", "кеңес", "денесі жоқ"),
-        ("uz", "xato", "maslahat", "mavjud emas"),
-    ];
+    let sentences =
+        [("ru", "ошибка", "подсказка", "которого нет"), ("kk", "қате", "кеңес", "денесі жоқ"), ("uz", "xato", "maslahat", "mavjud emas")];
     for (language, error, help, words) in sentences {
         let text = said(&["--lang", language]);
         assert!(text.contains(&format!(" {error}[")) && text.contains(&format!("\n  {help}: ")) && text.contains(words), "{text}");
@@ -85,8 +82,11 @@ fn the_file_and_the_environment_choose_the_language() {
     dir.laval(["check", "own.toml", "--lang", "ru"]).refused(&["ошибка[body.missing]"]);
     dir.file("broken.toml", format!("[report]\nlanguage = \"ru\"\n{WRONG}speed 3\n"));
     dir.laval(["check", "broken.toml"]).refused(&["ошибка[toml.syntax]"]);
-    dir.command(["check", "none.toml"]).env("LC_ALL", "ru_RU.UTF-8").output().map(|o| {
-        assert!(String::from_utf8(o.stderr).unwrap().starts_with("ошибка[file.read]"));
-    })
-    .unwrap();
+    dir.command(["check", "none.toml"])
+        .env("LC_ALL", "ru_RU.UTF-8")
+        .output()
+        .map(|o| {
+            assert!(String::from_utf8(o.stderr).unwrap().starts_with("ошибка[file.read]"));
+        })
+        .unwrap();
 }

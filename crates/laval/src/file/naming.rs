@@ -45,7 +45,7 @@ pub(super) fn read_kind<'n>(
         let mut d = Diagnostic::error("kind.unknown", text!("there is no kind of {what} called {t}", what, t = text::quoted(&clip(t))))
             .at(e.node.span.clone())
             .label(text!("unknown kind"));
-        let kinds = |all| match what {
+        let kinds = |all: String| match what {
             "study" => text!("kinds of studies: {all}", all),
             _ => text!("kinds of {what}s: {all}", what, all),
         };
@@ -78,7 +78,7 @@ pub(super) fn read_name(e: &Entry, what: &str, out: &mut Diagnostics) -> Option<
     clean = clean.trim_matches(|c: char| !c.is_ascii_alphanumeric()).to_string();
     let mut help = text!("a name is made of letters, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters");
     if valid_name(&clean) {
-        help = format!("for instance {clean:?}: {help}");
+        help = text!("for instance {name}: {help}", name = text::quoted(&clean), help);
     }
     out.push(d.help(help));
     None

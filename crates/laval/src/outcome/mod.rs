@@ -412,7 +412,13 @@ impl Argument for OutcomeError {
                 text!("figure `{figure}` needs {expected} `{table}`, which is missing", figure, expected = text::term(expected), table)
             }
             OutcomeError::Reference { figure, table, column, expected } => {
-                text!("figure `{figure}` needs {expected} `{column}` in table `{table}`", figure, expected = text::term(expected), column, table)
+                text!(
+                    "figure `{figure}` needs {expected} `{column}` in table `{table}`",
+                    figure,
+                    expected = text::term(expected),
+                    column,
+                    table
+                )
             }
         };
         said.argument()

@@ -116,8 +116,10 @@ impl Expectation {
         let wrong = |cell: &Cell, message: Text| Diagnostic::error("validation.expected", message).at(cell.span.clone());
         for h in &grid.head {
             if !COLUMNS.contains(&h.text.as_str()) {
-                let help = nearest(&h.text, COLUMNS)
-                    .map_or_else(|| text!("columns: {names}", names = COLUMNS.join(", ")), |n| text!("did you mean {near}?", near = text::quoted(&n)));
+                let help = nearest(&h.text, COLUMNS).map_or_else(
+                    || text!("columns: {names}", names = COLUMNS.join(", ")),
+                    |n| text!("did you mean {near}?", near = text::quoted(&n)),
+                );
                 out.push(wrong(h, text!("\"{text}\" is no column of expected values", text = h.text)).help(help));
             }
         }

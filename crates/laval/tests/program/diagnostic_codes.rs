@@ -118,7 +118,12 @@ fn codes(source: &Source, consts: &BTreeMap<String, String>, out: &mut BTreeMap<
                 for (k, m) in code.match_indices(&format!("{name}(")) {
                     if !code[..k].ends_with(|c: char| c.is_alphanumeric() || c == '_') {
                         said.extend(
-                            arguments(inside(&code[k + m.len()..])).into_iter().map(outermost).find(|t| !t.is_empty()).into_iter().flatten(),
+                            arguments(inside(&code[k + m.len()..]))
+                                .into_iter()
+                                .map(outermost)
+                                .find(|t| !t.is_empty())
+                                .into_iter()
+                                .flatten(),
                         );
                     }
                 }

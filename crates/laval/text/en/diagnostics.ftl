@@ -424,9 +424,35 @@ diag-the-weight-of-pulls-to-one-fdd8 = the weight of "{ $name }" pulls to one si
 diag-differs-in-x-and-y-a4f1 = { $base } differs in x ({ $x } { $unit }) and y ({ $y } { $unit })
 diag-the-forces-of-do-not-turn-00ed = the forces of "{ $name }" ({ $kind }) do not turn along when machine and state are turned
 
+## laval-separation/src/batch.rs
+
+diag-no-path-in-space-5c87 = no path in space
+
 ## laval-separation/src/carried.rs
 
 diag-cups-swing-out-against-a-weight-0f4e = cups swing out against a weight along the axis, which a horizontal machine has not; say at which tilt they are held
+
+## laval-separation/src/law.rs
+
+diag-the-shares-below-must-rise-from-712b = the shares below must rise from 0 to 1
+diag-the-last-share-below-is-it-e864 = the last share below is { $last }; it must be 1
+diag-the-shares-of-the-classes-must-211d = the shares of the classes must not be negative, and not all zero
+diag-values-have-shares-6d11 = { $values } values have { $shares } shares
+diag-the-values-must-be-positive-and-34e1 = the values must be positive and increase from row to row
+
+## laval-separation/src/motion.rs
+
+diag-the-drag-law-changes-its-piece-0e92 = the drag law changes its piece again and again at { $t } s
+diag-the-step-became-too-small-at-8545 = the step became too small at { $t } s
+diag-stopped-at-s-after-steps-82b1 = stopped at { $t } s after { $steps } steps
+
+## laval-separation/src/recovery.rs
+
+diag-stopped-9dac = stopped
+
+## laval-separation/src/slowest.rs
+
+diag-no-place-of-the-liquid-is-aad6 = no place of the liquid is found where a path begins
 
 ## laval/src/file/assemble.rs
 
@@ -538,6 +564,7 @@ diag-ground-is-the-fixed-surroundings-that-f758 = "ground" is the fixed surround
 diag-cannot-be-the-name-of-a-90a3 = { $t } cannot be the name of a { $what }
 diag-not-a-name-8729 = not a name
 diag-a-name-is-made-of-letters-9ee9 = a name is made of letters, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters
+diag-for-instance-5228 = for instance { $name }: { $help }
 
 ## laval/src/file/nested.rs
 
@@ -990,7 +1017,6 @@ diag-one-particle-can-be-followed-in-007a = one particle can be followed in cups
 diag-leave-release-out-355c = leave release out
 diag-no-particle-finds-liquid-in-this-b6b2 = no particle finds liquid in this tube
 diag-lower-surface-or-raise-length-f51b = lower surface, or raise length
-diag-stopped-9dac = stopped
 
 ## laval/src/study/context.rs
 
@@ -1011,6 +1037,7 @@ diag-leave-compare-out-5311 = leave compare out
 
 diag-speeds-at-which-roots-are-counted-0176 = speeds at which roots are counted, one after another
 diag-eigenvalue-problems-to-solve-3ff3 = eigenvalue problems to solve
+diag-modes-shows-the-modes-at-one-aec9 = { $help }; modes shows the modes at one speed
 
 ## laval/src/study/linear/criterion.rs
 
@@ -1095,6 +1122,7 @@ diag-a-map-of-by-motions-is-21b0 = a map of { $a } by { $b } motions is too larg
 diag-at-most-motions-in-all-6722 = at most { $most } motions in all
 diag-this-study-needs-a-range-of-c0d9 = this study needs a range of speeds
 diag-add-speed-or-a-speed-to-16b1 = add speed = {"{"} from = "1000 rpm", to = "5000 rpm" {"}"}, or a speed to [machine]
+diag-or-give-x-a-second-parameter-93d9 = { $help }, or give x a second parameter: the speed is then the same everywhere
 diag-a-map-needs-speeds-above-1e-ee09 = a map needs speeds above 1e-6 rad/s: there is no period at rest
 
 ## laval/src/study/motion/record.rs
@@ -1140,6 +1168,7 @@ diag-there-is-no-column-4b0b = there is no column "{ $name }"
 
 ## laval/src/study/motion/sweep/mod.rs
 
+diag-at-one-speed-nonlinear-response-finds-425e = { $help }; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads
 diag-a-sweep-needs-speeds-above-1e-4ac5 = a sweep needs speeds above 1e-6 rad/s: there is no period at rest
 diag-motions-with-numbers-each-a1ca = { $rows } motions with { $columns } numbers each
 diag-give-the-range-fewer-points-or-9d64 = give the range fewer points, or leave out the waterfall
@@ -1314,7 +1343,17 @@ diag-with-roots-are-counted-where-they-c786 = with { $name } roots are counted w
 diag-give-a-growth-threshold-of-0-2976 = give a growth_threshold of 0 or more; a transient shows how fast a motion dies out
 diag-this-study-needs-a-spin-speed-9f43 = this study needs a spin speed
 diag-give-speed-3000-rpm-here-or-331c = give speed = "3000 rpm" here, or once for all studies in [machine]
+diag-give-two-values-that-differ-9f93 = give two values that differ
+diag-modes-forced-response-stability-map-and-3533 = { $help }; modes, forced_response, stability_map and transient take one speed
 diag-is-one-value-and-this-study-31a8 = { $field } is one value, and this study needs a range
+diag-write-2145 = write { $field } = {"{"} from = .., to = .. {"}"}
+diag-must-go-from-a-lower-to-a4b0 = { $field } must go from a lower to a higher value
+diag-needs-ends-farther-apart-bf86 = { $field } needs ends farther apart
+diag-is-too-narrow-its-ends-differ-11bf = { $field } is too narrow: its ends differ by less than a billionth
+diag-needs-at-least-points-6b87 = { $field } needs at least { $least } points
+diag-leave-points-out-for-a-fitting-7f88 = leave points out for a fitting number
+diag-requires-points-which-are-too-many-10f6 = { $field } requires { $points } points, which are too many
+diag-at-most-points-a673 = at most { $most } points
 
 ## laval/src/validation/case.rs
 

@@ -30,6 +30,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or};
 use crate::study::{Context, Study};
 use crate::text;
+use crate::text::Text;
 use laval_num::work::piece;
 use serde::{Deserialize, Serialize};
 
@@ -182,7 +183,7 @@ orders = [1, 2]
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let one = "; modes shows the modes at one speed";
+        let one: fn(Text) -> Text = |help| text!("{help}; modes shows the modes at one speed", help);
         let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics)?;
         let threshold = values.number("growth_threshold").unwrap_or(0.0);
         Some(Campbell {

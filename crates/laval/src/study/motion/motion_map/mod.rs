@@ -29,6 +29,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range, range_or};
 use crate::study::{Context, Study};
 use crate::text;
+use crate::text::Text;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -240,7 +241,7 @@ fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Op
         );
         return None;
     };
-    let one = ", or give x a second parameter: the speed is then the same everywhere";
+    let one: fn(Text) -> Text = |help| text!("{help}, or give x a second parameter: the speed is then the same everywhere", help);
     let range = range_or("speed", (given, one), 2, values, diagnostics)?;
     if !(range.from >= SLOWEST) {
         let message = text!("a map needs speeds above 1e-6 rad/s: there is no period at rest");

@@ -39,6 +39,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range_or};
 use crate::study::{Context, Study};
 use crate::text;
+use crate::text::Text;
 use laval_num::work::Here;
 use lyapunov::Pairs;
 use rayon::prelude::*;
@@ -140,7 +141,9 @@ start = "up_and_down"
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
-        let one = "; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads";
+        let one: fn(Text) -> Text = |help| {
+            text!("{help}; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads", help)
+        };
         let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics);
         if let Some(s) = speed
             && !(s.from >= SLOWEST)
