@@ -2,7 +2,7 @@
 
 use crate::text;
 use crate::text::{Arg, Argument};
-use laval_num::continuation::Invalid;
+use laval_num::continuation::{Failure as Undefined, Invalid};
 use laval_num::dense::Singular;
 use laval_num::eig::EigError;
 use laval_num::interpolate::TableError;
@@ -41,6 +41,15 @@ impl Argument for EigError {
 impl Argument for Invalid {
     fn argument(&self) -> Arg {
         Arg::Term(self.0)
+    }
+}
+
+impl Argument for Undefined {
+    fn argument(&self) -> Arg {
+        match self {
+            Undefined::Undefined(why) => text!("the equations are not defined here: {why}", why = text::term(why)).argument(),
+            Undefined::Cancelled => text!("cancelled").argument(),
+        }
     }
 }
 

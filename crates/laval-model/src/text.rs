@@ -176,7 +176,7 @@ pub const fn check(template: &str, names: &[&str]) {
             i += 2;
             continue;
         }
-        assert!(t[i] == b'{', "a single } in a template");
+        assert!(t[i] == b'{', "a single closing brace in a template");
         let start = i + 1;
         while i < t.len() && t[i] != b'}' {
             i += 1;

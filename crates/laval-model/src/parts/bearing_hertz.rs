@@ -140,7 +140,7 @@ clearance = "10 um"
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         if self.radial && p.clearance < 0.0 {
-            return vec![("clearance", "a radial law has no preload: its clearance cannot be negative".into())];
+            return vec![("clearance", text!("a radial law has no preload: its clearance cannot be negative"))];
         }
         Vec::new()
     }

@@ -31,6 +31,7 @@ use crate::model::params::Family;
 use crate::model::part::{At, Beyond, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Tabulated, Validity};
 use crate::params;
 use crate::text;
+use crate::text::Text;
 use crate::units::format_si;
 use laval_num::interpolate::{Interpolant, TableError};
 use laval_num::scalar::Scalar;
@@ -333,10 +334,10 @@ cyy = "3e4 N s/m"
             out.push(Validity { what: RANGE, ratio: (at.speed - middle).abs() / half });
         }
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let constants = BearingLinearFamily::to_vec(p);
         if self.table.is_some() && constants.iter().any(|x| *x != 0.0) {
-            return vec![("table", "the coefficients come from the table: a constant beside it has no effect".into())];
+            return vec![("table", text!("the coefficients come from the table: a constant beside it has no effect"))];
         }
         Vec::new()
     }

@@ -177,12 +177,12 @@ impl Outcome {
     }
 
     fn finite(&self) -> Result<(), OutcomeError> {
-        let check = |what: &str, numbers: &[f64]| match numbers.iter().all(|x| x.is_finite()) {
+        let check = |what: &dyn Argument, numbers: &[f64]| match numbers.iter().all(|x| x.is_finite()) {
             true => Ok(()),
-            false => Err(OutcomeError::NotFinite { what: what.into() }),
+            false => Err(OutcomeError::NotFinite { what: what.argument() }),
         };
         if let End::StepTooSmall { at } | End::NewtonFailed { at, .. } | End::Unbounded { at } = self.end {
-            check("the end", &[at])?;
+            check(&text!("the end"), &[at])?;
         }
         for f in &self.findings {
             f.message.quantities(&mut |q| check(&f.id, &[q.value]))?;
@@ -196,7 +196,9 @@ impl Outcome {
             if let Data::Float(values) = &c.data
                 && values.iter().any(|x| x.is_infinite())
             {
-                return Err(OutcomeError::NotFinite { what: format!("{} in the table {}", c.name, t.name()) });
+                return Err(OutcomeError::NotFinite {
+                    what: text!("{name} in the table {table}", name = c.name, table = t.name()).argument(),
+                });
             }
         }
         Ok(())
@@ -381,7 +383,7 @@ pub enum OutcomeError {
     /// A number left the range of floating point.
     NotFinite {
         /// What it would have been.
-        what: String,
+        what: text::Arg,
     },
     /// A figure names a table or column that does not exist, or one of a type that it cannot use.
     Reference {

@@ -198,7 +198,7 @@ impl Expectation {
         }
         let (cell, unit) = get("unit");
         if let Err(e) = factor(unit, split_factor(unit).1) {
-            wrong(cell, text!("\"{unit}\" is no unit: {why}", unit, why = e.sentence()), None);
+            wrong(cell, text!("\"{unit}\" is no unit: {why}", unit, why = e), None);
         }
         let (cell, text) = get("tolerance");
         let tolerance = Tolerance::read(text);

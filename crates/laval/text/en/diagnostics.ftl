@@ -60,6 +60,8 @@ diag-singular-matrix-no-pivot-in-column-de5d = singular matrix (no pivot in colu
 diag-a-matrix-of-the-eigenvalue-problem-a9ba = a matrix of the eigenvalue problem has an entry that is not finite
 diag-the-eigenvalue-iteration-did-not-converge-94cd = the eigenvalue iteration did not converge
 diag-every-number-is-an-eigenvalue-the-489e = every number is an eigenvalue: the determinant vanishes identically
+diag-the-equations-are-not-defined-here-d632 = the equations are not defined here: { $why }
+diag-cancelled-7c41 = cancelled
 
 ## laval-model/src/parts/balancer_ball/mod.rs
 
@@ -116,6 +118,7 @@ diag-beyond-is-given-without-a-table-38bd = beyond is given without a table
 diag-constant-coefficients-hold-at-every-speed-c9f6 = constant coefficients hold at every speed: take beyond away, or give a table over speed
 diag-is-given-as-a-constant-beside-d5bb = { $name } is given as a constant beside a table
 diag-a-bearing-has-constant-coefficients-or-463b = a bearing has constant coefficients or a table: put constants into the table as equal rows
+diag-the-coefficients-come-from-the-table-544d = the coefficients come from the table: a constant beside it has no effect
 
 ## laval-model/src/parts/damper.rs
 
@@ -775,6 +778,8 @@ diag-write-true-or-false-without-quotes-cb7a = write true or false, without quot
 
 ## laval/src/outcome/mod.rs
 
+diag-the-end-bff1 = the end
+diag-in-the-table-1bb6 = { $name } in the table { $table }
 diag-column-of-table-has-rows-the-d4c8 = column `{ $column }` of table `{ $table }` has { $found } rows, the columns before it have { $expected }
 diag-is-no-finite-number-6158 = { $what } is no finite number
 diag-two-s-are-named-baa3 = two { $what }s are named `{ $name }`

@@ -1,6 +1,7 @@
 //! Inertia that a part adds to its body or takes from it.
 
 use super::super::params::{Parametric, Params};
+use crate::text::Text;
 
 /// Inertia that a part takes from its body.
 #[derive(Clone, Debug, PartialEq)]

@@ -23,6 +23,7 @@ pub trait Contacts: Parametric {
 pub mod erased {
     use super::super::super::context::At;
     use super::super::super::params::Family;
+    use crate::text::Text;
 
     /// See the [trait of the author](super::Contacts).
     #[allow(missing_docs)]

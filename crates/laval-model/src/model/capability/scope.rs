@@ -53,6 +53,7 @@ pub trait Scope: Parametric {
 pub mod erased {
     use super::super::super::params::Family;
     use super::{Axis, Tabulated};
+    use crate::text::Text;
 
     /// See the [trait of the author](super::Scope).
     #[allow(missing_docs)]
