@@ -1,9 +1,12 @@
 //! `laval check`.
 
 use crate::input::{self, Input};
-use crate::{DONE, WRONG, terminal};
+use crate::{DONE, WRONG, language, terminal};
 use laval::diagnostic::{Diagnostic, Diagnostics};
-use laval::file::{Loaded, diagnostics_json};
+use laval::file::{Loaded, diagnostics_json_in};
+use laval::report::Language;
+use laval::text;
+use laval::text::{Arg, Joint};
 use std::path::PathBuf;
 
 /// What may be said to `check`.
@@ -14,10 +17,14 @@ pub struct Args {
     /// Print the result as JSON to standard output, for editors
     #[arg(long)]
     json: bool,
+    /// Language of what is said: en, ru, kk, uz [default: that of the file or of LANG]
+    #[arg(long, value_name = "LANGUAGE", value_parser = str::parse::<Language>)]
+    lang: Option<Language>,
 }
 
 /// Reads and assembles, and says what is wrong.
 pub fn check(args: &Args) -> u8 {
+    language::request(args.lang);
     match Input::read(&args.file) {
         Ok(input) => {
             let loaded = input.check();
@@ -37,7 +44,7 @@ fn in_words(loaded: &Result<Loaded, Diagnostics>, input: &Input) -> u8 {
     match loaded {
         Ok(l) => {
             input.complain(&l.warnings);
-            terminal::print(&format!("ok: {}\n", summary(l)));
+            terminal::print(&format!("{}\n", language::said(&text!("ok: {machine}", machine = summary(l)))));
             DONE
         }
         Err(found) => {
@@ -47,21 +54,28 @@ fn in_words(loaded: &Result<Loaded, Diagnostics>, input: &Input) -> u8 {
     }
 }
 
-fn summary(l: &Loaded) -> String {
-    let count = |n: usize, one: &str, many: &str| format!("{n} {}", if n == 1 { one } else { many });
-    let mut out = vec![count(l.system.slots().len(), "part", "parts"), count(l.system.n(), "coordinate", "coordinates")];
-    if l.system.m() > 0 {
-        out.push(count(l.system.m(), "internal state", "internal states"));
+fn summary(l: &Loaded) -> Arg {
+    let (parts, coordinates, states) = (l.system.slots().len(), l.system.n(), l.system.m());
+    let mut out = vec![
+        if parts == 1 { text!("{n} part", n = parts) } else { text!("{n} parts", n = parts) },
+        if coordinates == 1 { text!("{n} coordinate", n = coordinates) } else { text!("{n} coordinates", n = coordinates) },
+    ];
+    match states {
+        0 => {}
+        1 => out.push(text!("{n} internal state", n = states)),
+        _ => out.push(text!("{n} internal states", n = states)),
     }
     out.push(match l.studies.as_slice() {
-        [] => "no studies".into(),
-        [one] => format!("study {}", one.name),
-        many => format!("studies {}", many.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ")),
+        [] => text!("no studies"),
+        [one] => text!("study {one}", one = one.name),
+        many => text!("studies {names}", names = many.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ")),
     });
-    out.join(", ")
+    text::list(out, Joint::Comma)
 }
 
 fn as_json(loaded: &Result<Loaded, Diagnostics>, text: &str) -> u8 {
+    // what programs read is English unless another language is requested of this call
+    let said = language::requested().unwrap_or_default();
     let (code, json) = match loaded {
         Ok(l) => (
             DONE,
@@ -72,10 +86,10 @@ fn as_json(loaded: &Result<Loaded, Diagnostics>, text: &str) -> u8 {
                 "coordinates": l.system.coordinates().iter().map(|c| c.name.as_str()).collect::<Vec<_>>(),
                 "states": l.system.states().iter().map(|c| c.name.as_str()).collect::<Vec<_>>(),
                 "studies": l.studies.iter().map(|s| serde_json::json!({ "name": s.name, "kind": s.study.kind() })).collect::<Vec<_>>(),
-                "diagnostics": diagnostics_json(&l.warnings, text),
+                "diagnostics": diagnostics_json_in(said, &l.warnings, text),
             }),
         ),
-        Err(found) => (WRONG, serde_json::json!({ "ok": false, "diagnostics": diagnostics_json(found, text) })),
+        Err(found) => (WRONG, serde_json::json!({ "ok": false, "diagnostics": diagnostics_json_in(said, found, text) })),
     };
     terminal::print(&format!("{json:#}\n"));
     code

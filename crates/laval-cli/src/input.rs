@@ -1,8 +1,10 @@
 //! Reading a machine file, and saying what is wrong with it.
 
-use crate::terminal;
+use crate::{language, terminal};
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{self, Loaded};
+use laval::text;
+use laval::text::Text;
 use laval::{plain, report};
 use std::fs::File;
 use std::io::{self, Read};
@@ -22,20 +24,24 @@ pub struct Input {
 impl Input {
     /// Reads the bytes of a file.
     pub fn read(path: &Path) -> Result<Input, Diagnostic> {
-        let wrong = |message: String| Diagnostic::error("file.read", message);
+        let wrong = |message: Text| Diagnostic::error("file.read", message);
         if path.is_dir() {
             let inside = path.join("machine.toml");
-            let d = wrong(format!("{} is a folder, not a machine file", path.display()));
-            return Err(if inside.is_file() { d.help(format!("give the file: {}", inside.display())) } else { d });
+            let d = wrong(text!("{path} is a folder, not a machine file", path = path.display()));
+            return Err(if inside.is_file() { d.help(text!("give the file: {inside}", inside = inside.display())) } else { d });
         }
         let mut bytes = Vec::new();
         match File::open(path).and_then(|f| f.take(MAX_BYTES + 1).read_to_end(&mut bytes)) {
-            Ok(_) if bytes.len() as u64 > MAX_BYTES => Err(wrong(format!("{} is larger than 64 MB", path.display()))),
-            Ok(_) => Ok(Input { path: path.to_path_buf(), bytes }),
-            Err(e) if e.kind() == io::ErrorKind::NotFound => {
-                Err(wrong(format!("there is no file {}", path.display())).help("laval new writes a machine file to start from"))
+            Ok(_) if bytes.len() as u64 > MAX_BYTES => Err(wrong(text!("{path} is larger than 64 MB", path = path.display()))),
+            Ok(_) => {
+                language::of_file(&String::from_utf8_lossy(&bytes));
+                Ok(Input { path: path.to_path_buf(), bytes })
             }
-            Err(e) => Err(wrong(format!("cannot read {}: {e}", path.display()))),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                Err(wrong(text!("there is no file {path}", path = path.display()))
+                    .help(text!("laval new writes a machine file to start from")))
+            }
+            Err(e) => Err(wrong(text!("cannot read {path}: {e}", path = path.display(), e))),
         }
     }
 
@@ -86,7 +92,8 @@ impl Input {
     /// Says on standard error what was found.
     pub fn complain(&self, found: &Diagnostics) {
         if !found.0.is_empty() {
-            terminal::complain_painted(&file::render(found, &self.text(), &self.path.display().to_string(), terminal::diagnostics()));
+            let (file, form) = (self.path.display().to_string(), terminal::diagnostics());
+            terminal::complain_painted(&file::render_in(language::current(), found, &self.text(), &file, form));
         }
     }
 }
@@ -100,6 +107,7 @@ fn named(c: std::path::Component) -> Option<String> {
 
 /// Says one thing that is wrong with the request itself.
 pub fn complain(d: &Diagnostic) {
-    let help = d.help.as_ref().map_or_else(String::new, |h| format!("  help: {}\n", plain::line(h)));
-    terminal::complain(&format!("error[{}]: {}\n{help}", d.code, plain::line(&d.message)));
+    let line = |text: &Text| plain::line(&language::said(text)).into_owned();
+    let help = d.help.as_ref().map_or_else(String::new, |h| format!("  {}: {}\n", line(&text!("help")), line(h)));
+    terminal::complain(&format!("{}[{}]: {}\n{help}", line(&text!("error")), d.code, line(&d.message)));
 }

@@ -7,6 +7,7 @@
 
 mod check;
 mod input;
+mod language;
 mod new;
 mod pdf;
 mod pieces;
@@ -18,6 +19,7 @@ mod validate;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
+use laval::text;
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -115,12 +117,10 @@ fn usage(e: &clap::Error) -> u8 {
 fn guarded<T>(f: impl FnOnce() -> T) -> Option<T> {
     let result = catch_unwind(AssertUnwindSafe(f)).ok();
     if result.is_none() {
-        terminal::complain(concat!(
-            "laval: this is a defect of the program, not of your file. Please report it with the machine file and the message above\n",
-            "  ",
-            env!("CARGO_PKG_REPOSITORY"),
-            "/issues\n"
+        terminal::say(&text!(
+            "laval: this is a defect of the program, not of your file. Please report it with the machine file and the message above"
         ));
+        terminal::complain(concat!("  ", env!("CARGO_PKG_REPOSITORY"), "/issues\n"));
     }
     result
 }

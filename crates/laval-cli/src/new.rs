@@ -1,7 +1,8 @@
 //! `laval new`: machine files to start from. They are the examples.
 
 use crate::{DONE, FAILED, WRONG, input, terminal};
-use laval::diagnostic::{Diagnostic, nearest};
+use laval::diagnostic::{Diagnostic, meant, nearest};
+use laval::text;
 use std::fs::{self, File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -88,9 +89,11 @@ pub fn new(args: &Args) -> u8 {
     let Some(template) = TEMPLATES.iter().find(|t| t.name == word) else {
         let names = || TEMPLATES.iter().map(|t| t.name);
         let all = names().collect::<Vec<_>>().join(", ");
-        let help =
-            nearest(word, names()).map_or_else(|| format!("templates: {all}"), |n| format!("did you mean \"{n}\"? Templates: {all}"));
-        input::complain(&Diagnostic::error("request.template", format!("there is no template {word:?}")).help(help));
+        let help = nearest(word, names())
+            .map_or_else(|| text!("templates: {all}", all), |n| meant(text::quoted(&n), text!("templates: {all}", all)));
+        input::complain(
+            &Diagnostic::error("request.template", text!("there is no template {word}", word = text::quoted(&word))).help(help),
+        );
         return WRONG;
     };
     let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{}.toml", template.name)));
@@ -114,12 +117,12 @@ pub fn new(args: &Args) -> u8 {
             DONE
         }
         Err(e) if e.kind() == ErrorKind::AlreadyExists => {
-            let d = Diagnostic::error("request.exists", format!("{} exists and is not overwritten", path.display()));
-            input::complain(&d.help("name another file with --out"));
+            let d = Diagnostic::error("request.exists", text!("{path} exists and is not overwritten", path = path.display()));
+            input::complain(&d.help(text!("name another file with --out")));
             WRONG
         }
         Err(e) => {
-            input::complain(&Diagnostic::error("file.write", format!("cannot write {}: {e}", path.display())));
+            input::complain(&Diagnostic::error("file.write", text!("cannot write {path}: {e}", path = path.display(), e)));
             if e.kind() == ErrorKind::StorageFull { FAILED } else { WRONG }
         }
     }

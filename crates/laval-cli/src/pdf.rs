@@ -1,6 +1,8 @@
 //! The report as a PDF, printed by a Chromium that is found on this computer.
 
 use laval::diagnostic::Diagnostic;
+use laval::text;
+use laval::text::{Arg, Argument};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -12,11 +14,16 @@ const BROWSERS: [&str; 6] = ["chromium", "chromium-browser", "google-chrome", "g
 /// No browser is found, or it prints nothing.
 pub fn print(page: &Path) -> Result<PathBuf, Diagnostic> {
     let Some(browser) = browser() else {
-        let d = Diagnostic::error("pdf.browser", "no Chromium was found to print the report with");
-        return Err(d.help(format!("install one of {}, or open {} in a browser and print it", BROWSERS.join(", "), page.display())));
+        let d = Diagnostic::error("pdf.browser", text!("no Chromium was found to print the report with"));
+        return Err(d.help(text!(
+            "install one of {names}, or open {page} in a browser and print it",
+            names = BROWSERS.join(", "),
+            page = page.display()
+        )));
     };
-    let failed = |why: String| Diagnostic::error("pdf.print", format!("{} could not print the report: {why}", browser.display()));
-    let page = page.canonicalize().map_err(|e| failed(e.to_string()))?;
+    let failed =
+        |why: Arg| Diagnostic::error("pdf.print", text!("{browser} could not print the report: {why}", browser = browser.display(), why));
+    let page = page.canonicalize().map_err(|e| failed(e.argument()))?;
     let pdf = page.with_extension("pdf");
     let profile = page.with_file_name(format!(".laval-{}-browser.part", std::process::id()));
     let _ = std::fs::remove_file(&pdf);
@@ -33,8 +40,8 @@ pub fn print(page: &Path) -> Result<PathBuf, Diagnostic> {
     let _ = std::fs::remove_dir_all(&profile);
     match status {
         Ok(s) if s.success() && pdf.is_file() => Ok(pdf),
-        Ok(s) => Err(failed(s.to_string())),
-        Err(e) => Err(failed(e.to_string())),
+        Ok(s) => Err(failed(s.to_string().argument())),
+        Err(e) => Err(failed(e.argument())),
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::input::{self, Input};
 use crate::progress::Bar;
 use crate::run::{self, CANCEL, Request};
-use crate::{DONE, FAILED, STOPPED, WRONG, guarded, terminal};
+use crate::{DONE, FAILED, STOPPED, WRONG, guarded, language, terminal};
 use laval::build;
 use laval::diagnostic::Diagnostics;
 use laval::file::{Loaded, NamedStudy};
@@ -12,6 +12,7 @@ use laval::plain;
 use laval::report;
 use laval::store::{Keep, NO_RESULT, Piece, Plan, Work};
 use laval::study::{Context, Progress};
+use laval::text;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::sync::atomic::Ordering;
@@ -162,12 +163,12 @@ pub fn compute(request: &Request, input: &Input, loaded: &Loaded, piece: Piece) 
         match result {
             Some(Err(d)) if d.code == NO_RESULT => {
                 if !request.quiet {
-                    terminal::print(&format!("{}: {}\n", plain::line(&study.name), d.message));
+                    terminal::print(&format!("{}: {}\n", plain::line(&study.name), language::said(&d.message)));
                 }
             }
             Some(Err(mut d)) => {
                 d.span = d.span.or_else(|| loaded.spec.study(&study.name).and_then(|b| b.span.clone()));
-                d.message = format!("study \"{}\": {}", study.name, d.message);
+                d.message = text!("study \"{name}\": {message}", name = study.name, message = d.message);
                 input.complain(&Diagnostics(vec![d]));
                 code = code.max(WRONG);
             }

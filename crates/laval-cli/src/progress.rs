@@ -1,9 +1,12 @@
 //! How far a study is: a bar where somebody watches, a calm line now and then where standard error is a file or a pipe.
 
+use crate::language;
 use crate::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use laval::plain;
 use laval::study::Progress;
+use laval::text;
+use laval::text::Text;
 use std::io::{self, IsTerminal};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
@@ -72,31 +75,31 @@ impl Pace {
     }
 
     /// `12 % done, about 40 s left`.
-    fn words(&self, now: Instant) -> String {
+    fn words(&self, now: Instant) -> Text {
         let done = match self.share() {
-            Some(share) => format!("{:.0} % done", (100.0 * share).floor()),
+            Some(share) => text!("{percent} % done", percent = format_args!("{:.0}", (100.0 * share).floor())),
             None => match self.before + self.done {
-                1 => "1 step done".to_string(),
-                steps => format!("{steps} steps done"),
+                1 => text!("1 step done"),
+                steps => text!("{steps} steps done", steps),
             },
         };
         match self.left(now) {
-            Some(left) => format!("{done}, about {} left", words(left)),
+            Some(left) => text!("{done}, about {left} left", done, left = words(left)),
             None => done,
         }
     }
 }
 
 /// A time for people, to the unit that matters.
-fn words(t: Duration) -> String {
+fn words(t: Duration) -> Text {
     let s = t.as_secs_f64();
-    let (x, unit) = match s {
-        s if s < 90.0 => (s, "s"),
-        s if s < 5400.0 => (s / 60.0, "min"),
-        s if s < 172_800.0 => (s / 3600.0, "h"),
-        s => (s / 86_400.0, "days"),
-    };
-    format!("{:.0} {unit}", x.ceil())
+    let whole = |x: f64| format!("{:.0}", x.ceil());
+    match s {
+        s if s < 90.0 => text!("{n} s", n = whole(s)),
+        s if s < 5400.0 => text!("{n} min", n = whole(s / 60.0)),
+        s if s < 172_800.0 => text!("{n} h", n = whole(s / 3600.0)),
+        s => text!("{n} days", n = whole(s / 86_400.0)),
+    }
 }
 
 /// Shows the progress of one study on standard error.
@@ -151,21 +154,21 @@ impl Bar {
             if now.duration_since(self.begun) > PATIENCE {
                 let bar = self.bar.get_or_init(|| self.bar());
                 bar.set_position((pace.share().unwrap_or(0.0) * STEPS as f64) as u64);
-                bar.set_message(pace.words(now));
+                bar.set_message(language::said(&pace.words(now)));
             }
             return;
         }
         // whoever finds it locked knows that a line is being written
         let Ok(mut said) = self.said.try_lock() else { return };
-        let words = pace.words(now);
+        let words = language::said(&pace.words(now));
         if now.duration_since(said.0) >= CALM && words != said.1 {
             terminal::complain(&format!("{}: {words}\n", self.name));
             *said = (now, words);
         }
     }
 
-    fn say(&self, text: &str) {
-        let say = || terminal::complain(&format!("{}: {text}\n", self.name));
+    fn say(&self, text: &Text) {
+        let say = || terminal::complain(&format!("{}: {}\n", self.name, plain::line(&language::said(text))));
         match self.bar.get() {
             Some(bar) => bar.suspend(say),
             None => say(),
@@ -194,13 +197,13 @@ impl Progress for Bar {
         self.update(|p| *p = Pace { done, total, from: done as f64, ..Pace::new(Instant::now()) });
     }
 
-    fn job(&self, text: &str) {
+    fn job(&self, text: &Text) {
         if !self.quiet {
             self.say(text);
         }
     }
 
-    fn note(&self, text: &str) {
+    fn note(&self, text: &Text) {
         self.say(text);
     }
 }
@@ -214,7 +217,7 @@ mod tests {
         let start = Instant::now();
         let after = |s: u64| start + Duration::from_secs(s);
         let mut p = Pace { total: 400, ..Pace::new(start) };
-        assert_eq!((p.words(after(5)).as_str(), p.left(after(5))), ("0 % done", None));
+        assert_eq!((p.words(after(5)).to_string().as_str(), p.left(after(5))), ("0 % done", None));
         // one member of 400 half done
         p.part = 0.5;
         assert_eq!(p.left(after(5)), Some(Duration::from_secs(3995)));
@@ -235,21 +238,21 @@ mod tests {
         let mut p = Pace::new(start);
         let mut steps = |done| {
             p.report(done, 0, start);
-            p.words(start)
+            p.words(start).to_string()
         };
         assert_eq!([steps(0), steps(1), steps(7)], ["0 steps done", "1 step done", "7 steps done"]);
         // the same once more with more harmonics
         assert_eq!([steps(1), steps(3), steps(3)], ["8 steps done", "10 steps done", "10 steps done"]);
         let mut share = |done| {
             p.report(done, 10, start);
-            p.words(start)
+            p.words(start).to_string()
         };
         assert_eq!([share(2), share(5), share(4)], ["20 % done", "50 % done, about 0 s left", "50 % done, about 0 s left"]);
     }
 
     #[test]
     fn times_for_people() {
-        let shown = |s: f64| words(Duration::from_secs_f64(s));
+        let shown = |s: f64| words(Duration::from_secs_f64(s)).to_string();
         assert_eq!([shown(0.2), shown(89.0), shown(100.0), shown(7200.0), shown(1e6)], ["1 s", "89 s", "2 min", "2 h", "12 days"]);
     }
 }

@@ -4,9 +4,9 @@ use crate::input::{self, Input};
 use crate::pdf;
 use crate::pieces;
 use crate::progress::Bar;
-use crate::{DONE, FAILED, STOPPED, WRONG, guarded, terminal};
+use crate::{DONE, FAILED, STOPPED, WRONG, guarded, language, terminal};
 use laval::build;
-use laval::diagnostic::{Diagnostic, Diagnostics, nearest};
+use laval::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use laval::file::{self, Loaded, NamedStudy};
 use laval::hash::sha256;
 use laval::outcome::{Arg, End, Finding, Outcome};
@@ -14,6 +14,7 @@ use laval::plain;
 use laval::report::{self, Format, Language, Provenance, Report, Style, Units, WriteError};
 use laval::store::{self, Keep, Piece, Work};
 use laval::study::{self, Cancel, Context, Silent, presentation};
+use laval::text;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::Ordering;
@@ -51,7 +52,7 @@ pub struct Shown {
     /// Print all findings of every study, not the summary alone
     #[arg(long)]
     all: bool,
-    /// Language of the report and of the summary: en, ru, kk, uz [default: that of LANG where it is one of them]
+    /// Language of the report, the summary and what is wrong: en, ru, kk, uz [default: that of LANG where it is one of them]
     #[arg(long, value_name = "LANGUAGE", value_parser = str::parse::<Language>)]
     lang: Option<Language>,
     /// Print the report to report.pdf too, with a Chromium that is found on this computer
@@ -97,12 +98,10 @@ fn steps(text: &str) -> Result<u64, String> {
     }
 }
 
-/// Language and units: those requested, else those of the file, else the language of the environment and the units that the file writes.
-fn style(requested: Option<Language>, input: &Input, loaded: &Loaded) -> Style {
+/// The language of the program; units of the file's `[report]`, else those that the file writes.
+fn style(input: &Input, loaded: &Loaded) -> Style {
     let own = presentation::among(&loaded.system.machine.extras);
-    let environment = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|name| std::env::var(name).ok()).find(|v| !v.is_empty());
-    let chosen = requested.or_else(|| own.language.as_ref()?.parse().ok());
-    let language = chosen.or_else(|| environment?.parse().ok()).unwrap_or_default();
+    let language = language::current();
     let written = || file::written_units(&input.text());
     let units = match own.units.as_deref() {
         None | Some("file") => Units::new(written()),
@@ -119,6 +118,7 @@ const KEEP_EVERY: Duration = Duration::from_secs(2);
 
 /// Runs the studies of a file.
 pub fn run(args: &Args) -> u8 {
+    language::request(args.shown.lang);
     let (input, loaded) = match prepare(&args.request) {
         Ok(read) => read,
         Err(code) => return code,
@@ -135,6 +135,7 @@ pub fn run(args: &Args) -> u8 {
 /// Joins the parts of long studies and runs the others.
 pub fn collect(args: &CollectArgs) -> u8 {
     let how = How { work: Work::Collect, fresh: false, work_limit: None };
+    language::request(args.shown.lang);
     match prepare(&args.request) {
         Ok((input, loaded)) => Run::new(&args.request, &args.shown, how, &input, &loaded).run(),
         Err(code) => code,
@@ -156,8 +157,8 @@ pub fn prepare(args: &Request) -> Result<(Input, Loaded), u8> {
         input.complain(&loaded.warnings);
     }
     if loaded.studies.is_empty() {
-        let d = Diagnostic::error("request.studies", format!("{} contains no study", args.file.display()));
-        return Err(wrong(d.help("add a [[study]] block; laval studies lists the kinds")));
+        let d = Diagnostic::error("request.studies", text!("{file} contains no study", file = args.file.display()));
+        return Err(wrong(d.help(text!("add a [[study]] block; laval studies lists the kinds"))));
     }
     if !args.only.is_empty() {
         loaded.studies = chosen(loaded.studies, &args.only).map_err(wrong)?;
@@ -174,8 +175,8 @@ fn chosen(mut studies: Vec<NamedStudy>, only: &[String]) -> Result<Vec<NamedStud
         if !studies.iter().any(fits) {
             let all = studies.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ");
             let near = nearest(word, studies.iter().flat_map(|s| [s.name.as_str(), s.study.kind()]));
-            let help = near.map_or_else(|| format!("its studies: {all}"), |n| format!("did you mean \"{n}\"? Its studies: {all}"));
-            return Err(Diagnostic::error("request.study", format!("the file has no study \"{word}\"")).help(help));
+            let help = near.map_or_else(|| text!("its studies: {all}", all), |n| meant(text::quoted(&n), text!("its studies: {all}", all)));
+            return Err(Diagnostic::error("request.study", text!("the file has no study \"{word}\"", word)).help(help));
         }
         for (w, s) in wanted.iter_mut().zip(&studies) {
             *w |= fits(s);
@@ -192,16 +193,17 @@ pub fn listen() {
         if CANCEL.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(STOPPED));
         }
-        terminal::complain("\nstopping; Ctrl-C again stops at once\n");
+        terminal::complain("\n");
+        terminal::say(&text!("stopping; Ctrl-C again stops at once"));
     };
     if let Err(e) = ctrlc::set_handler(stop) {
-        terminal::complain(&format!("warning: Ctrl-C will stop at once and lose what is not yet written ({e})\n"));
+        terminal::say(&text!("warning: Ctrl-C will stop at once and lose what is not yet written ({e})", e = e.to_string()));
     }
 }
 
 /// The reason of a refusal, as a finding.
 fn refusal(why: &Diagnostic) -> Finding {
-    Finding::warning("refused", "run-refused").arg("reason", Arg::term(why.to_string()))
+    Finding::warning("refused", "run-refused").arg("reason", why.sentence())
 }
 
 /// Which rows of long studies are computed, and when a study ends.
@@ -257,7 +259,7 @@ impl<'a> Run<'a> {
             studies: loaded.spec.studies.iter().map(|b| b.name.clone()).collect(),
             outcomes: Vec::new(),
             overview: None,
-            style: style(shown.lang, input, loaded),
+            style: style(input, loaded),
         };
         Run {
             args,
@@ -296,7 +298,7 @@ impl<'a> Run<'a> {
         for (i, study) in self.loaded.studies.iter().enumerate() {
             if CANCEL.load(Ordering::Relaxed) {
                 let left: Vec<&str> = self.loaded.studies[i..].iter().map(|s| s.name.as_str()).collect();
-                terminal::complain(&format!("not run: {}\n", left.join(", ")));
+                terminal::say(&text!("not run: {left}", left = left.join(", ")));
                 break;
             }
             match refusals.iter().find(|r| r.studies.contains(&i)) {
@@ -326,18 +328,19 @@ impl<'a> Run<'a> {
         };
         let outdated = report::outdated(&self.dir, &self.report);
         if !outdated.is_empty() && !self.args.quiet {
-            let (studies, are) = if outdated.len() == 1 { ("study", "is") } else { ("studies", "are") };
             let names = outdated.iter().map(|n| format!("\"{}\"", plain::line(n))).collect::<Vec<_>>().join(", ");
             let out = plain::line(&self.dir.to_string_lossy()).into_owned();
-            terminal::complain(&format!(
-                "warning: {out} also holds results of {studies} {names}, which {are} of an earlier machine file\n"
-            ));
+            terminal::say(&match outdated.len() {
+                1 => text!("warning: {out} also holds results of study {names}, which is of an earlier machine file", out, names),
+                _ => text!("warning: {out} also holds results of studies {names}, which are of an earlier machine file", out, names),
+            });
         }
         let page = files.into_iter().find(|f| f.ends_with("report.html"));
         if self.shown.pdf {
-            let printed = page
-                .as_deref()
-                .map_or_else(|| Err(Diagnostic::error("pdf.page", "--pdf prints report.html, which --format leaves out")), pdf::print);
+            let printed = page.as_deref().map_or_else(
+                || Err(Diagnostic::error("pdf.page", text!("--pdf prints report.html, which --format leaves out"))),
+                pdf::print,
+            );
             if let Err(d) = printed {
                 input::complain(&d);
                 self.code = self.code.max(WRONG);
@@ -368,7 +371,7 @@ impl<'a> Run<'a> {
                 return self.refused(named, refusal(&d));
             }
             None => {
-                terminal::complain(&format!("laval: study \"{}\" has no result\n", named.name));
+                terminal::say(&text!("laval: study \"{name}\" has no result", name = named.name));
                 self.code = FAILED;
                 return;
             }
@@ -412,14 +415,14 @@ impl<'a> Run<'a> {
         if d.span.is_none() {
             d.span = self.loaded.spec.study(&named.name).and_then(|b| b.span.clone());
         }
-        d.message = format!("study \"{}\": {}", named.name, d.message);
+        d.message = text!("study \"{name}\": {message}", name = named.name, message = d.message);
         self.input.complain(&Diagnostics(vec![d.clone()]));
         d
     }
 
     fn write(&self) -> Result<Vec<PathBuf>, u8> {
         report::renew(&self.dir, &self.report, &self.formats).map_err(|e| {
-            terminal::complain(&format!("laval: {e}\n"));
+            terminal::say(&text!("laval: {why}", why = e.sentence()));
             match e {
                 WriteError::Io { .. } => WRONG,
                 WriteError::Outcome { .. } => FAILED,

@@ -1,10 +1,11 @@
 //! `laval parts`, `laval studies`, `laval units` and `laval schema`: what the registries declare.
 
 use crate::{DONE, WRONG, input, terminal};
-use laval::diagnostic::{Diagnostic, nearest};
+use laval::diagnostic::{Diagnostic, meant, nearest};
 use laval::file::{catalog, docs, schema};
 use laval::model::field::{BlockInfo, KindInfo};
 use laval::report::RESULTS_SCHEMA;
+use laval::text;
 
 /// What may be said to `parts` and `studies`.
 #[derive(clap::Args)]
@@ -79,11 +80,18 @@ fn show(what: &str, many: &str, kinds: &[KindInfo], args: &Args) -> u8 {
         }
         None => {
             let all = kinds.iter().map(|k| k.kind).collect::<Vec<_>>().join(", ");
-            let help = match nearest(word, kinds.iter().map(|k| k.kind)) {
-                Some(near) => format!("did you mean \"{near}\"? Kinds of {many}: {all}"),
-                None => format!("kinds of {many}: {all}"),
+            let list = match what {
+                "study" => text!("kinds of studies: {all}", all),
+                _ => text!("kinds of {what}s: {all}", what, all),
             };
-            input::complain(&Diagnostic::error("kind.unknown", format!("there is no kind of {what} called {word:?}")).help(help));
+            let help = match nearest(word, kinds.iter().map(|k| k.kind)) {
+                Some(near) => meant(text::quoted(&near), list),
+                None => list,
+            };
+            input::complain(
+                &Diagnostic::error("kind.unknown", text!("there is no kind of {what} called {word}", what, word = text::quoted(&word)))
+                    .help(help),
+            );
             WRONG
         }
     }

@@ -1,8 +1,11 @@
 //! What goes to the terminal, and how. All of it leaves here: control characters that are not the program's own are shown as escapes.
 
+use crate::language;
 use laval::file::Form;
 use laval::plain;
 use laval::report::Terminal;
+use laval::text;
+use laval::text::Text;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use terminal_size::{Width, terminal_size_of};
@@ -28,13 +31,18 @@ fn put(text: &str) {
         && e.kind() != io::ErrorKind::BrokenPipe
         && !LOST.swap(true, Ordering::Relaxed)
     {
-        complain(&format!("laval: cannot write to standard output: {e}\n"));
+        say(&text!("laval: cannot write to standard output: {e}", e));
     }
 }
 
 /// Something printed was lost.
 pub fn lost() -> bool {
     LOST.load(Ordering::Relaxed)
+}
+
+/// Prints a sentence in a line of its own to standard error, in the language of the program.
+pub fn say(text: &Text) {
+    complain(&format!("{}\n", plain::line(&language::said(text))));
 }
 
 /// Prints a message to standard error.

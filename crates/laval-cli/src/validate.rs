@@ -4,6 +4,7 @@ use crate::{DONE, FAILED, WRONG, input, terminal};
 use laval::diagnostic::Diagnostic;
 use laval::output_folder::{Held, Lasting, write_whole};
 use laval::plain;
+use laval::text;
 use laval::validation::{Document, Page, documents, gallery, run};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -63,7 +64,8 @@ pub fn validate(args: &Args) -> u8 {
     if changed.is_empty() {
         return DONE;
     }
-    terminal::complain(&format!("\n{} of {} cases are not as their pages state\n", changed.len(), pages.len()));
+    terminal::complain("\n");
+    terminal::say(&text!("{n} of {all} cases are not as their pages state", n = changed.len(), all = pages.len()));
     WRONG
 }
 
@@ -71,18 +73,18 @@ fn find(args: &Args) -> Result<Vec<Document>, Diagnostic> {
     let folders = if args.folders.is_empty() { vec![nearest_folder()?] } else { args.folders.clone() };
     let mut all = Vec::new();
     for folder in &folders {
-        let found =
-            documents(folder).map_err(|(path, e)| Diagnostic::error("validation.read", format!("cannot read {}: {e}", path.display())))?;
+        let found = documents(folder)
+            .map_err(|(path, e)| Diagnostic::error("validation.read", text!("cannot read {path}: {e}", path = path.display(), e)))?;
         if found.is_empty() {
-            let d = Diagnostic::error("validation.none", format!("there is no case in {}", folder.display()));
-            return Err(d.help("a case is a page TOPIC/CASE.md; docs/validation.md says how to write one"));
+            let d = Diagnostic::error("validation.none", text!("there is no case in {folder}", folder = folder.display()));
+            return Err(d.help(text!("a case is a page TOPIC/CASE.md; docs/validation.md says how to write one")));
         }
         all.extend(found);
     }
     if let Some(text) = &args.only {
         all.retain(|d| d.id.contains(text.as_str()));
         if all.is_empty() {
-            return Err(Diagnostic::error("validation.only", format!("no case has {text:?} in its name")));
+            return Err(Diagnostic::error("validation.only", text!("no case has {text} in its name", text = text::quoted(&text))));
         }
     }
     Ok(all)
@@ -91,8 +93,8 @@ fn find(args: &Args) -> Result<Vec<Document>, Diagnostic> {
 /// `validation` in the current folder or the nearest one above.
 fn nearest_folder() -> Result<PathBuf, Diagnostic> {
     let none = || {
-        Diagnostic::error("validation.folder", "there is no folder \"validation\" here or above")
-            .help("run inside the source repository of laval, or name a folder of cases")
+        Diagnostic::error("validation.folder", text!("there is no folder \"validation\" here or above"))
+            .help(text!("run inside the source repository of laval, or name a folder of cases"))
     };
     let here = std::env::current_dir().map_err(|_| none())?;
     here.ancestors().map(|a| a.join("validation")).find(|v| v.is_dir()).ok_or_else(none)
@@ -124,13 +126,13 @@ fn reported(page: &Page) -> String {
 
 fn write(out: &Path, pages: &[Page]) -> Result<(), u8> {
     let files = gallery(pages).map_err(|e| {
-        terminal::complain(&format!("laval: {e}\n"));
+        terminal::say(&text!("laval: {why}", why = e));
         FAILED
     })?;
     for (name, content) in files {
         let path = out.join(name);
         write_whole(&path, &content.into_bytes(), Lasting::Kill).map_err(|e| {
-            terminal::complain(&format!("laval: cannot write {}: {e}\n", path.display()));
+            terminal::say(&text!("laval: cannot write {path}: {e}", path = path.display(), e));
             WRONG
         })?;
     }

@@ -1,5 +1,7 @@
 //! One thing that is wrong (or doubtful) in a file or a request, said once, with its place and help.
 
+use crate::text;
+use crate::text::{Argument, Text};
 use std::fmt;
 use std::ops::Range;
 
@@ -23,13 +25,13 @@ pub struct Diagnostic {
     /// Severity.
     pub severity: Severity,
     /// One sentence.
-    pub message: String,
+    pub message: Text,
     /// Place in the file, when there is one.
     pub span: Option<Span>,
     /// Short text printed under the marked place.
-    pub label: Option<Box<str>>,
+    pub label: Option<Box<Text>>,
     /// What to do about it.
-    pub help: Option<Box<str>>,
+    pub help: Option<Box<Text>>,
     /// The name that does not exist, where that is what is wrong.
     pub about: Option<Box<Absent>>,
 }
@@ -52,11 +54,11 @@ impl Absent {
 
 impl Diagnostic {
     /// An error.
-    pub fn error(code: &'static str, message: impl Into<String>) -> Self {
-        Diagnostic { code, severity: Severity::Error, message: message.into(), span: None, label: None, help: None, about: None }
+    pub fn error(code: &'static str, message: Text) -> Self {
+        Diagnostic { code, severity: Severity::Error, message, span: None, label: None, help: None, about: None }
     }
     /// A warning.
-    pub fn warning(code: &'static str, message: impl Into<String>) -> Self {
+    pub fn warning(code: &'static str, message: Text) -> Self {
         Diagnostic { severity: Severity::Warning, ..Self::error(code, message) }
     }
     /// Adds the place.
@@ -65,8 +67,8 @@ impl Diagnostic {
         self
     }
     /// Adds the text under the marked place.
-    pub fn label(mut self, label: impl Into<String>) -> Self {
-        self.label = Some(label.into().into());
+    pub fn label(mut self, label: Text) -> Self {
+        self.label = Some(Box::new(label));
         self
     }
     /// Adds the name that does not exist.
@@ -79,15 +81,25 @@ impl Diagnostic {
         self.about.as_ref().map_or(&[], |a| &a.also)
     }
     /// Adds help.
-    pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into().into());
+    pub fn help(mut self, help: Text) -> Self {
+        self.help = Some(Box::new(help));
         self
+    }
+}
+
+impl Diagnostic {
+    /// The sentence with its help in brackets.
+    pub fn sentence(&self) -> Text {
+        match &self.help {
+            Some(help) => text!("{message} ({help})", message = self.message, help),
+            None => self.message.clone(),
+        }
     }
 }
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)?;
+        self.message.fmt(f)?;
         if let Some(help) = &self.help {
             write!(f, " ({help})")?;
         }
@@ -108,7 +120,9 @@ impl Diagnostics {
     /// Orders them by place, those without one first, and drops repetitions.
     pub fn sort_by_place(&mut self) {
         let key = |d: &Diagnostic| d.span.as_ref().map(|s| (s.start, s.end));
-        self.0.sort_by(|a, b| key(a).cmp(&key(b)).then_with(|| a.code.cmp(b.code)).then_with(|| a.message.cmp(&b.message)));
+        self.0.sort_by(|a, b| {
+            key(a).cmp(&key(b)).then_with(|| a.code.cmp(b.code)).then_with(|| a.message.to_string().cmp(&b.message.to_string()))
+        });
         self.0.dedup();
     }
     /// At least one error.
@@ -118,7 +132,7 @@ impl Diagnostics {
     /// The first error, of a machine that could not be assembled.
     pub fn into_error(self) -> Diagnostic {
         let first = self.0.into_iter().find(|d| d.severity == Severity::Error);
-        first.unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled"))
+        first.unwrap_or_else(|| Diagnostic::error("machine", text!("it cannot be assembled")))
     }
 }
 
@@ -136,6 +150,11 @@ impl fmt::Display for Diagnostics {
     }
 }
 impl std::error::Error for Diagnostics {}
+
+/// A guess at what was meant, and the list of what there is.
+pub fn meant(near: impl Argument, list: Text) -> Text {
+    text!("did you mean {near}? {list}", near, list = text::sentence(list))
+}
 
 /// The candidate a mistyped word probably means: smallest number of single letters changed, left out, added or swapped with a
 /// neighbour, at most a third of the word; capitals do not count.

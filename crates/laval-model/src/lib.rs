@@ -9,5 +9,7 @@ pub use laval_num;
 pub mod cavity;
 pub mod diagnostic;
 pub mod model;
+mod numerics;
 pub mod parts;
+pub mod text;
 pub mod units;

@@ -19,6 +19,7 @@ use super::particle::{Drag, Medium, Particle};
 use super::ramp::Ramp;
 use super::recovery::Clock;
 use super::vessel::Inside;
+use laval_model::text;
 
 /// Drag rate over spin speed n/w below which inertia is taken along.
 pub const FELT: f64 = 100.0;
@@ -226,7 +227,7 @@ impl Spinning<'_> {
         tolerance: f64,
     ) -> Result<(Option<Exit>, f64), Lost> {
         let Some(journey) = self.journey(*particle) else {
-            return Err(Lost("no path in space".into()));
+            return Err(Lost(text!("no path in space")));
         };
         let speed = journey.ramp.final_speed();
         let (damping, settled) = match &journey.tilt {

@@ -31,6 +31,8 @@ use crate::model::field::{Attach, Field, ParamValues, Values};
 use crate::model::params::NoParams;
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::model::system::Axis;
+use laval_model::text;
+use laval_model::text::Text;
 use laval_num::complex::{Complex, c};
 use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
@@ -190,11 +192,10 @@ impl Part for Cups {
 }
 
 impl Scope for Cups {
-    fn refuses_axis(&self, _: &Params<Self, f64>, axis: Axis) -> Option<String> {
+    fn refuses_axis(&self, _: &Params<Self, f64>, axis: Axis) -> Option<Text> {
         let swings = axis == Axis::Horizontal && self.ring.held.is_none();
         swings.then(|| {
-            "cups swing out against a weight along the axis, which a horizontal machine has not; say at which tilt they are held"
-                .to_string()
+            text!("cups swing out against a weight along the axis, which a horizontal machine has not; say at which tilt they are held")
         })
     }
 }

@@ -13,6 +13,8 @@
 //!
 //! Sources: `docs/theory/separation.md#ensembles-and-recovery`; P. Rosin, E. Rammler, J. Inst. Fuel 7 (1933) 29.
 
+use laval_model::text;
+use laval_model::text::Text;
 use laval_num::sampling::distribution::{normal_probability, normal_quantile};
 
 /// A law of sizes or densities.
@@ -42,7 +44,7 @@ pub enum Law {
 
 /// A law that cannot be.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Impossible(pub String);
+pub struct Impossible(pub Text);
 
 impl Law {
     /// A table of values with shares below (from 0 or more, to 1).
@@ -52,10 +54,10 @@ impl Law {
     pub fn cumulative(values: &[f64], below: &[f64]) -> Result<Law, Impossible> {
         let points = columns(values, below)?;
         if below.windows(2).any(|w| !(w[1] >= w[0])) || below.first().is_some_and(|b| !(*b >= 0.0)) {
-            return Err(Impossible("the shares below must rise from 0 to 1".into()));
+            return Err(Impossible(text!("the shares below must rise from 0 to 1")));
         }
         if below.last().is_some_and(|b| (b - 1.0).abs() > 1e-9) {
-            return Err(Impossible(format!("the last share below is {}; it must be 1", below[below.len() - 1])));
+            return Err(Impossible(text!("the last share below is {last}; it must be 1", last = below[below.len() - 1])));
         }
         Ok(Law::Cumulative(points))
     }
@@ -68,7 +70,7 @@ impl Law {
         let mut points = columns(values, shares)?;
         let sum: f64 = shares.iter().sum();
         if !shares.iter().all(|s| *s >= 0.0) || !(sum > 0.0) {
-            return Err(Impossible("the shares of the classes must not be negative, and not all zero".into()));
+            return Err(Impossible(text!("the shares of the classes must not be negative, and not all zero")));
         }
         points.iter_mut().for_each(|p| p.1 /= sum);
         Ok(Law::Classes(points))
@@ -133,10 +135,10 @@ impl Law {
 
 fn columns(values: &[f64], shares: &[f64]) -> Result<Vec<(f64, f64)>, Impossible> {
     if values.len() != shares.len() || values.is_empty() {
-        return Err(Impossible(format!("{} values have {} shares", values.len(), shares.len())));
+        return Err(Impossible(text!("{values} values have {shares} shares", values = values.len(), shares = shares.len())));
     }
     if !values.iter().chain(shares).all(|x| x.is_finite()) || !(values[0] > 0.0) || values.windows(2).any(|w| !(w[1] > w[0])) {
-        return Err(Impossible("the values must be positive and increase from row to row".into()));
+        return Err(Impossible(text!("the values must be positive and increase from row to row")));
     }
     Ok(values.iter().copied().zip(shares.iter().copied()).collect())
 }

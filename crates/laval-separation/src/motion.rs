@@ -17,6 +17,8 @@ use super::frame::{Pose, coriolis, gravity, transport};
 use super::particle::{Drag, Medium, Particle, TURBULENT, transitional, turbulent};
 use super::ramp::Ramp;
 use super::vessel::Inside;
+use laval_model::text;
+use laval_model::text::Text;
 use laval_num::dense::Mat;
 use laval_num::dual::Dual;
 use laval_num::ode::{Control, Direction, Dop853, End, Event, Failure, Method, Ode, Radau, Run, Step, StiffOde, Tolerance, integrate};
@@ -162,7 +164,7 @@ pub struct Arrival {
 
 /// Why a journey could not be computed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Lost(pub String);
+pub struct Lost(pub Text);
 
 /// Changes of the piece of the drag law before the journey counts as caught at the jump.
 const MOST_PIECES: usize = 200;
@@ -224,7 +226,7 @@ impl Journey {
                     Leaves::Piece => {
                         pieces += 1;
                         if pieces > MOST_PIECES {
-                            return Err(Lost(format!("the drag law changes its piece again and again at {t} s")));
+                            return Err(Lost(text!("the drag law changes its piece again and again at {t} s", t)));
                         }
                         equations.change(t, &y, per_speed);
                     }
@@ -326,9 +328,9 @@ impl Leg<'_> {
 
 fn lost(run: &Run) -> Lost {
     match &run.end {
-        End::Failed { what, .. } => Lost(what.to_string()),
-        End::StepTooSmall { t, .. } => Lost(format!("the step became too small at {t} s")),
-        _ => Lost(format!("stopped at {} s after {} steps", run.t, run.work.steps)),
+        End::Failed { what, .. } => Lost(text!("{what}", what)),
+        End::StepTooSmall { t, .. } => Lost(text!("the step became too small at {t} s", t)),
+        _ => Lost(text!("stopped at {t} s after {steps} steps", t = run.t, steps = run.work.steps)),
     }
 }
 

@@ -23,6 +23,7 @@ use super::motion::Lost;
 use super::particle::Particle;
 use super::ramp::Ramp;
 use super::slowest::Last;
+use laval_model::text;
 use laval_num::order::SortByNumber;
 use laval_num::work::Here;
 use rayon::prelude::*;
@@ -440,7 +441,7 @@ impl<'a> Recovery<'a> {
 
 /// An exit that is computed, unless the watch says stop.
 fn seen(watch: Watch, exit: Result<Option<Exit>, Lost>) -> Result<Option<Exit>, Lost> {
-    if watch() { exit } else { Err(Lost("stopped".into())) }
+    if watch() { exit } else { Err(Lost(text!("stopped"))) }
 }
 
 /// Weighted order statistic of the first places.

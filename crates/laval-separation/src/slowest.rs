@@ -19,6 +19,7 @@ use super::motion::Lost;
 use super::particle::Particle;
 use super::tube::Filled;
 use super::vessel::Inside;
+use laval_model::text;
 use laval_num::order::SortByNumber;
 use laval_num::work::Here;
 use rayon::prelude::*;
@@ -132,7 +133,7 @@ impl Spinning<'_> {
         let top = climbed.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
         match top.and_then(|(time, site)| Some(Last { time, start: place(site)? })) {
             Some(last) => Ok(last),
-            None => Err(Lost("no place of the liquid is found where a path begins".into())),
+            None => Err(Lost(text!("no place of the liquid is found where a path begins"))),
         }
     }
 }

@@ -15,6 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, TimeForm};
 use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
+use laval_model::text;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 use laval_num::eig::{self, EigError, Number};
@@ -164,10 +165,10 @@ pub fn time_forms(system: &System) -> Result<Vec<(String, f64)>, Diagnostic> {
             Physics::Frequency(TimeForm::None(why)) => {
                 return Err(Diagnostic::error(
                     "modes.frequency_only",
-                    format!("\"{}\" is given in the frequency domain only: {why}", slot.name),
+                    text!("\"{name}\" is given in the frequency domain only: {why}", name = slot.name, why = text::term(why)),
                 )
                 .at(slot.span.clone())
-                .help("forced_response works with it, and modes about rest where the part says where it is analytic"));
+                .help(text!("forced_response works with it, and modes about rest where the part says where it is analytic")));
             }
             Physics::Frequency(TimeForm::Fit(error)) => fits.push((slot.name.clone(), error)),
             _ => {}
@@ -537,8 +538,8 @@ pub fn modes_about(system: &System, about: &Equilibrium, always: bool) -> Result
     }
     let linear = Linearised::new(system, about)?;
     let mut spectrum = linear.spectrum().map_err(|e| {
-        Diagnostic::error("modes.eigenvalues", format!("the modes at {} rad/s could not be computed: {e}", about.speed))
-            .help("a coordinate with neither mass, damping nor stiffness leaves the modes undetermined")
+        Diagnostic::error("modes.eigenvalues", text!("the modes at {speed} rad/s could not be computed: {e}", speed = about.speed, e))
+            .help(text!("a coordinate with neither mass, damping nor stiffness leaves the modes undetermined"))
     })?;
     if holds_fit(system) {
         super::exact::settle(&mut Characteristic::new(system, about), &linear, &mut spectrum);

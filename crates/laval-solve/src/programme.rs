@@ -1,5 +1,7 @@
 //! Spin-speed programmes: speed, spin acceleration and the exact phase as functions of time.
 
+use laval_model::text;
+use laval_model::text::Text;
 use serde::{Deserialize, Serialize};
 
 /// The spin at one moment.
@@ -26,7 +28,7 @@ pub enum Shape {
 
 /// Why a programme makes no sense.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unusable(pub String);
+pub struct Unusable(pub Text);
 
 /// Highest degree of a polynomial of the speed.
 pub const DEGREE: usize = 7;
@@ -101,7 +103,7 @@ impl Programme {
     pub fn ramp(from: f64, to: f64, duration: f64, shape: Shape, phase: f64) -> Result<Self, Unusable> {
         let ok = duration > 0.0 && duration.is_finite() && from.is_finite() && to.is_finite() && phase.is_finite();
         if !ok {
-            return Err(Unusable("the speeds must be finite and the duration of the change positive".into()));
+            return Err(Unusable(text!("the speeds must be finite and the duration of the change positive")));
         }
         let d = to - from;
         let law = match shape {
@@ -110,9 +112,9 @@ impl Programme {
             Shape::Exponential => {
                 let ratio = to / from;
                 if ratio.is_nan() || ratio <= 0.0 || ratio.is_infinite() {
-                    return Err(Unusable(
-                        "an exponential change never reaches or leaves standstill: both speeds need the same sign".into(),
-                    ));
+                    return Err(Unusable(text!(
+                        "an exponential change never reaches or leaves standstill: both speeds need the same sign"
+                    )));
                 }
                 Law::Exponential { speed: from, rate: ratio.ln() / duration }
             }
@@ -129,11 +131,15 @@ impl Programme {
     /// No coefficient or more than [`DEGREE`] + 1, a duration that is not positive, values that are not finite.
     pub fn polynomial(coefficients: &[f64], duration: f64, phase: f64) -> Result<Self, Unusable> {
         if coefficients.is_empty() || coefficients.len() > DEGREE + 1 {
-            return Err(Unusable(format!("a polynomial of the speed has 1 to {} coefficients, not {}", DEGREE + 1, coefficients.len())));
+            return Err(Unusable(text!(
+                "a polynomial of the speed has 1 to {most} coefficients, not {given}",
+                most = DEGREE + 1,
+                given = coefficients.len()
+            )));
         }
         let finite = coefficients.iter().chain([&phase]).all(|x| x.is_finite());
         if !(finite && duration > 0.0 && duration.is_finite()) {
-            return Err(Unusable("the coefficients must be finite and the duration of the change positive".into()));
+            return Err(Unusable(text!("the coefficients must be finite and the duration of the change positive")));
         }
         let mut all = [0.0; DEGREE + 1];
         all[..coefficients.len()].copy_from_slice(coefficients);
@@ -151,13 +157,13 @@ impl Programme {
     /// Fewer than two points, times that do not increase, values that are not finite.
     pub fn table(times: &[f64], speeds: &[f64], phase: f64) -> Result<Self, Unusable> {
         if times.len() != speeds.len() || times.len() < 2 {
-            return Err(Unusable("a table of speeds needs at least two points, and as many speeds as times".into()));
+            return Err(Unusable(text!("a table of speeds needs at least two points, and as many speeds as times")));
         }
         if !times.iter().chain(speeds).chain([&phase]).all(|x| x.is_finite()) {
-            return Err(Unusable("times and speeds must be finite".into()));
+            return Err(Unusable(text!("times and speeds must be finite")));
         }
         if let Some(w) = times.windows(2).find(|w| w[1] <= w[0]) {
-            return Err(Unusable(format!("the times must increase; {} s is followed by {} s", w[0], w[1])));
+            return Err(Unusable(text!("the times must increase; {first} s is followed by {second} s", first = w[0], second = w[1])));
         }
         let h: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
         let slope: Vec<f64> = speeds.windows(2).zip(&h).map(|(w, h)| (w[1] - w[0]) / h).collect();
@@ -189,7 +195,7 @@ impl Programme {
                     Law::Exponential { speed, rate } => speed.is_finite() && rate.is_finite(),
                 }
         });
-        if fine { Ok(self) } else { Err(Unusable("the speed changes faster than can be computed".into())) }
+        if fine { Ok(self) } else { Err(Unusable(text!("the speed changes faster than can be computed"))) }
     }
 
     fn push(&mut self, from: f64, law: Law) {

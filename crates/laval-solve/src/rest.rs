@@ -9,6 +9,8 @@ use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Rows};
 use crate::model::system::{Drive, Slot, System, Workspace};
+use laval_model::text;
+use laval_model::text::Text;
 use laval_num::complex::C64;
 use laval_num::dense::{Lu, Mat, max_abs};
 
@@ -36,7 +38,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
             if change > 1e-9 * size {
                 return Err(Diagnostic::error(
                     "rest.turning",
-                    format!("the machine has no rest: the force of \"{}\" turns with the rotor", slot.name),
+                    text!("the machine has no rest: the force of \"{name}\" turns with the rotor", name = slot.name),
                 )
                 .at(slot.span.clone())
                 .help(instead(system, speed)));
@@ -62,13 +64,13 @@ pub fn hanging(system: &System, speed: f64, places: &[(usize, f64)]) -> Result<E
 
 /// Studies that answer for a machine without rest: states that turn exist only where nothing has a preferred direction, and a free spin has neither a given
 /// speed nor a programme.
-pub(super) fn instead(system: &System, speed: f64) -> &'static str {
+pub(super) fn instead(system: &System, speed: f64) -> Text {
     if system.machine.drive == Drive::Free {
-        return "transient gives the motion in time";
+        return text!("transient gives the motion in time");
     }
     match preferring(system, speed) {
-        None => "stationary gives the states that turn with the rotor and their stability, transient and run_up the motion in time",
-        Some(_) => "transient and run_up give the motion in time",
+        None => text!("stationary gives the states that turn with the rotor and their stability, transient and run_up the motion in time"),
+        Some(_) => text!("transient and run_up give the motion in time"),
     }
 }
 
@@ -82,9 +84,9 @@ pub fn unlinearised(system: &System, about: &Equilibrium) -> Option<Diagnostic> 
             gap < -resolved || gap > resolved && held(system, slot, about)
         });
         (!fine).then(|| {
-            Diagnostic::error("rest.refused", format!("\"{}\" cannot be linearised at rest: {reason}", slot.name))
+            Diagnostic::error("rest.refused", text!("\"{name}\" cannot be linearised at rest: {reason}", name = slot.name, reason))
                 .at(slot.span.clone())
-                .help("use a nonlinear study or one in time, or give the part a preload")
+                .help(text!("use a nonlinear study or one in time, or give the part a preload"))
         })
     })
 }
@@ -367,14 +369,14 @@ fn sink(system: &System, start: &Equilibrium, held: &[usize]) -> Option<Equilibr
 
 fn not_held(system: &System, speed: f64) -> Diagnostic {
     let free = instead(system, speed);
-    Diagnostic::error("rest.not_held", "the machine has no equilibrium under its loads: some coordinate is not held by any stiffness")
-        .help(format!("attach a bearing, shaft or foundation to every body that carries a load; masses that move freely, such as the balls of a balancer, have no equilibrium at rest: {free}"))
+    Diagnostic::error("rest.not_held", text!("the machine has no equilibrium under its loads: some coordinate is not held by any stiffness"))
+        .help(text!("attach a bearing, shaft or foundation to every body that carries a load; masses that move freely, such as the balls of a balancer, have no equilibrium at rest: {free}", free))
 }
 
 fn no_equilibrium(step: f64) -> Diagnostic {
     Diagnostic::error(
         "rest.not_found",
-        format!("no equilibrium was found (Newton's method stopped with a step of {step:.1e} typical sizes)"),
+        text!("no equilibrium was found (Newton's method stopped with a step of {step} typical sizes)", step = format_args!("{step:.1e}")),
     )
-    .help("check the load and the characteristics of nonlinear parts, or start from another state")
+    .help(text!("check the load and the characteristics of nonlinear parts, or start from another state"))
 }

@@ -19,6 +19,7 @@ use super::ties::{mode_rank, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Domain, Physics, TimeForm};
 use crate::model::system::System;
+use laval_model::text;
 use laval_num::complex::{C64, c};
 use laval_num::contour::{Region, Sample, missing, zeros};
 use laval_num::dense::{Field, Lu, Mat};
@@ -269,15 +270,17 @@ fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool, bare: bool
 /// A state that turns with the rotor: the domain of the parts is known in fixed axes.
 pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<Roots, Diagnostic> {
     if about.frame == Frame::Turning {
-        return Err(
-            Diagnostic::error("modes.frequency_only", "a part without time form is linearised about rest only").help("leave about out")
-        );
+        return Err(Diagnostic::error("modes.frequency_only", text!("a part without time form is linearised about rest only"))
+            .help(text!("leave about out")));
     }
     if let Some(silent) = system.undeclared() {
         time_forms(system)?;
-        return Err(Diagnostic::error("modes.domain", format!("\"{}\" does not say where its dynamic stiffness is analytic", silent.name))
-            .at(silent.span.clone())
-            .help("without that no roots can be counted; forced_response works with it"));
+        return Err(Diagnostic::error(
+            "modes.domain",
+            text!("\"{name}\" does not say where its dynamic stiffness is analytic", name = silent.name),
+        )
+        .at(silent.span.clone())
+        .help(text!("without that no roots can be counted; forced_response works with it")));
     }
     let speed = about.speed;
     let domains = system.domains(speed);
@@ -306,8 +309,11 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     let largest = values(None).iter().map(|v| v.abs()).filter(|v| v.is_finite()).fold(3.0 * speed.abs(), f64::max);
     let frequency = request.frequency.unwrap_or(1.2 * largest);
     if !(frequency > 0.0 && frequency.is_finite()) {
-        return Err(Diagnostic::error("modes.region", "the frequencies of the machine have no bound from which roots could be counted")
-            .help("give frequency_limit"));
+        return Err(Diagnostic::error(
+            "modes.region",
+            text!("the frequencies of the machine have no bound from which roots could be counted"),
+        )
+        .help(text!("give frequency_limit")));
     }
     let mut out = Roots {
         spectrum: Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0, left_out: 0 },

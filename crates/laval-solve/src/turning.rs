@@ -5,6 +5,8 @@ use super::rest::{instead, rest, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, Rows};
 use crate::model::system::{Slot, System, Workspace};
+use laval_model::text;
+use laval_model::text::Text;
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
 
@@ -19,7 +21,7 @@ pub fn turning(system: &System, speed: f64, start: Option<Equilibrium>) -> Resul
     // stationary begins at many places, this at one
     settle(system, start).map_err(|d| match d.code {
         "rest.not_held" | "rest.not_found" => {
-            let message = "from the undeflected machine no state that turns with the rotor was found";
+            let message = text!("from the undeflected machine no state that turns with the rotor was found");
             Diagnostic::error("turning.not_found", message).help(instead(system, speed))
         }
         _ => d,
@@ -35,12 +37,12 @@ pub fn isotropic(system: &System, speed: f64) -> Result<(), Diagnostic> {
         None => Ok(()),
         Some(slot) => Err(Diagnostic::error(
             "turning.anisotropic",
-            format!("the machine has no state that turns with the rotor: {}", reason(system, slot, speed)),
+            text!("the machine has no state that turns with the rotor: {reason}", reason = reason(system, slot, speed)),
         )
         .at(slot.span.clone())
         .help(match rest(system, speed) {
-            Ok(_) => "studies about rest (about = \"rest\"), by harmonics, and in time (transient, run_up) take such a machine",
-            Err(_) => "the machine has no equilibrium at rest either: transient and run_up give the motion in time",
+            Ok(_) => text!("studies about rest (about = \"rest\"), by harmonics, and in time (transient, run_up) take such a machine"),
+            Err(_) => text!("the machine has no equilibrium at rest either: transient and run_up give the motion in time"),
         })),
     }
 }
@@ -135,9 +137,9 @@ fn impedance_changes(system: &System, slot: &Slot, speed: f64) -> bool {
 }
 
 /// Why a part has a preferred direction, as far as its parameters tell.
-fn reason(system: &System, slot: &Slot, speed: f64) -> String {
+fn reason(system: &System, slot: &Slot, speed: f64) -> Text {
     if !slot.weight.is_empty() && !changes(system, slot, speed, false) {
-        return format!("the weight of \"{}\" pulls to one side (axis = \"horizontal\")", slot.name);
+        return text!("the weight of \"{name}\" pulls to one side (axis = \"horizontal\")", name = slot.name);
     }
     let slots = &system.param_slots()[slot.params.clone()];
     let values = &system.params()[slot.params.clone()];
@@ -146,8 +148,12 @@ fn reason(system: &System, slot: &Slot, speed: f64) -> String {
         if let (Some(x), Some(y)) = (values.get(i), values.get(i + 1))
             && x != y
         {
-            return format!("{base} differs in x ({x} {}) and y ({y} {})", s.unit, s.unit);
+            return text!("{base} differs in x ({x} {unit}) and y ({y} {unit})", base, x, y, unit = s.unit);
         }
     }
-    format!("the forces of \"{}\" ({}) do not turn along when machine and state are turned", slot.name, slot.part.kind())
+    text!(
+        "the forces of \"{name}\" ({kind}) do not turn along when machine and state are turned",
+        name = slot.name,
+        kind = slot.part.kind()
+    )
 }

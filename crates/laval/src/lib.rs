@@ -112,7 +112,7 @@
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
-pub use laval_model::{cavity, diagnostic, model, parts, units};
+pub use laval_model::{cavity, diagnostic, model, parts, text, units};
 pub use laval_model::{conformance, params};
 #[doc(hidden)]
 pub use laval_num;
@@ -127,6 +127,8 @@ mod columns;
 pub mod file;
 #[doc(hidden)]
 pub mod hash;
+#[doc(hidden)]
+pub mod language;
 pub mod outcome;
 #[doc(hidden)]
 pub mod output_folder;

@@ -1,6 +1,8 @@
 //! A folder of results: locked by one process at a time, its files whole or not there.
 
 use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::Argument;
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -51,9 +53,9 @@ impl Held {
 
 fn make(folder: &Path) -> Result<(), Diagnostic> {
     fs::create_dir_all(folder).map_err(|e| {
-        let why = if folder.is_file() { "it is a file".to_string() } else { e.to_string() };
-        let d = Diagnostic::error("folder.make", format!("cannot make the folder {}: {why}", folder.display()));
-        d.help("name another one with --out")
+        let why = if folder.is_file() { text!("it is a file").argument() } else { e.argument() };
+        let d = Diagnostic::error("folder.make", text!("cannot make the folder {folder}: {why}", folder = folder.display(), why));
+        d.help(text!("name another one with --out"))
     })
 }
 
@@ -77,8 +79,8 @@ pub fn tidy(folder: &Path) -> Result<(), Diagnostic> {
 }
 
 fn unwritable(path: &Path, e: &io::Error) -> Diagnostic {
-    Diagnostic::error("folder.write", format!("cannot write {}: {e}", path.display()))
-        .help("mend the permissions of the folder, or name another one with --out")
+    Diagnostic::error("folder.write", text!("cannot write {path}: {e}", path = path.display(), e))
+        .help(text!("mend the permissions of the folder, or name another one with --out"))
 }
 
 /// How a folder is held.
@@ -92,8 +94,8 @@ enum Holding {
 fn lock(folder: &Path, holding: Holding) -> Result<File, Diagnostic> {
     let path = folder.join(LOCK);
     let foreign = || {
-        Diagnostic::error("folder.lock", format!("{} was not made by this program and is left as it is", path.display()))
-            .help("move it elsewhere, or name another folder with --out")
+        Diagnostic::error("folder.lock", text!("{path} was not made by this program and is left as it is", path = path.display()))
+            .help(text!("move it elsewhere, or name another folder with --out"))
     };
     // a link would lead to a file of somebody else, which must not be written
     if fs::symlink_metadata(&path).is_ok_and(|m| !m.is_file()) {
@@ -121,9 +123,14 @@ fn lock(folder: &Path, holding: Holding) -> Result<File, Diagnostic> {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
             // only a courtesy: without the number the message still says what is wrong
-            let who = if number.trim().is_empty() { String::new() } else { format!(" (number {})", number.trim()) };
-            let message = format!("another process{who} is writing into {}", folder.display());
-            return Err(Diagnostic::error("folder.locked", message).help("wait until it has ended, or name another folder with --out"));
+            let (number, folder) = (number.trim(), folder.display());
+            let message = match number {
+                "" => text!("another process is writing into {folder}", folder),
+                _ => text!("another process (number {number}) is writing into {folder}", number, folder),
+            };
+            return Err(
+                Diagnostic::error("folder.locked", message).help(text!("wait until it has ended, or name another folder with --out"))
+            );
         }
         // a file system without locks: nothing can be held, and nothing is gained by refusing
         Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}

@@ -56,8 +56,8 @@ impl Progress for Reported {
     fn restored(&self, done: u64, total: u64) {
         self.restored.lock().unwrap().push((done, total));
     }
-    fn note(&self, text: &str) {
-        self.notes.lock().unwrap().push(text.into());
+    fn note(&self, text: &laval::text::Text) {
+        self.notes.lock().unwrap().push(text.to_string());
     }
 }
 
@@ -387,7 +387,7 @@ fn an_error_of_the_computation_keeps_what_was_written() {
     let dir = Dir::new("error");
     let keep = dir.keep();
     let context = Context { keep: Some(&keep), ..Context::quiet("s") };
-    let fail = |r: Range<usize>| if r.start < 40 { Ok(Some(rows(r))) } else { Err(Diagnostic::error("x", "no")) };
+    let fail = |r: Range<usize>| if r.start < 40 { Ok(Some(rows(r))) } else { Err(Diagnostic::error("x", laval::text!("no"))) };
     assert_eq!(store::run(plan(), &context, |r, _| fail(r)).err().unwrap().code, "x");
     let wrong = store::run(plan(), &context, |_, _| Ok(Some(vec![Cells::Float(vec![1.0])]))).err().unwrap();
     assert_eq!(wrong.code, "store.columns");
@@ -463,7 +463,7 @@ fn pieces_leave_the_files_of_one_run() {
     let d = collect().err().unwrap();
     assert_eq!(d.code, store::MISSING);
     // 17 chunks of the first three in four are there, the last of all chunks is shorter
-    assert!(d.message.starts_with("690 of 1030 rows are missing, those of the chunks 2, 4, 6, 8, 10, 12, 29 more of 52"), "{}", d.message);
+    assert!(d.message.starts_with("690 of 1030 rows are missing, those of the chunks 2, 4, 6, 8, 10, 12, ... of 52"), "{}", d.message);
     // the rest in another division
     let rest: Vec<usize> = [2, 1].into_iter().flat_map(|k| piece(k, 2, u64::MAX)).collect();
     assert_eq!(rest.len(), 52 - 17);

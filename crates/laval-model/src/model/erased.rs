@@ -8,6 +8,7 @@ use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity
 use super::field::Field;
 use super::lanes::InLanes;
 use super::params::ParamSlot;
+use crate::text::Text;
 use laval_num::complex::Complex;
 use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
@@ -53,8 +54,8 @@ macro_rules! faces {
             fn fields(&self) -> &'static [Field];
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
-            fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
-            fn warnings(&self, p: &[f64]) -> Vec<String>;
+            fn check(&self, p: &[f64]) -> Vec<(&'static str, Text)>;
+            fn warnings(&self, p: &[f64]) -> Vec<Text>;
             fn body(&self) -> Option<&dyn BodyPart>;
             fn contacts(&self) -> Option<&dyn Contacts>;
             fn movable_masses(&self) -> Option<&dyn MovableMasses>;

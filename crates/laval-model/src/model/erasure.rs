@@ -9,6 +9,7 @@ use super::field::Field;
 use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
 use super::params::{Family as _, ParamSlot, Parametric};
 use super::part::Part;
+use crate::text::Text;
 use laval_num::complex::Complex;
 use laval_num::lanes::Apply;
 use laval_num::scalar::Scalar;
@@ -44,10 +45,10 @@ macro_rules! parts {
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>) {
                 Part::validity(self, &T::Family::from_slice(p), at, out)
             }
-            fn check(&self, p: &[f64]) -> Vec<(&'static str, String)> {
+            fn check(&self, p: &[f64]) -> Vec<(&'static str, Text)> {
                 Part::check(self, &T::Family::from_slice(p))
             }
-            fn warnings(&self, p: &[f64]) -> Vec<String> {
+            fn warnings(&self, p: &[f64]) -> Vec<Text> {
                 Part::warnings(self, &T::Family::from_slice(p))
             }
             fn body(&self) -> Option<&dyn BodyPart> {

@@ -2,6 +2,8 @@
 //! the sweep axes follow.
 
 use crate::diagnostic::Span;
+use crate::text;
+use crate::text::Text;
 use crate::units;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -39,26 +41,26 @@ impl Bounds {
         x.is_finite() && x <= self.max && if self.min_open { x > self.min } else { x >= self.min }
     }
     /// In words, for numbers of an SI unit: "above 0 and at most 1e15 N/m".
-    pub fn text(&self, unit: &str) -> String {
+    pub fn text(&self, unit: &str) -> Text {
         let n = |x: f64| match unit {
             "rad/s" | "rad" | "K" => units::format_si(x, unit),
             _ => units::write_si(x, unit),
         };
         let low = match (self.min, self.min_open) {
             (m, _) if m == f64::NEG_INFINITY => None,
-            (0.0, true) => Some("above 0".to_string()),
-            (m, true) => Some(format!("above {}", n(m))),
-            (0.0, false) => Some("0 or more".to_string()),
-            (m, false) => Some(format!("at least {}", n(m))),
+            (0.0, true) => Some(text!("above 0")),
+            (m, true) => Some(text!("above {least}", least = n(m))),
+            (0.0, false) => Some(text!("0 or more")),
+            (m, false) => Some(text!("at least {least}", least = n(m))),
         };
         let high = (self.max != f64::INFINITY).then(|| n(self.max));
         match (low, high) {
-            (None, None) => "finite".into(),
+            (None, None) => text!("finite"),
             (Some(l), None) => l,
-            (None, Some(h)) => format!("at most {h}"),
-            (Some(_), Some(h)) if !self.min_open && self.min != 0.0 => format!("between {} and {h}", n(self.min)),
-            (Some(_), Some(h)) if !self.min_open => format!("between 0 and {h}"),
-            (Some(l), Some(h)) => format!("{l} and at most {h}"),
+            (None, Some(most)) => text!("at most {most}", most),
+            (Some(_), Some(most)) if !self.min_open && self.min != 0.0 => text!("between {least} and {most}", least = n(self.min), most),
+            (Some(_), Some(most)) if !self.min_open => text!("between 0 and {most}", most),
+            (Some(least), Some(most)) => text!("{least} and at most {most}", least, most),
         }
     }
 }

@@ -4,6 +4,7 @@ use super::part::At;
 use super::system::System;
 use super::tangent::{Tangent, TangentScratch};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::text;
 use laval_num::dense::Mat;
 
 /// Least share of a coordinate's inertia that must be left.
@@ -25,9 +26,12 @@ pub(super) fn check(system: &System, diagnostics: &mut Diagnostics) {
     for (slot, removed) in lightening {
         let name = &system.coordinates()[lost].name;
         diagnostics.push(
-            Diagnostic::error("part.inertia", format!("\"{}\": {}, and no inertia is left for {name}", slot.name, removed.what))
-                .at(slot.span.clone())
-                .help(removed.help),
+            Diagnostic::error(
+                "part.inertia",
+                text!("\"{slot}\": {what}, and no inertia is left for {name}", slot = slot.name, what = removed.what, name),
+            )
+            .at(slot.span.clone())
+            .help(removed.help),
         );
     }
 }

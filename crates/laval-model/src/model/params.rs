@@ -1,6 +1,8 @@
 //! Parameters of a part, declared once.
 
 use super::field::{Bounds, Field, FieldKind};
+use crate::text;
+use crate::text::Text;
 use crate::units::format_si;
 use laval_num::scalar::Scalar;
 
@@ -17,23 +19,33 @@ pub struct ParamSlot {
     pub default: Option<f64>,
 }
 
+#[derive(PartialEq)]
+enum Wrong {
+    Missing,
+    Value(String, Text),
+}
+
 /// What is wrong with values of parameters, in the names and units of a machine file: a lateral pair by its one name where both halves are alike.
-pub fn inadmissible(slots: &[ParamSlot], values: &[f64]) -> Vec<String> {
+pub fn inadmissible(slots: &[ParamSlot], values: &[f64]) -> Vec<Text> {
     let wrong = |slot: &ParamSlot, x: f64| match slot.bounds.contains(x) {
         true => None,
-        false if x.is_nan() => Some("is missing".to_string()),
-        false => Some(format!("is {}; it must be {}", format_si(x, slot.unit), slot.bounds.text(slot.unit))),
+        false if x.is_nan() => Some(Wrong::Missing),
+        false => Some(Wrong::Value(format_si(x, slot.unit), slot.bounds.text(slot.unit))),
     };
-    let mut out: Vec<(&str, String)> = Vec::new();
+    let mut out: Vec<(&str, Wrong)> = Vec::new();
     for (slot, &x) in slots.iter().zip(values) {
-        let Some(text) = wrong(slot, x) else { continue };
+        let Some(what) = wrong(slot, x) else { continue };
         let pair = slot.name.strip_suffix(".y");
         match (pair, out.last_mut()) {
-            (Some(pair), Some(last)) if last.0.strip_suffix(".x") == Some(pair) && last.1 == text => last.0 = pair,
-            _ => out.push((slot.name.as_str(), text)),
+            (Some(pair), Some(last)) if last.0.strip_suffix(".x") == Some(pair) && last.1 == what => last.0 = pair,
+            _ => out.push((slot.name.as_str(), what)),
         }
     }
-    out.into_iter().map(|(name, text)| format!("{name} {text}")).collect()
+    let said = |(name, what): (&str, Wrong)| match what {
+        Wrong::Missing => text!("{name} is missing", name),
+        Wrong::Value(value, wanted) => text!("{name} is {value}; it must be {wanted}", name, value, wanted),
+    };
+    out.into_iter().map(said).collect()
 }
 
 /// A set of parameters with a struct for every scalar and a lift between them. Written by [`params!`](crate::params).

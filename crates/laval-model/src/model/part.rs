@@ -5,6 +5,7 @@ use super::erased;
 use super::field::{Field, ParamValues, Values};
 use super::params::Family;
 use crate::diagnostic::Diagnostics;
+use crate::text::Text;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
@@ -41,7 +42,7 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// (given in another form) are written to `params`.
     fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self>;
     /// Relations between parameters that bounds cannot express: the parameter and the mistake.
-    fn check(&self, _p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, _p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         Vec::new()
     }
     /// Ports, own coordinates and internal states.
@@ -73,7 +74,7 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// Use of the model's validity.
     fn validity(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Validity>) {}
     /// Why the part does not serve its purpose although its model is right: sentences that begin with a small letter and end without a stop.
-    fn warnings(&self, _p: &Params<Self, f64>) -> Vec<String> {
+    fn warnings(&self, _p: &Params<Self, f64>) -> Vec<Text> {
         Vec::new()
     }
 

@@ -7,6 +7,8 @@ use super::params::{ParamSlot, inadmissible};
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
 use super::probe::{self, Probe};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
+use crate::text;
+use crate::text::Text;
 use laval_num::scalar::Scalar;
 use laval_num::work::spend;
 use std::ops::Range;
@@ -192,8 +194,8 @@ impl System {
         }
         if system.coordinates.is_empty() {
             diagnostics.push(
-                Diagnostic::error("machine.no_body", "the machine has no body that can move")
-                    .help("add a part such as a disc: [[part]] with kind = \"disc\" and a mass"),
+                Diagnostic::error("machine.no_body", text!("the machine has no body that can move"))
+                    .help(text!("add a part such as a disc: [[part]] with kind = \"disc\" and a mass")),
             );
         }
         if !diagnostics.has_errors() {
@@ -206,9 +208,9 @@ impl System {
         let (part, k) = (&input.part, self.slots.len());
         if let Some(other) = self.slots.iter().find(|s| s.name == input.name) {
             diagnostics.push(
-                Diagnostic::error("part.duplicate", format!("two parts are named \"{}\"", other.name))
+                Diagnostic::error("part.duplicate", text!("two parts are named \"{name}\"", name = other.name))
                     .at(input.span.clone())
-                    .help("give each part its own name"),
+                    .help(text!("give each part its own name")),
             );
         }
         let layout = part.layout();
@@ -217,18 +219,26 @@ impl System {
         };
         let slots = part.slots();
         if slots.len() != input.params.len() {
-            diagnostics.push(Diagnostic::error("part.parameters", format!("part \"{}\" takes {} parameters", input.name, slots.len())));
+            diagnostics.push(Diagnostic::error(
+                "part.parameters",
+                text!("part \"{name}\" takes {slots} parameters", name = input.name, slots = slots.len()),
+            ));
             return;
         }
         for wrong in inadmissible(&slots, &input.params) {
-            diagnostics.push(Diagnostic::error("parameter.bounds", format!("\"{}\": {wrong}", input.name)).at(input.span.clone()));
+            diagnostics
+                .push(Diagnostic::error("parameter.bounds", text!("\"{name}\": {wrong}", name = input.name, wrong)).at(input.span.clone()));
         }
         if !diagnostics.has_errors() {
             for (_, message) in part.check(&input.params) {
-                diagnostics.push(Diagnostic::error("part.check", format!("\"{}\": {message}", input.name)).at(input.span.clone()));
+                diagnostics.push(
+                    Diagnostic::error("part.check", text!("\"{name}\": {message}", name = input.name, message)).at(input.span.clone()),
+                );
             }
             if let Some(message) = part.scope().and_then(|s| s.refuses_axis(&input.params, self.machine.axis)) {
-                diagnostics.push(Diagnostic::error("part.axis", format!("\"{}\": {message}", input.name)).at(input.span.clone()));
+                diagnostics.push(
+                    Diagnostic::error("part.axis", text!("\"{name}\": {message}", name = input.name, message)).at(input.span.clone()),
+                );
             }
         }
         let (p0, s0) = (self.params.len(), self.states.len());
@@ -258,17 +268,23 @@ impl System {
         let Some(body) = self.slots.iter().position(|s| &s.name == name) else {
             let bodies: Vec<&str> = self.slots.iter().filter(|s| s.layout.body).map(|s| s.name.as_str()).collect();
             return Err(Box::new(
-                Diagnostic::error("body.missing", format!("\"{}\" is attached to \"{name}\", which does not exist", self.slots[slot].name))
-                    .at(self.slots[slot].span.clone())
-                    .help(format!("bodies of this machine: {}, ground", bodies.join(", "))),
+                Diagnostic::error(
+                    "body.missing",
+                    text!("\"{slot}\" is attached to \"{name}\", which does not exist", slot = self.slots[slot].name, name),
+                )
+                .at(self.slots[slot].span.clone())
+                .help(text!("bodies of this machine: {bodies}, ground", bodies = bodies.join(", "))),
             ));
         };
         let b = &self.slots[body];
         if !b.layout.body {
             return Err(Box::new(
-                Diagnostic::error("body.kind", format!("\"{}\" is attached to \"{name}\", which is not a body", self.slots[slot].name))
-                    .at(self.slots[slot].span.clone())
-                    .help(format!("\"{name}\" is a {}; attach to a disc or a foundation", b.part.kind())),
+                Diagnostic::error(
+                    "body.kind",
+                    text!("\"{slot}\" is attached to \"{name}\", which is not a body", slot = self.slots[slot].name, name),
+                )
+                .at(self.slots[slot].span.clone())
+                .help(text!("\"{name}\" is a {kind}; attach to a disc or a foundation", name, kind = b.part.kind())),
             ));
         }
         let first = self.coordinates.iter().position(|c| c.slot == body).unwrap_or(0);
@@ -292,7 +308,8 @@ impl System {
                 Link::Between(a, b) => {
                     if a == b {
                         return Err(Box::new(
-                            Diagnostic::error("port.same", format!("\"{}\" joins a point to itself", slot.name)).at(slot.span.clone()),
+                            Diagnostic::error("port.same", text!("\"{name}\" joins a point to itself", name = slot.name))
+                                .at(slot.span.clone()),
                         ));
                     }
                     let (mut first, second) = (self.point_rows(k, a)?, self.point_rows(k, b)?);
@@ -424,15 +441,15 @@ impl System {
         let (part, rest) = path.split_once('.').unwrap_or((path, ""));
         let near: Vec<&str> = self.param_slots.iter().map(|s| s.name.as_str()).filter(|n| n.split('.').next() == Some(part)).collect();
         let help = if near.is_empty() {
-            format!("parts of this machine: {}", self.slots.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", "))
+            text!("parts of this machine: {names}", names = self.slots.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", "))
         } else {
-            let other = "what a file says in another form, as a fill by its volume, is varied by the parameter it stands for";
-            format!("parameters of \"{part}\": {} ({other})", near.join(", "))
+            let other = text!("what a file says in another form, as a fill by its volume, is varied by the parameter it stands for");
+            text!("parameters of \"{part}\": {near} ({other})", part, near = near.join(", "), other)
         };
         let list = self.slot(part).and_then(|s| Field::list_of(s.part.fields(), rest));
         let message = match list {
-            Some(list) => format!("\"{path}\" is no parameter: \"{}\" is a list, and studies hold its values", list.name),
-            None => format!("there is no parameter \"{path}\""),
+            Some(list) => text!("\"{path}\" is no parameter: \"{name}\" is a list, and studies hold its values", path, name = list.name),
+            None => text!("there is no parameter \"{path}\"", path),
         };
         Diagnostic::error("parameter.unknown", message).about(path).help(help)
     }
@@ -518,12 +535,12 @@ impl System {
         let lacks = |s: &Slot| Some(format!("{}.{}", s.name, s.part.body()?.lacks_spin_inertia(&self.params[s.params.clone()])?));
         self.slots.iter().filter_map(lacks).collect()
     }
-    /// What damps the waves of the liquids of the machine, in brackets with a leading space; empty without liquid.
-    pub fn damping_of_waves(&self) -> String {
-        self.slots.iter().find_map(|s| s.part.filling()).map_or_else(String::new, |f| format!(" ({})", f.damping()))
+    /// What damps the waves of the liquids of the machine.
+    pub fn damping_of_waves(&self) -> Option<&'static str> {
+        self.slots.iter().find_map(|s| s.part.filling()).map(|f| f.damping())
     }
     /// What keeps parts from doing what they are there for, as (part, sentence).
-    pub fn warnings(&self) -> Vec<(usize, String)> {
+    pub fn warnings(&self) -> Vec<(usize, Text)> {
         let all = self.slots.iter().enumerate();
         all.flat_map(|(k, s)| s.part.warnings(&self.params[s.params.clone()]).into_iter().map(move |w| (k, w))).collect()
     }

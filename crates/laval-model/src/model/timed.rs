@@ -3,6 +3,8 @@
 use super::part::{Physics, TimeForm};
 use super::system::{Slot, System};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::text;
+use crate::text::{Argument, Text};
 use std::ops::Deref;
 
 pub use super::capability::time_form::{Speeds, Untimed};
@@ -48,15 +50,15 @@ impl System {
         let mut any = false;
         for (slot, input) in self.slots().iter().zip(&mut inputs) {
             let Physics::Frequency(TimeForm::None(why)) = slot.physics else { continue };
-            let no = |why: &str, help: Option<&'static str>| {
-                Diagnostic::error("motion.no_time_form", format!("\"{}\" has no form in the time domain: {why}", slot.name))
+            let no = |why: text::Arg, help: Option<Text>| {
+                Diagnostic::error("motion.no_time_form", text!("\"{name}\" has no form in the time domain: {why}", name = slot.name, why))
                     .at(slot.span.clone())
-                    .help(help.unwrap_or("use a study in the frequency domain, such as forced_response"))
+                    .help(help.unwrap_or_else(|| text!("use a study in the frequency domain, such as forced_response")))
             };
             let form = slot.part.replaced_in_time().and_then(|r| r.timed(&input.params, speeds, stop));
-            input.part = match form.ok_or_else(|| no(why, None))? {
+            input.part = match form.ok_or_else(|| no(text::term(why), None))? {
                 Ok(part) => part,
-                Err(Untimed::No { why, help }) => return Err(no(&why, help)),
+                Err(Untimed::No { why, help }) => return Err(no(why.argument(), help)),
                 Err(Untimed::Stopped) => return Ok(None),
             };
             any = true;

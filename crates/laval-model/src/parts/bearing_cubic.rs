@@ -19,6 +19,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Rows, Uses, Validity};
 use crate::params;
+use crate::text;
+use crate::text::{Argument, Text};
 use crate::units;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
@@ -46,13 +48,16 @@ fn warn_of_reversal(values: &Values, params: &ParamValues, diagnostics: &mut Dia
     if let Some(d) = reversals.into_iter().flatten().reduce(f64::min)
         && d < reach
     {
-        let message = format!("the force no longer restores beyond a deflection of {}: it pushes away", units::format_si(d, "m"));
-        let place = if valid_to > 0.0 { "valid_to, the deflection the law holds for".into() } else { units::format_si(reach, "m") };
+        let message = text!("the force no longer restores beyond a deflection of {d}: it pushes away", d = units::format_si(d, "m"));
+        let place = match valid_to > 0.0 {
+            true => text!("valid_to, the deflection the law holds for").argument(),
+            false => units::format_si(reach, "m").argument(),
+        };
         diagnostics.push(
             Diagnostic::warning("bearing_cubic.reversal", message)
                 .at(values.span_of("cubic_stiffness"))
-                .label("softens")
-                .help(format!("this is below {place}; check sign and unit (N/m^3), or state the range of the law with valid_to")),
+                .label(text!("softens"))
+                .help(text!("this is below {place}; check sign and unit (N/m^3), or state the range of the law with valid_to", place)),
         );
     }
 }
@@ -107,9 +112,9 @@ valid_to = "2 mm"
             for field in ["stiffness", "cubic_stiffness"] {
                 if params.get(&format!("{field}.x")) != params.get(&format!("{field}.y")) {
                     diagnostics.push(
-                        Diagnostic::error("bearing_cubic.isotropic", format!("an isotropic law has the same {field} in x and y"))
+                        Diagnostic::error("bearing_cubic.isotropic", text!("an isotropic law has the same {field} in x and y", field))
                             .at(values.span_of(field))
-                            .help("give one value, or use law = \"per_axis\""),
+                            .help(text!("give one value, or use law = \"per_axis\"")),
                     );
                 }
             }
@@ -156,11 +161,11 @@ valid_to = "2 mm"
             out.push(Validity { what: "bearing deflection over the range of its law", ratio: at.q[0].hypot(at.q[1]) / p.valid_to });
         }
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let unequal = |x: [f64; 2]| self.isotropic && x[0] != x[1];
         let fields = [("stiffness", p.stiffness), ("cubic_stiffness", p.cubic_stiffness)];
         let wrong = fields.into_iter().filter(|f| unequal(f.1));
-        wrong.map(|(field, _)| (field, format!("an isotropic law has the same {field} in x and y"))).collect()
+        wrong.map(|(field, _)| (field, text!("an isotropic law has the same {field} in x and y", field))).collect()
     }
 }
 

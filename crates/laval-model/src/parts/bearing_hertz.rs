@@ -26,6 +26,8 @@ use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
@@ -95,9 +97,9 @@ clearance = "10 um"
         let radial = values.choice("law")? == "radial";
         if radial && params.get("clearance").is_some_and(|d| d < 0.0) {
             diagnostics.push(
-                Diagnostic::error("bearing_hertz.preload", "a radial law has no preload: its clearance cannot be negative")
+                Diagnostic::error("bearing_hertz.preload", text!("a radial law has no preload: its clearance cannot be negative"))
                     .at(values.span_of("clearance"))
-                    .help("use law = \"per_axis\", where a negative clearance is the interference of opposed contacts"),
+                    .help(text!("use law = \"per_axis\", where a negative clearance is the interference of opposed contacts")),
             );
             return None;
         }
@@ -136,9 +138,9 @@ clearance = "10 um"
         out.push(Observed { name: "deflection", unit: "m", value: at.q[0].hypot(at.q[1]) });
         out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         if self.radial && p.clearance < 0.0 {
-            return vec![("clearance", "a radial law has no preload: its clearance cannot be negative".into())];
+            return vec![("clearance", text!("a radial law has no preload: its clearance cannot be negative"))];
         }
         Vec::new()
     }
@@ -152,12 +154,13 @@ impl Contacts for BearingHertz {
         let deflection = if self.radial { at.q[0].hypot(at.q[1]) } else { at.q[0].abs().max(at.q[1].abs()) };
         Some(p.clearance - deflection)
     }
-    fn refuses_rest(&self, p: &Params<Self, f64>) -> Option<String> {
+    fn refuses_rest(&self, p: &Params<Self, f64>) -> Option<Text> {
         let loaded = !self.radial && p.clearance < 0.0;
         (!loaded).then(|| {
-            "a Hertz contact without preload has no stiffness at rest: give an amplitude to linearise at (a harmonic study does), \
-             a preload (law = \"per_axis\" with a negative clearance), or a bearing_cubic fitted over the amplitudes of interest"
-                .to_string()
+            text!(
+                "a Hertz contact without preload has no stiffness at rest: give an amplitude to linearise at (a harmonic study does), \
+                 a preload (law = \"per_axis\" with a negative clearance), or a bearing_cubic fitted over the amplitudes of interest"
+            )
         })
     }
     fn switches(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<f64>) {

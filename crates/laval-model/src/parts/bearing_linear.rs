@@ -30,6 +30,8 @@ use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::Family;
 use crate::model::part::{At, Beyond, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Tabulated, Validity};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use crate::units::format_si;
 use laval_num::interpolate::{Interpolant, TableError};
 use laval_num::scalar::Scalar;
@@ -67,34 +69,39 @@ pub struct Table {
 
 impl Table {
     /// From increasing speeds (rad/s, at least two) and columns by coefficient name; every mistake is one sentence.
-    pub fn new(speed: &[f64], column: impl Fn(&str) -> Option<Vec<f64>>) -> Result<Self, Vec<String>> {
+    pub fn new(speed: &[f64], column: impl Fn(&str) -> Option<Vec<f64>>) -> Result<Self, Vec<Text>> {
         let mut wrong = Vec::new();
         if speed.len() < 2 {
-            wrong.push("a table over speed has at least two rows; for one speed give the coefficients themselves".to_string());
+            wrong.push(text!("a table over speed has at least two rows; for one speed give the coefficients themselves"));
         } else if let Err(error) = Interpolant::new(speed, &vec![0.0; speed.len()]) {
             wrong.push(match error {
                 TableError::NotIncreasing(row) => {
                     let shown = |w: f64| format_si(w, "rad/s");
-                    format!(
-                        "speeds must increase from row to row: row {} has {} after {}",
-                        row + 1,
-                        shown(speed[row]),
-                        shown(speed[row - 1])
+                    text!(
+                        "speeds must increase from row to row: row {number} has {speed} after {before}",
+                        number = row + 1,
+                        speed = shown(speed[row]),
+                        before = shown(speed[row - 1])
                     )
                 }
-                other => format!("column speed: {other}"),
+                other => text!("column speed: {why}", why = other),
             });
         }
         let columns = NAMES.map(|name| {
             let values = column(name)?;
             if values.len() != speed.len() {
-                wrong.push(format!("column {name} has {} rows and column speed has {}", values.len(), speed.len()));
+                wrong.push(text!(
+                    "column {name} has {values} rows and column speed has {speed}",
+                    name,
+                    values = values.len(),
+                    speed = speed.len()
+                ));
                 return None;
             }
             match Interpolant::new(speed, &values) {
                 Ok(f) => Some(f),
                 Err(TableError::NotFinite(row)) if values.get(row).is_some_and(|v| !v.is_finite()) => {
-                    wrong.push(format!("column {name}: row {} is not a finite number", row + 1));
+                    wrong.push(text!("column {name}: row {number} is not a finite number", name, number = row + 1));
                     None
                 }
                 Err(_) => None, // the speeds, reported above
@@ -223,9 +230,14 @@ cyy = "3e4 N s/m"
             let Some(value) = values.number(short) else { continue };
             if let Some(twice) = both.into_iter().find(|name| params.get(name).is_some_and(|x| x != 0.0)) {
                 diagnostics.push(
-                    Diagnostic::error("bearing_linear.twice", format!("{short} is given beside {twice}"))
+                    Diagnostic::error("bearing_linear.twice", text!("{short} is given beside {twice}", short, twice))
                         .at(values.span_of(short))
-                        .help(format!("{short} stands for {} and {}: give the one value or these two", both[0], both[1])),
+                        .help(text!(
+                            "{short} stands for {first} and {second}: give the one value or these two",
+                            short,
+                            first = both[0],
+                            second = both[1]
+                        )),
                 );
             }
             for name in both {
@@ -241,16 +253,16 @@ cyy = "3e4 N s/m"
         let Some(columns) = values.columns("table") else {
             if given.is_empty() {
                 diagnostics.push(
-                    Diagnostic::error("bearing_linear.empty", "the bearing has no coefficient: all eight are zero")
+                    Diagnostic::error("bearing_linear.empty", text!("the bearing has no coefficient: all eight are zero"))
                         .at(values.span.clone())
-                        .help("give stiffness, or kxx and kyy (and what else it has), or a table over speed"),
+                        .help(text!("give stiffness, or kxx and kyy (and what else it has), or a table over speed")),
                 );
             }
             if values.written("beyond") {
                 diagnostics.push(
-                    Diagnostic::error("bearing_linear.beyond", "beyond is given without a table")
+                    Diagnostic::error("bearing_linear.beyond", text!("beyond is given without a table"))
                         .at(values.span_of("beyond"))
-                        .help("constant coefficients hold at every speed: take beyond away, or give a table over speed"),
+                        .help(text!("constant coefficients hold at every speed: take beyond away, or give a table over speed")),
                 );
             }
             return Some(BearingLinear::constant(link));
@@ -258,9 +270,9 @@ cyy = "3e4 N s/m"
         if let Some(name) = given.first() {
             let name = SHORT.into_iter().find(|s| s.1.contains(name) && values.number(s.0).is_some()).map_or(*name, |s| s.0);
             diagnostics.push(
-                Diagnostic::error("bearing_linear.twice", format!("{name} is given as a constant beside a table"))
+                Diagnostic::error("bearing_linear.twice", text!("{name} is given as a constant beside a table", name))
                     .at(values.span_of(name))
-                    .help("a bearing has constant coefficients or a table: put constants into the table as equal rows"),
+                    .help(text!("a bearing has constant coefficients or a table: put constants into the table as equal rows")),
             );
         }
         match Table::new(columns.get("speed").map_or(&[][..], Vec::as_slice), |name| columns.get(name).cloned()) {
@@ -322,10 +334,10 @@ cyy = "3e4 N s/m"
             out.push(Validity { what: RANGE, ratio: (at.speed - middle).abs() / half });
         }
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let constants = BearingLinearFamily::to_vec(p);
         if self.table.is_some() && constants.iter().any(|x| *x != 0.0) {
-            return vec![("table", "the coefficients come from the table: a constant beside it has no effect".into())];
+            return vec![("table", text!("the coefficients come from the table: a constant beside it has no effect"))];
         }
         Vec::new()
     }

@@ -16,6 +16,8 @@ use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
@@ -85,9 +87,9 @@ axes = "fixed"                      # "rotating" is damping inside the rotor
         let rotating = values.choice("axes") == Some("rotating");
         if rotating && params.get("damping.x") != params.get("damping.y") {
             diagnostics.push(
-                Diagnostic::error("damper.rotating", "rotating damping must be the same in x and y")
+                Diagnostic::error("damper.rotating", text!("rotating damping must be the same in x and y"))
                     .at(values.span_of("damping"))
-                    .help("different values in rotating axes would make the machine's equations periodic in time"),
+                    .help(text!("different values in rotating axes would make the machine's equations periodic in time")),
             );
         }
         let tilts = params.get("tilt_damping").is_some_and(|x| x != 0.0);
@@ -146,12 +148,12 @@ axes = "fixed"                      # "rotating" is damping inside the rotor
             out.push(Observed { name: Observed::MOMENT, unit: "N m", value: p.tilt_damping * slip.re.hypot(slip.im) });
         }
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         if self.rotating && p.damping[0] != p.damping[1] {
-            return vec![("damping", "rotating damping must be the same in x and y".into())];
+            return vec![("damping", text!("rotating damping must be the same in x and y"))];
         }
         if !self.tilts && p.tilt_damping != 0.0 {
-            return vec![("tilt_damping", "this damper was built without tilt".into())];
+            return vec![("tilt_damping", text!("this damper was built without tilt"))];
         }
         Vec::new()
     }

@@ -33,6 +33,8 @@ use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use crate::units::format_si;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
@@ -147,21 +149,21 @@ skew = "0.1 mrad"                   # dynamic unbalance
         let Some(columns) = values.columns("unbalances") else { return Some(disc) };
         let sizes = columns.get("unbalance")?;
         let entry = |name: &str, k: usize| columns.get(name).and_then(|c| c.get(k)).copied().unwrap_or(0.0);
-        let mut refuse = |message: String, help: &str| {
+        let mut refuse = |message: Text, help: Text| {
             diagnostics.push(Diagnostic::error("disc.unbalances", message).at(values.span_of("unbalances")).help(help));
         };
         if let Some(u) = sizes.iter().find(|u| !(0.0..=1e4).contains(*u)) {
-            refuse(format!("an unbalance of {u} kg m"), "sizes are positive; phase = \"180 deg\" turns one round");
+            refuse(text!("an unbalance of {u} kg m", u), text!("sizes are positive; phase = \"180 deg\" turns one round"));
             return None;
         }
         if (0..sizes.len()).any(|k| !(entry("phase", k).abs() <= 1e3 && entry("at", k).abs() <= 100.0)) {
-            refuse("an unbalance has no place".into(), "phase is an angle up to 1000 rad, at a height up to 100 m");
+            refuse(text!("an unbalance has no place"), text!("phase is an angle up to 1000 rad, at a height up to 100 m"));
             return None;
         }
         if !disc.tilts && (0..sizes.len()).any(|k| entry("at", k) != 0.0) {
             refuse(
-                "the height of an unbalance acts on the tilt, and this disc does not tilt".into(),
-                "give diametral_inertia as well, or leave at out",
+                text!("the height of an unbalance acts on the tilt, and this disc does not tilt"),
+                text!("give diametral_inertia as well, or leave at out"),
             );
             return None;
         }
@@ -262,21 +264,17 @@ skew = "0.1 mrad"                   # dynamic unbalance
         }
     }
 
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let mut wrong = Vec::new();
         if self.tilts && p.polar_inertia > 2.0 * p.diametral_inertia {
             wrong.push((
                 "polar_inertia",
-                format!(
-                    "no body has a polar inertia ({}) above twice its diametral inertia ({}); a thin disc has just twice",
-                    format_si(p.polar_inertia, "kg m^2"),
-                    format_si(p.diametral_inertia, "kg m^2")
-                ),
+                text!("no body has a polar inertia ({polar_inertia}) above twice its diametral inertia ({diametral_inertia}); a thin disc has just twice", polar_inertia = format_si(p.polar_inertia, "kg m^2"), diametral_inertia = format_si(p.diametral_inertia, "kg m^2")),
             ));
         }
         if !self.tilts && (p.skew != 0.0 || p.centre_of_mass != 0.0) {
             let field = if p.skew != 0.0 { "skew" } else { "centre_of_mass" };
-            wrong.push((field, format!("{field} acts on the tilt, and this disc does not tilt: give diametral_inertia as well")));
+            wrong.push((field, text!("{field} acts on the tilt, and this disc does not tilt: give diametral_inertia as well", field)));
         }
         wrong
     }

@@ -31,6 +31,8 @@ use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use laval_num::interpolate::Interpolant;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
@@ -131,17 +133,21 @@ inertia = "0.02 kg m^2"
     fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
         let word = values.choice("curve").unwrap_or("constant");
         let before = diagnostics.0.len();
-        let mut refuse = |field: &str, message: String, help: String| {
+        let mut refuse = |field: &str, message: Text, help: Text| {
             diagnostics.push(Diagnostic::error("motor.curve", message).at(values.span_of(field)).help(help));
         };
         for name in NEEDS.iter().filter(|n| n.0 == word).flat_map(|n| n.1) {
             if params.get(name).is_none_or(|x| x == 0.0) {
-                refuse("curve", format!("a motor with curve = \"{word}\" needs {name}"), format!("add {name}"));
+                refuse("curve", text!("a motor with curve = \"{word}\" needs {name}", word, name), text!("add {name}", name));
             }
         }
         let curve = match (word, values.columns("table")) {
             ("table", None) => {
-                refuse("curve", "a motor with curve = \"table\" needs a table".into(), "add table = { speed = [..], share = [..] }".into());
+                refuse(
+                    "curve",
+                    text!("a motor with curve = \"table\" needs a table"),
+                    text!("add table = {{ speed = [..], share = [..] }}"),
+                );
                 return None;
             }
             ("table", Some(columns)) => {
@@ -149,7 +155,11 @@ inertia = "0.02 kg m^2"
                 match Interpolant::new(column("speed"), column("share")) {
                     Ok(f) => Curve::Table(f),
                     Err(e) => {
-                        refuse("table", format!("the torque cannot be interpolated: {e}"), "speeds must increase from row to row".into());
+                        refuse(
+                            "table",
+                            text!("the torque cannot be interpolated: {why}", why = e),
+                            text!("speeds must increase from row to row"),
+                        );
                         return None;
                     }
                 }
@@ -157,8 +167,8 @@ inertia = "0.02 kg m^2"
             (_, Some(_)) => {
                 refuse(
                     "table",
-                    format!("a table is given beside curve = \"{word}\""),
-                    "say curve = \"table\", or take the table away".into(),
+                    text!("a table is given beside curve = \"{word}\"", word),
+                    text!("say curve = \"table\", or take the table away"),
                 );
                 return None;
             }
@@ -207,13 +217,13 @@ inertia = "0.02 kg m^2"
             }
         }
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let mut wrong = Vec::new();
         if matches!(self.curve, Curve::Linear | Curve::SquirrelCage) && p.synchronous_speed == 0.0 {
-            wrong.push(("synchronous_speed", "the torque curve needs a synchronous_speed above 0".to_string()));
+            wrong.push(("synchronous_speed", text!("the torque curve needs a synchronous_speed above 0")));
         }
         if self.curve == Curve::LimitedPower && !(p.torque > 0.0 && p.power > 0.0) {
-            wrong.push(("power", "limited power needs a torque and a power above 0".into()));
+            wrong.push(("power", text!("limited power needs a torque and a power above 0")));
         }
         wrong
     }

@@ -37,6 +37,8 @@ use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use crate::units::format_si;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
@@ -242,23 +244,23 @@ material_damping = "2e-5 s"         # loss of the material, turning with the sha
         let beside = beside.or_else(|| ["lower_end", "upper_end", "moment", "modulus"].into_iter().find(|name| values.written(name)));
         if let Some(name) = beside {
             diagnostics.push(
-                Diagnostic::error("shaft_lumped.geometry", format!("{name} is given without a diameter"))
+                Diagnostic::error("shaft_lumped.geometry", text!("{name} is given without a diameter", name))
                     .at(values.span_of(name))
-                    .help("a round shaft takes diameter, below or above or both; a stated stiffness takes none of them"),
+                    .help(text!("a round shaft takes diameter, below or above or both; a stated stiffness takes none of them")),
             );
         } else if !["stiffness.x", "stiffness.y", "tilt_stiffness"].into_iter().any(nonzero) && !values.written("stiffness") {
             diagnostics.push(
-                Diagnostic::error("shaft_lumped.stiffness", "the shaft has no stiffness")
+                Diagnostic::error("shaft_lumped.stiffness", text!("the shaft has no stiffness"))
                     .at(values.span.clone())
-                    .help("give stiffness, or the diameter of a round shaft and its length below or above the point"),
+                    .help(text!("give stiffness, or the diameter of a round shaft and its length below or above the point")),
             );
         }
         let unequal = params.get("stiffness.x") != params.get("stiffness.y") || nonzero("cross_stiffness");
         if damped && unequal {
             diagnostics.push(
-                Diagnostic::error("shaft_lumped.damping", "a shaft with material damping must be equally stiff in x and y")
+                Diagnostic::error("shaft_lumped.damping", text!("a shaft with material damping must be equally stiff in x and y"))
                     .at(values.span_of("material_damping"))
-                    .help("unequal stiffness in fixed axes is a support, which does not turn: use a damper part beside it"),
+                    .help(text!("unequal stiffness in fixed axes is a support, which does not turn: use a damper part beside it")),
             );
         }
         Some(ShaftLumped { link: Link::Between(a, b), tilts, damped, round: None })
@@ -306,32 +308,32 @@ material_damping = "2e-5 s"         # loss of the material, turning with the sha
             out.push(Observed { name: Observed::MOMENT, unit: "N m", value: total[2].hypot(total[3]) });
         }
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let [kx, ky] = p.stiffness;
         let mut wrong = Vec::new();
         if p.cross_stiffness * p.cross_stiffness > kx * ky {
             let limit = format_si(below((kx * ky).sqrt()), "N/m");
-            wrong.push(("cross_stiffness", format!("cross_stiffness is at most sqrt(kx ky) = {limit}: more would push outwards")));
+            wrong.push(("cross_stiffness", text!("cross_stiffness is at most sqrt(kx ky) = {limit}: more would push outwards", limit)));
         } else if p.coupling != 0.0 && p.coupling * p.coupling > p.tilt_stiffness * least(p) {
             let limit = format_si(below((p.tilt_stiffness * least(p)).sqrt()), "N/rad");
             wrong.push((
                 "coupling",
-                format!("coupling is at most sqrt(stiffness tilt_stiffness) = {limit}: more would give energy when bent (a clamped shaft has 0.87 of that)"),
+                text!("coupling is at most sqrt(stiffness tilt_stiffness) = {limit}: more would give energy when bent (a clamped shaft has 0.87 of that)", limit),
             ));
         }
         if self.round.is_none() && !self.tilts && (p.coupling != 0.0 || p.tilt_stiffness != 0.0) {
-            wrong.push(("tilt_stiffness", "this shaft was built without tilt".into()));
+            wrong.push(("tilt_stiffness", text!("this shaft was built without tilt")));
         }
         if !self.damped && p.material_damping != 0.0 {
-            wrong.push(("material_damping", "this shaft was built without material damping".into()));
+            wrong.push(("material_damping", text!("this shaft was built without material damping")));
         }
         if let Some(round) = self.round {
             wrong.extend(round.check(p));
         } else if p.diameter != 0.0 {
-            wrong.push(("diameter", "this shaft was built from its stiffness".into()));
+            wrong.push(("diameter", text!("this shaft was built from its stiffness")));
         }
         if self.damped && (kx != ky || p.cross_stiffness != 0.0) {
-            wrong.push(("material_damping", "a shaft with material damping must be equally stiff in x and y".into()));
+            wrong.push(("material_damping", text!("a shaft with material damping must be equally stiff in x and y")));
         }
         wrong
     }
@@ -343,9 +345,9 @@ fn round(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics, l
     if let Some(name) = STATED.into_iter().find(|name| given(name)) {
         let name = name.split('.').next().unwrap_or(name);
         diagnostics.push(
-            Diagnostic::error("shaft_lumped.twice", format!("{name} is given beside the diameter of a round shaft"))
+            Diagnostic::error("shaft_lumped.twice", text!("{name} is given beside the diameter of a round shaft", name))
                 .at(values.span_of(name))
-                .help("the stiffness follows from the geometry: take one of them away"),
+                .help(text!("the stiffness follows from the geometry: take one of them away")),
         );
         return None;
     }
@@ -357,17 +359,17 @@ fn round(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics, l
     for (end, length, there) in [("lower_end", "below", lower.is_some()), ("upper_end", "above", upper.is_some())] {
         if !there && values.written(end) {
             diagnostics.push(
-                Diagnostic::error("shaft_lumped.geometry", format!("{end} is given without the length {length}"))
+                Diagnostic::error("shaft_lumped.geometry", text!("{end} is given without the length {length}", end, length))
                     .at(values.span_of(end))
-                    .help(format!("give {length} as well, or take {end} away")),
+                    .help(text!("give {length} as well, or take {end} away", length, end)),
             );
         }
     }
     if lower.is_none() && upper.is_none() {
         diagnostics.push(
-            Diagnostic::error("shaft_lumped.geometry", "a round shaft needs a length")
+            Diagnostic::error("shaft_lumped.geometry", text!("a round shaft needs a length"))
                 .at(values.span_of("diameter"))
-                .help("give below, the length from its lower end to the point, or above, or both"),
+                .help(text!("give below, the length from its lower end to the point, or above, or both")),
         );
         return None;
     }
@@ -377,24 +379,24 @@ fn round(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics, l
 }
 
 impl Round {
-    fn check(self, p: &ShaftLumpedParams) -> Vec<(&'static str, String)> {
+    fn check(self, p: &ShaftLumpedParams) -> Vec<(&'static str, Text)> {
         let mut wrong = Vec::new();
         if !(p.inner_diameter < p.diameter) {
-            wrong.push(("inner_diameter", "inner_diameter is less than diameter".into()));
+            wrong.push(("inner_diameter", text!("inner_diameter is less than diameter")));
         }
         for (held, length, name) in [(self.lower, p.below, "below"), (self.upper, p.above, "above")] {
             match held {
-                Some(_) if !(length >= 1e-4) => wrong.push((name, format!("{name} is at least {}", format_si(1e-4, "m")))),
-                None if length != 0.0 => wrong.push((name, format!("this shaft was built without {name}"))),
+                Some(_) if !(length >= 1e-4) => wrong.push((name, text!("{name} is at least {value}", name, value = format_si(1e-4, "m")))),
+                None if length != 0.0 => wrong.push((name, text!("this shaft was built without {name}", name))),
                 _ => {}
             }
         }
         if self.lower.is_none_or(|h| h == Held::Pinned) && self.upper.is_none() || self.lower.is_none() && self.upper == Some(Held::Pinned)
         {
-            wrong.push(("diameter", "a shaft pinned at its only end holds nothing: clamp it, or give its other end".into()));
+            wrong.push(("diameter", text!("a shaft pinned at its only end holds nothing: clamp it, or give its other end")));
         }
         if p.stiffness != [0.0; 2] || p.cross_stiffness != 0.0 || p.coupling != 0.0 || p.tilt_stiffness != 0.0 {
-            wrong.push(("stiffness", "the stiffness of this shaft follows from its geometry".into()));
+            wrong.push(("stiffness", text!("the stiffness of this shaft follows from its geometry")));
         }
         wrong
     }

@@ -22,6 +22,8 @@ use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -133,9 +135,9 @@ modulus = "206 GPa"
         out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
         out.push(Observed { name: Observed::MOMENT, unit: "N m", value: f[2].hypot(f[3]) });
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let hollow = p.inner_diameter < p.diameter;
-        if hollow { Vec::new() } else { vec![("inner_diameter", "inner_diameter is less than diameter".into())] }
+        if hollow { Vec::new() } else { vec![("inner_diameter", text!("inner_diameter is less than diameter"))] }
     }
 }
 

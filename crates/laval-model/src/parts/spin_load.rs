@@ -23,6 +23,8 @@ use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Observed, Params, Part, Physics};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
@@ -82,9 +84,9 @@ drag = "2e-3 N m s"
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "torque", unit: "N m", value: self.resists(p, at.speed) });
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let nothing = p.inertia == 0.0 && p.drag == 0.0 && p.windage == 0.0;
-        if nothing { vec![("inertia", "this part does nothing: give inertia, drag or windage".into())] } else { Vec::new() }
+        if nothing { vec![("inertia", text!("this part does nothing: give inertia, drag or windage"))] } else { Vec::new() }
     }
 }
 

@@ -24,6 +24,8 @@ pub use format::{format_number, format_si, write_number, write_si};
 pub use parse::parse_unit;
 pub use table::{Listed, describe, examples, list, quantities};
 
+use crate::text;
+use crate::text::{Argument, Text};
 use std::f64::consts::TAU;
 use std::fmt;
 use std::ops::Range;
@@ -123,26 +125,33 @@ pub struct UnitError {
     /// Stable code, as in [`crate::diagnostic::Diagnostic`].
     pub code: &'static str,
     /// One sentence.
-    pub message: String,
+    pub message: Text,
     /// What to do about it.
-    pub help: Option<String>,
+    pub help: Option<Text>,
     /// Bytes of the text that are meant.
     pub range: Range<usize>,
 }
 
 impl UnitError {
-    fn new(code: &'static str, range: Range<usize>, message: impl Into<String>) -> Self {
-        UnitError { code, message: message.into(), help: None, range }
+    fn new(code: &'static str, range: Range<usize>, message: Text) -> Self {
+        UnitError { code, message, help: None, range }
     }
-    fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+    /// What is wrong and what to do about it in one.
+    pub fn sentence(self) -> Text {
+        match self.help {
+            Some(help) => text!("{message} ({help})", message = self.message, help),
+            None => self.message,
+        }
+    }
+    fn help(mut self, help: Text) -> Self {
+        self.help = Some(help);
         self
     }
 }
 
 impl fmt::Display for UnitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)?;
+        self.message.fmt(f)?;
         if let Some(help) = &self.help {
             write!(f, " ({help})")?;
         }
@@ -172,8 +181,16 @@ pub(crate) fn read_quantity_in(text: &str, expected: &str, wanted: &Unit) -> Res
     let range = start..start + unit_text.len();
     if unit_text.is_empty() && !wanted.dimension.is_none() {
         let digits = text.trim();
-        return Err(UnitError::new("unit.missing", 0..text.len(), format!("{} is needed, and {digits:?} has no unit", describe(expected)))
-            .help(format!("write the unit behind the number ({}); without quotes a number is in {expected}", examples(expected))));
+        return Err(UnitError::new(
+            "unit.missing",
+            0..text.len(),
+            text!("{wanted} is needed, and {digits} has no unit", wanted = describe(expected), digits = text::quoted(&digits)),
+        )
+        .help(text!(
+            "write the unit behind the number ({examples}); without quotes a number is in {expected}",
+            examples = examples(expected),
+            expected
+        )));
     }
     let unit = parse::unit_at(unit_text, start)?;
     let cycles = compatible(&unit, wanted).map_err(|why| why.error(text, range, unit_text, &unit, expected))?;
@@ -236,20 +253,37 @@ impl Mismatch {
         match self {
             Mismatch::Dimension => {
                 let is = if unit_text.is_empty() {
-                    "a pure number".to_string()
+                    text!("a pure number").argument()
                 } else {
                     table::describe_dimension(&unit.dimension, unit.joules)
                 };
-                UnitError::new("unit.dimension", range, format!("{need} is needed ({ex}); {text:?} is {is}"))
+                UnitError::new(
+                    "unit.dimension",
+                    range,
+                    text!("{need} is needed ({ex}); {text} is {is}", need, ex, text = text::quoted(&text), is),
+                )
             }
             Mismatch::AngleLeftOut => UnitError::new(
                 "unit.angle",
                 range,
-                format!("{need} is needed ({ex}); {text:?} leaves open whether turns or radians are meant"),
+                text!(
+                    "{need} is needed ({ex}); {text} leaves open whether turns or radians are meant",
+                    need,
+                    ex,
+                    text = text::quoted(&text)
+                ),
             )
-            .help("for turns write rpm, Hz or rev; for radians write rad"),
-            Mismatch::Torque => UnitError::new("unit.dimension", range, format!("{need} is needed ({ex}); {text:?} is a torque")),
-            Mismatch::Energy => UnitError::new("unit.dimension", range, format!("{need} is needed ({ex}); {text:?} is an energy")),
+            .help(text!("for turns write rpm, Hz or rev; for radians write rad")),
+            Mismatch::Torque => UnitError::new(
+                "unit.dimension",
+                range,
+                text!("{need} is needed ({ex}); {text} is a torque", need, ex, text = text::quoted(&text)),
+            ),
+            Mismatch::Energy => UnitError::new(
+                "unit.dimension",
+                range,
+                text!("{need} is needed ({ex}); {text} is an energy", need, ex, text = text::quoted(&text)),
+            ),
         }
     }
 }

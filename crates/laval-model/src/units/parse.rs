@@ -2,6 +2,8 @@
 
 use super::table::{lookup, suggest};
 use super::{Unit, UnitError};
+use crate::text;
+use crate::text::{Argument, Text};
 use std::ops::Range;
 
 /// A decimal number at the start of a text.
@@ -20,13 +22,13 @@ impl Number {
         let range = 0..self.rest;
         let decimal: f64 = format!("{}e{exp}", self.mantissa)
             .parse()
-            .map_err(|_| UnitError::new("number.invalid", range.clone(), "this is not a number"))?;
+            .map_err(|_| UnitError::new("number.invalid", range.clone(), text!("this is not a number")))?;
         let value = decimal * (unit.mantissa / wanted.mantissa * extra) + unit.offset;
         if !value.is_finite() {
-            return Err(UnitError::new("number.range", range, "the number is too large"));
+            return Err(UnitError::new("number.range", range, text!("the number is too large")));
         }
         if decimal == 0.0 && self.mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
-            return Err(UnitError::new("number.range", range, "the number is too small to be distinguished from 0"));
+            return Err(UnitError::new("number.range", range, text!("the number is too small to be distinguished from 0")));
         }
         Ok(value)
     }
@@ -46,7 +48,7 @@ pub(super) fn number(text: &str) -> Result<Number, UnitError> {
     }
     let head = s.get(..3).unwrap_or("").to_ascii_lowercase();
     if head == "nan" || head == "inf" {
-        return Err(UnitError::new("number.invalid", whole, format!("a finite number is needed, not {head}")));
+        return Err(UnitError::new("number.invalid", whole, text!("a finite number is needed, not {head}", head)));
     }
     let mut any = false;
     let mut digits = |s: &mut &str, out: &mut String| {
@@ -68,11 +70,13 @@ pub(super) fn number(text: &str) -> Result<Number, UnitError> {
         digits(&mut s, &mut mantissa);
     }
     if !any {
-        let what =
-            if whole.is_empty() { "this text is empty".to_string() } else { format!("{:?} begins with no number", clip(text.trim())) };
-        return Err(
-            UnitError::new("number.missing", whole, format!("a quantity is a number and a unit; {what}")).help("write it as in \"70 mm\"")
-        );
+        let what = if whole.is_empty() {
+            text!("this text is empty")
+        } else {
+            text!("{text} begins with no number", text = text::quoted(&clip(text.trim())))
+        };
+        return Err(UnitError::new("number.missing", whole, text!("a quantity is a number and a unit; {what}", what))
+            .help(text!("write it as in \"70 mm\"")));
     }
     let mut exp10 = 0i64;
     if let Some(r) = s.strip_prefix(['e', 'E']) {
@@ -88,27 +92,30 @@ pub(super) fn number(text: &str) -> Result<Number, UnitError> {
         }
     }
     let rest = text.len() - s.len();
-    let invalid = |message: String, help: String| Err(UnitError::new("number.invalid", whole.clone(), message).help(help));
+    let invalid = |message: Text, help: Text| Err(UnitError::new("number.invalid", whole.clone(), message).help(help));
     let after = s.trim_start();
     if s.starts_with(',') {
         return invalid(
-            format!("{:?} has a comma in its number", clip(text.trim())),
-            "write the decimal point, as in \"1.5 mm\", and no separators".into(),
+            text!("{text} has a comma in its number", text = text::quoted(&clip(text.trim()))),
+            text!("write the decimal point, as in \"1.5 mm\", and no separators"),
         );
     }
     if after.starts_with(|c: char| c.is_ascii_digit()) && !after.starts_with("1/") && !after.starts_with("1 /") {
         return invalid(
-            format!("{:?} has a space inside its number", clip(text.trim())),
-            "write the digits together, as in \"3000 rpm\"".into(),
+            text!("{text} has a space inside its number", text = text::quoted(&clip(text.trim()))),
+            text!("write the digits together, as in \"3000 rpm\""),
         );
     }
     if after.strip_prefix(['x', '×', '·', '*']).is_some_and(|r| r.trim_start().starts_with("10")) {
-        return invalid(format!("{:?} writes a power of ten in words", clip(text.trim())), "write it as in \"1.1e7 N/m\"".into());
+        return invalid(
+            text!("{text} writes a power of ten in words", text = text::quoted(&clip(text.trim()))),
+            text!("write it as in \"1.1e7 N/m\""),
+        );
     }
     if s.starts_with('.') {
         return invalid(
-            format!("{:?} has two decimal points", clip(text.trim())),
-            "write the number as in \"1.5 mm\", without separators".into(),
+            text!("{text} has two decimal points", text = text::quoted(&clip(text.trim()))),
+            text!("write the number as in \"1.5 mm\", without separators"),
         );
     }
     Ok(Number { mantissa, exp10, rest })
@@ -127,21 +134,25 @@ pub fn parse_unit(text: &str) -> Result<Unit, UnitError> {
 /// Parses a unit that stands `offset` bytes into the quantity, for the places in messages.
 pub(super) fn unit_at(text: &str, offset: usize) -> Result<Unit, UnitError> {
     if text.len() > 200 {
-        return Err(UnitError::new("unit.invalid", offset..offset + text.len(), format!("{:?} is too long for a unit", clip(text))));
+        return Err(UnitError::new(
+            "unit.invalid",
+            offset..offset + text.len(),
+            text!("{text} is too long for a unit", text = text::quoted(&clip(text))),
+        ));
     }
     let mut p = Parser { text, pos: 0, offset, affine: false, factors: 0 };
     let unit = p.product(0)?;
     p.space();
     if p.pos < text.len() {
-        return Err(p.error(p.pos..text.len(), format!("{:?} does not belong in a unit", clip(&text[p.pos..]))));
+        return Err(p.error(p.pos..text.len(), text!("{text} does not belong in a unit", text = text::quoted(&clip(&text[p.pos..])))));
     }
     if p.affine && (p.factors > 1 || unit.dimension.0[4] != 1.0) {
         return Err(p
-            .error(0..text.len(), "a temperature in degC stands alone".to_string())
-            .help("for differences and in products write K"));
+            .error(0..text.len(), text!("a temperature in degC stands alone"))
+            .help(text!("for differences and in products write K")));
     }
     if !unit.factor().is_finite() || unit.factor() == 0.0 {
-        return Err(p.error(0..text.len(), "this unit is out of all bounds".to_string()));
+        return Err(p.error(0..text.len(), text!("this unit is out of all bounds")));
     }
     Ok(unit)
 }
@@ -155,7 +166,7 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    fn error(&self, r: Range<usize>, message: String) -> UnitError {
+    fn error(&self, r: Range<usize>, message: Text) -> UnitError {
         UnitError::new("unit.invalid", r.start + self.offset..r.end + self.offset, message)
     }
     fn rest(&self) -> &str {
@@ -185,13 +196,19 @@ impl Parser<'_> {
             let divide = self.eat(&["/", "÷"]);
             let times = !divide && !self.rest().starts_with("**") && self.eat(&["*", "·", "⋅", "×"]);
             if times && first {
-                return Err(self.error(at..self.pos, "a unit cannot begin with a product sign".into()));
+                return Err(self.error(at..self.pos, text!("a unit cannot begin with a product sign")));
             }
             if divided && !divide {
                 let whole = self.text.trim();
                 return Err(self
-                    .error(0..self.text.len(), format!("{whole:?} has two readings: is what follows the / and a space above or below it?"))
-                    .help("put products below a / in parentheses, as in N/(m s), or write them first, as in N s/m"));
+                    .error(
+                        0..self.text.len(),
+                        text!(
+                            "{whole} has two readings: is what follows the / and a space above or below it?",
+                            whole = text::quoted(&whole)
+                        ),
+                    )
+                    .help(text!("put products below a / in parentheses, as in N/(m s), or write them first, as in N s/m")));
             }
             self.space();
             let factor = self.factor(depth)?;
@@ -204,11 +221,11 @@ impl Parser<'_> {
         let at = self.pos;
         let unit = if self.eat(&["("]) {
             if depth >= 8 {
-                return Err(self.error(at..self.text.len(), "too many parentheses".into()));
+                return Err(self.error(at..self.text.len(), text!("too many parentheses")));
             }
             let inner = self.product(depth + 1)?;
             if !self.eat(&[")"]) {
-                return Err(self.error(at..self.text.len(), "a closing parenthesis is missing".into()));
+                return Err(self.error(at..self.text.len(), text!("a closing parenthesis is missing")));
             }
             inner
         } else if self.rest().starts_with('1') && !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.') {
@@ -219,14 +236,14 @@ impl Parser<'_> {
             let len = self.rest().find(|c: char| !is_word(c)).unwrap_or(self.rest().len());
             let word = &self.text[at..at + len];
             if word.is_empty() {
-                let what = self.rest().chars().next().map_or("nothing".to_string(), |c| format!("{c:?}"));
-                return Err(self.error(at..self.text.len(), format!("a unit is expected here, not {what}")));
+                let what = self.rest().chars().next().map_or_else(|| text!("nothing").argument(), |c| text::quoted(&c));
+                return Err(self.error(at..self.text.len(), text!("a unit is expected here, not {what}", what)));
             }
             self.pos += len;
             let unit = lookup(word).ok_or_else(|| {
-                let mut e = self.error(at..at + len, format!("{:?} is not a known unit", clip(word)));
+                let mut e = self.error(at..at + len, text!("{word} is not a known unit", word = text::quoted(&clip(word))));
                 e.code = "unit.unknown";
-                e.help = suggest(word).map(|s| format!("did you mean {s:?}?"));
+                e.help = suggest(word).map(|s| text!("did you mean {near}?", near = text::quoted(&s)));
                 e
             })?;
             self.affine |= unit.offset != 0.0;
@@ -243,7 +260,7 @@ impl Parser<'_> {
                 let a = self.decimal()?;
                 let b = if self.eat(&["/"]) { self.decimal()? } else { 1.0 };
                 if !self.eat(&[")"]) {
-                    return Err(self.error(at..self.text.len(), "a closing parenthesis is missing in a power".into()));
+                    return Err(self.error(at..self.text.len(), text!("a closing parenthesis is missing in a power")));
                 }
                 a / b
             } else {
@@ -259,7 +276,7 @@ impl Parser<'_> {
         if value.is_finite() && value.abs() <= 20.0 && value != 0.0 {
             Ok(value)
         } else {
-            Err(self.error(at..self.pos, "this power is not between -20 and 20, or is 0".into()))
+            Err(self.error(at..self.pos, text!("this power is not between -20 and 20, or is 0")))
         }
     }
     fn decimal(&mut self) -> Result<f64, UnitError> {
@@ -269,7 +286,7 @@ impl Parser<'_> {
         self.pos += n;
         let text = self.text[at..self.pos].replace('−', "-");
         text.parse().map_err(|_| {
-            self.error(at..self.pos.max(at + 1).min(self.text.len()), "a power is a number, as in m^2, m^1.5 or m^(10/9)".into())
+            self.error(at..self.pos.max(at + 1).min(self.text.len()), text!("a power is a number, as in m^2, m^1.5 or m^(10/9)"))
         })
     }
 }

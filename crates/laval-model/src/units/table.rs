@@ -2,6 +2,8 @@
 
 use super::{Dimension, Unit, parse_unit};
 use crate::diagnostic::nearest;
+use crate::text;
+use crate::text::{Arg, Argument};
 use std::f64::consts::{PI, TAU};
 use std::sync::OnceLock;
 
@@ -234,9 +236,13 @@ fn entry_of(unit: &str) -> Option<&'static (&'static str, &'static str, &'static
     WORDS.iter().find(|w| w.0 == unit).or_else(|| parse_unit(unit).ok().and_then(|u| entry(&u.dimension, u.joules)))
 }
 
+fn in_unit(unit: &str) -> Arg {
+    text!("a quantity in {unit}", unit).argument()
+}
+
 /// The dimension of a unit in words, for instance "a length".
-pub fn describe(unit: &str) -> String {
-    entry_of(unit).map_or_else(|| format!("a quantity in {unit}"), |w| w.1.to_string())
+pub fn describe(unit: &str) -> Arg {
+    entry_of(unit).map_or_else(|| in_unit(unit), |w| text::term(w.1))
 }
 
 /// Units a person would write for the unit, for instance "mm, m, µm".
@@ -247,6 +253,6 @@ pub fn examples(unit: &str) -> &str {
     }
 }
 
-pub(super) fn describe_dimension(d: &Dimension, joules: f64) -> String {
-    entry(d, joules).map_or_else(|| format!("a quantity in {}", d.si_text()), |w| w.1.to_string())
+pub(super) fn describe_dimension(d: &Dimension, joules: f64) -> Arg {
+    entry(d, joules).map_or_else(|| in_unit(&d.si_text()), |w| text::term(w.1))
 }

@@ -22,6 +22,7 @@ use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{Drive, System};
 use crate::motion::SpinLaw;
 use lane_run::{LaneRun, MemberSource, RunningMembers};
+use laval_model::text;
 pub use laval_num::ensemble::{Ended, Grid, Leg, LegEnd};
 use laval_num::lanes::{Kernel, LaneScalar, Level, dispatch};
 use laval_num::work::Here;
@@ -93,17 +94,20 @@ pub enum Method {
 pub fn admit(system: &System, method: Method) -> Result<(), Diagnostic> {
     for slot in system.slots() {
         if let Physics::Frequency(TimeForm::None(why)) = slot.physics {
-            return Err(Diagnostic::error("motion.no_time_form", format!("\"{}\" has no form in the time domain: {why}", slot.name))
-                .at(slot.span.clone())
-                .help("use a study in the frequency domain, such as forced_response"));
+            return Err(Diagnostic::error(
+                "motion.no_time_form",
+                text!("\"{name}\" has no form in the time domain: {why}", name = slot.name, why = text::term(why)),
+            )
+            .at(slot.span.clone())
+            .help(text!("use a study in the frequency domain, such as forced_response")));
         }
         if slot.memory > 0 && method == Method::Explicit {
             return Err(Diagnostic::error(
                 "ensemble.memory",
-                format!("\"{}\" has memory states, which an explicit method cannot follow", slot.name),
+                text!("\"{name}\" has memory states, which an explicit method cannot follow", name = slot.name),
             )
             .at(slot.span.clone())
-            .help("use method = \"stiff\""));
+            .help(text!("use method = \"stiff\"")));
         }
     }
     Ok(())

@@ -6,6 +6,8 @@ use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System, Workspace};
 use crate::programme::Spin;
+use laval_model::text;
+use laval_model::text::{Arg, Argument};
 use laval_num::dense::{Lu, Mat};
 use laval_num::ode::Failure;
 
@@ -197,11 +199,27 @@ fn reads_acceleration(slot: &Slot) -> bool {
 
 /// Names the coordinate whose row of the mass matrix has nothing in it, or the one where elimination stopped.
 pub(super) fn singular(system: &System, column: usize, mass: &[f64]) -> Failure {
-    let name = |i: usize| system.coordinates().get(i).map_or("the spin angle".to_string(), |c| format!("\"{}\"", c.name));
+    let name = |i: usize| system.coordinates().get(i).map_or(SPIN_ANGLE.to_string(), |c| format!("\"{}\"", c.name));
     if mass.iter().any(|x| !x.is_finite()) {
-        return format!("the mass matrix has an entry that is not finite (at {})", name(column)).into();
+        return format!("{NOT_FINITE}{})", name(column)).into();
     }
-    format!("the mass matrix is singular: no inertia of its own is left for {}", name(column)).into()
+    format!("{SINGULAR}{}", name(column)).into()
+}
+
+const SPIN_ANGLE: &str = "the spin angle";
+const NOT_FINITE: &str = "the mass matrix has an entry that is not finite (at ";
+const SINGULAR: &str = "the mass matrix is singular: no inertia of its own is left for ";
+
+/// The same for a diagnostic.
+pub(super) fn in_words(what: &Failure) -> Arg {
+    let place = |name: &str| if name == SPIN_ANGLE { text!("the spin angle").argument() } else { name.argument() };
+    if let Some(name) = what.0.strip_prefix(SINGULAR) {
+        return text!("the mass matrix is singular: no inertia of its own is left for {place}", place = place(name)).argument();
+    }
+    if let Some(name) = what.0.strip_prefix(NOT_FINITE).and_then(|n| n.strip_suffix(')')) {
+        return text!("the mass matrix has an entry that is not finite (at {place})", place = place(name)).argument();
+    }
+    what.argument()
 }
 
 /// Adds force rows and rates of the linear parts from their assembled blocks; `at` may hold any accelerations.

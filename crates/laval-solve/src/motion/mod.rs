@@ -31,6 +31,7 @@ use crate::model::part::{At, DofKind, Physics, Rows, TimeForm};
 use crate::model::system::{Axis, Drive, GRAVITY, System, Workspace};
 use compiled::Compiled;
 use direct::Direct;
+use laval_model::text;
 use laval_num::ode::{Failure, Ode};
 use single::Single;
 use stiff::Elimination;
@@ -133,9 +134,12 @@ impl<'a> Motion<'a> {
     pub fn new(system: &'a System, law: SpinLaw) -> Result<Self, Diagnostic> {
         for slot in system.slots() {
             if let Physics::Frequency(TimeForm::None(why)) = slot.physics {
-                return Err(Diagnostic::error("motion.no_time_form", format!("\"{}\" has no form in the time domain: {why}", slot.name))
-                    .at(slot.span.clone())
-                    .help("use a study in the frequency domain, such as forced_response"));
+                return Err(Diagnostic::error(
+                    "motion.no_time_form",
+                    text!("\"{name}\" has no form in the time domain: {why}", name = slot.name, why = text::term(why)),
+                )
+                .at(slot.span.clone())
+                .help(text!("use a study in the frequency domain, such as forced_response")));
             }
         }
         let free = law == SpinLaw::Free;
@@ -153,8 +157,8 @@ impl<'a> Motion<'a> {
             y[2 * system.n() + system.m() + 1] = speed;
         }
         let fail = |what: Failure| {
-            Diagnostic::error("motion.mass", format!("the machine has no equations of motion: {what}"))
-                .help("every coordinate needs inertia: give the part that owns it a mass, and a spin that is free a moment of inertia about the axis")
+            Diagnostic::error("motion.mass", text!("the machine has no equations of motion: {what}", what = direct::in_words(&what)))
+                .help(text!("every coordinate needs inertia: give the part that owns it a mass, and a spin that is free a moment of inertia about the axis"))
         };
         motion.accelerate(0.0, &y).map_err(fail)?;
         motion.direct.check_mass(system).map_err(fail)?;
@@ -222,9 +226,12 @@ impl<'a> Motion<'a> {
     pub fn refuses_explicit(&self) -> Option<Diagnostic> {
         let slot = self.system.slots().iter().find(|s| s.memory > 0)?;
         Some(
-            Diagnostic::error("motion.memory", format!("\"{}\" has memory states, which an explicit method cannot follow", slot.name))
-                .at(slot.span.clone())
-                .help("use method = \"stiff\""),
+            Diagnostic::error(
+                "motion.memory",
+                text!("\"{name}\" has memory states, which an explicit method cannot follow", name = slot.name),
+            )
+            .at(slot.span.clone())
+            .help(text!("use method = \"stiff\"")),
         )
     }
     /// The integration uses the matrices compiled for a constant speed.

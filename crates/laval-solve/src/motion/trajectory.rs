@@ -10,6 +10,8 @@ use crate::model::part::At;
 use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
 use crate::programme::Spin;
+use laval_model::text;
+use laval_model::text::{Arg, Argument};
 use laval_num::dense::Mat;
 use laval_num::eig::eigenvalues;
 use laval_num::ode::{
@@ -145,8 +147,8 @@ pub fn simulate(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Trajector
     if let (Choice::Explicit, Some(d)) = (plan.choice, motion.refuses_explicit()) {
         return Err(d);
     }
-    let cannot = |what: String| Diagnostic::error("motion.start", format!("the motion cannot be computed from its start: {what}"));
-    motion.accelerations(0.0, y).map_err(|e| cannot(e.to_string()))?;
+    let cannot = |what: Arg| Diagnostic::error("motion.start", text!("the motion cannot be computed from its start: {what}", what));
+    motion.accelerations(0.0, y).map_err(|e| cannot(e.argument()))?;
     let (relative, absolute) = tolerances(motion, plan);
     let stiff = match plan.choice {
         Choice::Explicit => false,
@@ -163,7 +165,7 @@ pub fn simulate(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Trajector
         legs(&mut Dop853::new(), motion, &mut state, plan, (relative, absolute), &mut watch)
     };
     match run.end {
-        End::Failed { t: 0.0, what } => Err(cannot(what.to_string())),
+        End::Failed { t: 0.0, what } => Err(cannot(what.argument())),
         _ => {
             let aside = |t: &&Track| !t.probe.is_tilt() && !t.probe.is_reference();
             let points = watch.tracks.iter().filter(aside).map(|t| (t.probe.clone(), t.windows.clone())).collect();

@@ -10,6 +10,8 @@ use crate::parts;
 use crate::study::operation;
 use crate::study::support::turns_alike;
 use crate::study::{self, Context, ErasedStudy};
+use crate::text;
+use crate::text::Text;
 
 /// A machine file that has been read and assembled.
 pub struct Loaded {
@@ -72,10 +74,14 @@ impl Loaded {
                 && turns_alike(&self.system);
             let able: Vec<usize> = r.studies.iter().filter(|k| unrested && self.admitted_turning(**k)).copied().collect();
             if !able.is_empty() {
-                let help = r.diagnostic.help.as_deref().unwrap_or_default();
-                r.diagnostic.help = Some(format!("give {} about = \"turning\"; or {help}", self.in_words(&able)).into());
+                let studies = self.in_words(&able);
+                let help = match r.diagnostic.help.take() {
+                    Some(or) => text!("give {studies} about = \"turning\"; or {or}", studies, or),
+                    None => text!("give {studies} about = \"turning\"", studies),
+                };
+                r.diagnostic.help = Some(Box::new(help));
             }
-            r.diagnostic.message = format!("{}: {}", self.in_words(&r.studies), r.diagnostic.message);
+            r.diagnostic.message = text!("{studies}: {message}", studies = self.in_words(&r.studies), message = r.diagnostic.message);
         }
         out
     }
@@ -92,9 +98,12 @@ impl Loaded {
     }
 
     /// Studies by their names.
-    fn in_words(&self, studies: &[usize]) -> String {
+    fn in_words(&self, studies: &[usize]) -> Text {
         let names: Vec<String> = studies.iter().map(|&k| format!("\"{}\"", self.studies[k].name)).collect();
-        format!("{} {}", if names.len() == 1 { "study" } else { "studies" }, names.join(", "))
+        match names.as_slice() {
+            [one] => text!("study {one}", one),
+            _ => text!("studies {names}", names = names.join(", ")),
+        }
     }
 }
 
@@ -219,7 +228,7 @@ fn straight(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnost
 /// A block that could not be built, when nothing says why.
 fn incomplete(code: &'static str, block: &Block, diagnostics: &mut Diagnostics) {
     if !diagnostics.has_errors() {
-        let message = format!("{} \"{}\" cannot be built from what is given", block.kind, block.name);
+        let message = text!("{kind} \"{name}\" cannot be built from what is given", kind = block.kind, name = block.name);
         diagnostics.push(Diagnostic::error(code, message).at(block.span.clone()));
     }
 }
@@ -267,11 +276,11 @@ fn check_finite(system: &System, diagnostics: &mut Diagnostics) {
         let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
         system.residual(system.params(), &at, &mut rows, &mut ws, |s| s.name == slot.name);
         if !force.iter().chain(&rate).chain([&spin]).all(|x| x.is_finite()) {
-            let message = format!("{} \"{}\" gives a force that is not a finite number", slot.part.kind(), slot.name);
+            let message = text!("{kind} \"{name}\" gives a force that is not a finite number", kind = slot.part.kind(), name = slot.name);
             diagnostics.push(
                 Diagnostic::error("part.not_finite", message)
                     .at(slot.span.clone())
-                    .help("a value of this part is too large or too small to compute with"),
+                    .help(text!("a value of this part is too large or too small to compute with")),
             );
         }
     }
@@ -358,7 +367,7 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
         let map = "[[study]]\nkind = \"stability_map\"\nspeed = { from = 1, to = 100 }\n";
         let help = |studies: &str| {
             let l = load(&format!("{machine}{hertz}{studies}")).unwrap_or_else(|d| panic!("{d:?}"));
-            l.refusals()[0].diagnostic.help.as_deref().unwrap_or_default().to_string()
+            l.refusals()[0].diagnostic.help.as_ref().map_or_else(String::new, |h| h.to_string())
         };
         let campbell = "[[study]]\nkind = \"campbell\"\nspeed = { from = 1, to = 100 }\n";
         assert!(

@@ -5,8 +5,10 @@ use super::naming::{read_kind, read_name};
 use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, StudyTable, clip};
 use super::{Block, Catalog, Drive, MACHINE_FIELDS, MachineBlock, RotorAxis};
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span, nearest};
+use crate::diagnostic::{self, Diagnostic, Diagnostics, Severity, Span, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Values};
+use crate::text;
+use crate::text::{Argument, Joint};
 use std::collections::BTreeMap;
 
 const TOP: [&str; 3] = ["machine", "part", "study"];
@@ -46,7 +48,8 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
     let studies_raw = gather(&of("study"), "study", &catalog.studies, &mut strange, out);
     if of("part").is_empty() {
         out.push(
-            Diagnostic::error("file.no_parts", "the machine has no parts").help("describe each part in a block that begins with [[part]]"),
+            Diagnostic::error("file.no_parts", text!("the machine has no parts"))
+                .help(text!("describe each part in a block that begins with [[part]]")),
         );
     }
     let mut extras_raw = Vec::new();
@@ -146,11 +149,13 @@ fn single<'n, 'a>(e: &'n Entry<'a>, word: &str, out: &mut Diagnostics) -> Option
     if e.node.table().is_none() {
         let list = matches!(e.node.data, Data::List(_));
         let d = if list {
-            Diagnostic::error("file.brackets", format!("there is one {word} in a file")).at(e.node.span.clone()).label("double brackets")
+            Diagnostic::error("file.brackets", text!("there is one {word} in a file", word))
+                .at(e.node.span.clone())
+                .label(text!("double brackets"))
         } else {
-            Diagnostic::error("file.brackets", format!("{word:?} must be a block")).at(e.span.clone())
+            Diagnostic::error("file.brackets", text!("{word} must be a block", word = text::quoted(&word))).at(e.span.clone())
         };
-        out.push(d.help(format!("write [{word}], with single brackets, once, and its keys below")));
+        out.push(d.help(text!("write [{word}], with single brackets, once, and its keys below", word)));
     }
     tables(e).into_iter().next()
 }
@@ -166,38 +171,40 @@ fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
     let key = e.key.as_ref();
     let is_kind = |list: &[KindInfo]| list.iter().any(|k| k.kind == key);
     let help = if is_kind(&catalog.parts) {
-        format!("a {key} is a part: write [[part]] and below it kind = \"{key}\"")
+        text!("a {key} is a part: write [[part]] and below it kind = \"{key}\"", key)
     } else if is_kind(&catalog.studies) {
-        format!("{key} is a study: write [[study]] and below it kind = \"{key}\"")
+        text!("{key} is a study: write [[study]] and below it kind = \"{key}\"", key)
     } else if e.node.table().is_none() && !matches!(&e.node.data, Data::List(l) if l.iter().any(|n| n.table().is_some())) {
-        let field =
-            MACHINE_FIELDS.iter().find(|f| f.name == key).map_or(String::new(), |f| format!("; {:?} belongs below [machine]", f.name));
-        format!("every key stands in a block: [machine], [[part]] or [[study]]{field}")
+        let field = MACHINE_FIELDS.iter().find(|f| f.name == key);
+        match field {
+            Some(f) => text!(
+                "every key stands in a block: [machine], [[part]] or [[study]]; {name} belongs below [machine]",
+                name = text::quoted(&f.name)
+            ),
+            None => text!("every key stands in a block: [machine], [[part]] or [[study]]"),
+        }
     } else {
         let meant = meant(key, TOP.into_iter().chain(catalog.blocks.iter().map(|b| b.word)));
         let beside: Vec<String> =
             catalog.blocks.iter().map(|b| if b.several { format!("[[{}]]", b.word) } else { format!("[{}]", b.word) }).collect();
-        let also = if beside.is_empty() { String::new() } else { format!("; also {}", beside.join(", ")) };
-        let known = format!("a file has one [machine], and blocks [[part]] and [[study]]{also}");
+        let known = match beside.as_slice() {
+            [] => text!("a file has one [machine], and blocks [[part]] and [[study]]"),
+            _ => text!("a file has one [machine], and blocks [[part]] and [[study]]; also {beside}", beside = beside.join(", ")),
+        };
         match meant {
             Some(m) if m == "machine" || catalog.blocks.iter().any(|b| b.word == m && !b.several) => {
-                format!("did you mean [{m}]? {}", capital(&known))
+                diagnostic::meant(format!("[{m}]"), known)
             }
-            Some(m) => format!("did you mean [[{m}]]? {}", capital(&known)),
+            Some(m) => diagnostic::meant(format!("[[{m}]]"), known),
             None => known,
         }
     };
     out.push(
-        Diagnostic::error("file.unknown_table", format!("{:?} is not a block of a machine file", clip(key)))
+        Diagnostic::error("file.unknown_table", text!("{key} is not a block of a machine file", key = text::quoted(&clip(key))))
             .at(e.span.clone())
-            .label("unknown")
+            .label(text!("unknown"))
             .help(help),
     );
-}
-
-fn capital(s: &str) -> String {
-    let mut c = s.chars();
-    c.next().map(|f| f.to_uppercase().chain(c).collect()).unwrap_or_default()
 }
 
 /// Kind and name of every block of one word. Names that cannot be used, and are still meant by others, go to `strange`.
@@ -216,18 +223,18 @@ fn gather<'n, 'a>(
             Data::Table(_) => {
                 if e.key == what {
                     out.push(
-                        Diagnostic::error("file.brackets", format!("[{what}] needs double brackets"))
+                        Diagnostic::error("file.brackets", text!("[{what}] needs double brackets", what))
                             .at(e.node.span.clone())
-                            .label("single brackets")
-                            .help(format!("write [[{what}]]: there may be several")),
+                            .label(text!("single brackets"))
+                            .help(text!("write [[{what}]]: there may be several", what)),
                     );
                 }
                 nodes.push((&e.node, t));
             }
             _ => out.push(
-                Diagnostic::error("file.brackets", format!("{what:?} must be a block"))
+                Diagnostic::error("file.brackets", text!("{what} must be a block", what = text::quoted(&what)))
                     .at(e.span.clone())
-                    .help(format!("write [[{what}]] and its keys below")),
+                    .help(text!("write [[{what}]] and its keys below", what)),
             ),
         }
     }
@@ -236,7 +243,10 @@ fn gather<'n, 'a>(
     let mut taken: BTreeMap<String, String> = BTreeMap::new();
     for (node, top) in nodes {
         let Some(table) = node.table() else {
-            out.push(Diagnostic::error("file.brackets", format!("a {what} must be a block, not {}", node.shape())).at(node.span.clone()));
+            out.push(
+                Diagnostic::error("file.brackets", text!("a {what} must be a block, not {shape}", what, shape = node.shape()))
+                    .at(node.span.clone()),
+            );
             continue;
         };
         let before = errors(out);
@@ -252,12 +262,18 @@ fn gather<'n, 'a>(
             match taken.get(&name.to_lowercase()) {
                 _ if name.is_empty() => strange.extend(n.node.text().map(str::to_string)),
                 Some(first) => {
-                    let same = if *first == name { String::new() } else { format!(" (apart from capitals the same as {first:?})") };
+                    let own = text::quoted(&name);
+                    let message = if *first == name {
+                        text!("two blocks [[{what}]] are named {name}", what, name = own)
+                    } else {
+                        let first = text::quoted(first);
+                        text!("two blocks [[{what}]] are named {name} (apart from capitals the same as {first})", what, name = own, first)
+                    };
                     out.push(
-                        Diagnostic::error("name.twice", format!("two blocks [[{what}]] are named {name:?}{same}"))
+                        Diagnostic::error("name.twice", message)
                             .at(n.node.span.clone())
-                            .label("taken above")
-                            .help("give each its own name; others refer to it by that name"),
+                            .label(text!("taken above"))
+                            .help(text!("give each its own name; others refer to it by that name")),
                     );
                 }
                 None => drop(taken.insert(name.to_lowercase(), name.clone())),
@@ -321,7 +337,7 @@ pub(super) fn read_fields(
             }
             continue;
         }
-        let message = format!("{} has no key {:?}", cx.who, clip(&e.key));
+        let message = text!("{who} has no key {key}", who = cx.who, key = text::quoted(&clip(&e.key)));
         let holds = |f: &&Field| matches!(f.kind, FieldKind::OneOf(options) if options.iter().any(|o| o.0 == e.key));
         let around = fields.iter().find(holds).map(|f| f.name);
         let absent = around.or_else(|| nearest(&e.key, fields.iter().filter(|f| get(table, f.name).is_none()).map(|f| f.name)));
@@ -330,11 +346,11 @@ pub(super) fn read_fields(
         let close = absent.or_else(|| nearest(&e.key, fields.iter().map(|f| f.name)));
         let all = fields.iter().map(|f| f.name).chain(implicit.iter().copied()).collect::<Vec<_>>().join(", ");
         let help = match (around, close) {
-            (Some(f), _) => format!("it stands inside {f}: {f} = {{ {} = .. }}", e.key),
-            (None, Some(c)) => format!("did you mean {c:?}? Its keys: {all}"),
-            (None, None) => format!("its keys: {all}"),
+            (Some(f), _) => text!("it stands inside {f}: {f} = {{ {key} = .. }}", f, key = e.key),
+            (None, Some(c)) => text!("did you mean {near}? Its keys: {all}", near = text::quoted(&c), all),
+            (None, None) => text!("its keys: {all}", all),
         };
-        cx.error("key.unknown", e.span.clone(), message, "unknown key", help);
+        cx.error("key.unknown", e.span.clone(), message, text!("unknown key"), help);
     }
     for f in fields {
         if get(table, f.name).is_some() || unread.contains(&f.name) {
@@ -342,15 +358,16 @@ pub(super) fn read_fields(
         }
         if f.required {
             unread.push(f.name);
-            let message = format!("{} needs {:?}: {}", cx.who, f.name, f.doc);
-            let help = match f.kind {
-                FieldKind::Choice(words) => {
-                    words.iter().map(|w| format!("{} = {:?} ({})", f.name, w.0, w.1)).collect::<Vec<_>>().join(" or ")
-                }
-                _ => super::docs::example_line(f, kind.example),
+            let message = text!("{who} needs {name}: {doc}", who = cx.who, name = text::quoted(&f.name), doc = text::term(f.doc));
+            let word = |w: &(&'static str, &'static str)| {
+                text!("{name} = {word} ({meaning})", name = f.name, word = text::quoted(&w.0), meaning = text::term(w.1))
             };
-            let help = format!("add {help}");
-            cx.error("key.missing", span.clone(), message, &format!("{} = .. is missing", f.name), help);
+            let example = match f.kind {
+                FieldKind::Choice(words) => text::list(words.iter().map(word), Joint::Ors),
+                _ => super::docs::example_line(f, kind.example).argument(),
+            };
+            let help = text!("add {example}", example);
+            cx.error("key.missing", span.clone(), message, text!("{name} = .. is missing", name = f.name), help);
         } else {
             cx.default(f, values);
         }
@@ -363,8 +380,8 @@ fn read_machine(cx: &mut Context, entry: Option<&Entry>) -> (MachineBlock, Vec<&
     let all = || MACHINE_FIELDS.iter().map(|f| f.name).collect();
     let Some(e) = entry else {
         cx.out.push(
-            Diagnostic::error("file.no_machine", "the file has no [machine] block")
-                .help("begin it with [machine] and, below, name = \"..\" and speed = \"3000 rpm\""),
+            Diagnostic::error("file.no_machine", text!("the file has no [machine] block"))
+                .help(text!("begin it with [machine] and, below, name = \"..\" and speed = \"3000 rpm\"")),
         );
         return (MachineBlock::default(), all());
     };

@@ -8,6 +8,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
 use crate::model::field::Values;
 use crate::model::system::System;
 use crate::study::{ErasedStudy, Study, registry};
+use crate::text;
 
 /// A study of a machine from its fields, by the names of the [study's page](crate::study::Study::FIELDS). Numbers are in SI units; texts may carry
 /// other units.
@@ -47,10 +48,10 @@ pub fn construct_kind(kind: &str, system: &System, fields: &serde_json::Value) -
     let mut out = Diagnostics::default();
     let registry = registry();
     let Some(found) = registry.iter().find(|k| k.info.kind == kind) else {
-        let close = nearest(kind, registry.iter().map(|k| k.info.kind)).map(|k| format!("did you mean \"{k}\"?"));
+        let close = nearest(kind, registry.iter().map(|k| k.info.kind)).map(|k| text!("did you mean {near}?", near = text::quoted(&k)));
         let all = registry.iter().map(|k| k.info.kind).collect::<Vec<_>>().join(", ");
-        let message = format!("there is no kind of study \"{kind}\"");
-        out.push(Diagnostic::error("kind.unknown", message).help(close.unwrap_or_else(|| format!("there is {all}"))));
+        let message = text!("there is no kind of study \"{kind}\"", kind);
+        out.push(Diagnostic::error("kind.unknown", message).help(close.unwrap_or_else(|| text!("there is {all}", all))));
         return Err(out);
     };
     let values = read(found.info.kind, system, fields, &mut out);
@@ -60,7 +61,7 @@ pub fn construct_kind(kind: &str, system: &System, fields: &serde_json::Value) -
 
 fn finished<T>(built: Option<T>, mut out: Diagnostics) -> Result<T, Diagnostics> {
     if built.is_none() && !out.has_errors() {
-        out.push(Diagnostic::error("study.fields", "the study cannot be made from these fields"));
+        out.push(Diagnostic::error("study.fields", text!("the study cannot be made from these fields")));
     }
     built.filter(|_| !out.has_errors()).ok_or(out)
 }
@@ -71,8 +72,8 @@ fn read(kind: &'static str, system: &System, fields: &serde_json::Value, out: &m
     let info = catalog.studies.iter().find(|k| k.kind == kind)?;
     let node = from_json(fields);
     let Some(table): Option<&[Entry]> = node.table() else {
-        let message = format!("the fields of {kind} are an object, not {}", node.shape());
-        out.push(Diagnostic::error("value.type", message).help("write { \"speed\": 300.0 }"));
+        let message = text!("the fields of {kind} are an object, not {shape}", kind, shape = node.shape());
+        out.push(Diagnostic::error("value.type", message).help(text!("write {{ \"speed\": 300.0 }}")));
         return None;
     };
     let parts: Vec<(String, &'static str)> = system.slots().iter().map(|s| (s.name.clone(), s.part.kind())).collect();

@@ -5,6 +5,7 @@ use super::tree::{Data, Node, from_toml};
 use super::values::Context;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, Values};
+use crate::text;
 use crate::units;
 use std::borrow::Cow;
 
@@ -19,7 +20,10 @@ impl Context<'_> {
         let fine = self.field(f, &node, values);
         if !fine {
             let text = self.out.0.drain(before..).map(|d| d.to_string()).collect::<Vec<_>>().join("; ");
-            self.out.push(Diagnostic::error("declaration.default", format!("the declared default {:?} cannot be used: {text}", f.default)));
+            self.out.push(Diagnostic::error(
+                "declaration.default",
+                text!("the declared default {default} cannot be used: {text}", default = text::quoted(&f.default), text),
+            ));
         }
         values.mark_default(f.name);
     }
@@ -64,8 +68,11 @@ pub(super) fn check_declaration(kind: &str, f: &Field, out: &mut Diagnostics) {
     for unit in units {
         match units::parse_unit(unit) {
             Ok(u) if (u.factor() - 1.0).abs() < 1e-12 => {}
-            Ok(_) => out.push(Diagnostic::error("declaration.unit", format!("{kind}.{}: {unit:?} is not an SI unit", f.name))),
-            Err(e) => out.push(Diagnostic::error("declaration.unit", format!("{kind}.{}: {e}", f.name))),
+            Ok(_) => out.push(Diagnostic::error(
+                "declaration.unit",
+                text!("{kind}.{name}: {unit} is not an SI unit", kind, name = f.name, unit = text::quoted(&unit)),
+            )),
+            Err(e) => out.push(Diagnostic::error("declaration.unit", text!("{kind}.{name}: {why}", kind, name = f.name, why = e.message))),
         }
     }
     let catalog = Catalog::default();

@@ -8,6 +8,7 @@ use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Link, Physics, PortKind, Rows};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
+use crate::text;
 use laval_num::dense::Mat;
 
 /// Warns of parts that cannot do what they are there for, of displacements without any stiffness and of tilt stiffness on bodies that do not tilt.
@@ -21,7 +22,7 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
     }
     for (k, text) in system.warnings() {
         let slot = &system.slots()[k];
-        out.push(Diagnostic::warning("part.purpose", format!("\"{}\": {text}", slot.name)).at(slot.span.clone()));
+        out.push(Diagnostic::warning("part.purpose", text!("\"{name}\": {text}", name = slot.name, text)).at(slot.span.clone()));
     }
     let free = free(system);
     for (k, slot) in system.slots().iter().enumerate() {
@@ -30,12 +31,15 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
         if names.is_empty() {
             continue;
         }
-        let message =
-            format!("nothing holds \"{}\" in {}: it can move away, alone or with the bodies it is joined to", slot.name, names.join(", "));
+        let message = text!(
+            "nothing holds \"{name}\" in {names}: it can move away, alone or with the bodies it is joined to",
+            name = slot.name,
+            names = names.join(", ")
+        );
         out.push(
             Diagnostic::warning("body.free", message)
                 .at(slot.span.clone())
-                .help("join it to \"ground\" or to a foundation with a bearing or a shaft; a damper holds nothing in place"),
+                .help(text!("join it to \"ground\" or to a foundation with a bearing or a shaft; a damper holds nothing in place")),
         );
     }
 }
@@ -56,9 +60,11 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
     }
     let params = system.param_slots()[slot.params.clone()].iter().zip(&system.params()[slot.params.clone()]);
     for (p, _) in params.filter(|(p, x)| p.unit == "N m/rad" && **x != 0.0) {
-        let message = format!("{} of \"{}\" has no effect: what it is joined to does not tilt", p.name, slot.name);
+        let message = text!("{name} of \"{slot}\" has no effect: what it is joined to does not tilt", name = p.name, slot = slot.name);
         out.push(
-            Diagnostic::warning("part.no_tilt", message).at(slot.span.clone()).help("give a disc its diametral_inertia to let it tilt"),
+            Diagnostic::warning("part.no_tilt", message)
+                .at(slot.span.clone())
+                .help(text!("give a disc its diametral_inertia to let it tilt")),
         );
     }
 }
@@ -78,8 +84,8 @@ fn clamped(system: &System, slot: &Slot, out: &mut Diagnostics) {
             Some((body.name.as_str(), body.part.body()?.without_tilt()?))
         };
         for (body, lets) in [a, b].iter().filter_map(stiff) {
-            let message = format!("\"{}\" is clamped at \"{body}\", which does not tilt", slot.name);
-            let help = format!("give \"{body}\" its {lets} to let it tilt");
+            let message = text!("\"{name}\" is clamped at \"{body}\", which does not tilt", name = slot.name, body);
+            let help = text!("give \"{body}\" its {lets} to let it tilt", body, lets);
             out.push(Diagnostic::warning("part.clamped", message).at(slot.span.clone()).help(help));
         }
     }
@@ -179,7 +185,7 @@ mod tests {
 
     const DISC: &str = "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 1\n";
     fn warnings(rest: &str) -> Vec<String> {
-        load(&format!("{DISC}{rest}")).unwrap_or_else(|d| panic!("{d:?}")).warnings.0.into_iter().map(|d| d.message).collect()
+        load(&format!("{DISC}{rest}")).unwrap_or_else(|d| panic!("{d:?}")).warnings.0.into_iter().map(|d| d.message.to_string()).collect()
     }
     fn shaft(between: &str, more: &str) -> String {
         format!("[[part]]\nkind = \"shaft_lumped\"\nbetween = {between}\nstiffness = \"1e5 N/m\"\n{more}")

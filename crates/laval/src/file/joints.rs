@@ -1,9 +1,10 @@
 //! The points that parts are attached to.
 
 use super::Block;
-use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Attach, Value};
 use crate::model::system::PartInput;
+use crate::text;
 
 /// Every point exists, lies on a body, and has the position. Of parts that are `None` in `built` nothing is known; `strange` are further names
 /// of which that is so.
@@ -17,34 +18,40 @@ pub(super) fn check(parts: &[Block], built: &[Option<PartInput>], strange: &[Str
             let mut all: Vec<String> = bodies.iter().map(|b| format!("\"{b}\"")).collect();
             all.extend(ground.then(|| "\"ground\"".to_string()));
             if all.is_empty() {
-                "this machine has no body: add a part such as a disc".to_string()
+                text!("this machine has no body: add a part such as a disc")
             } else {
-                format!("bodies of this machine: {}", all.join(", "))
+                text!("bodies of this machine: {all}", all = all.join(", "))
             }
         };
         let span = block.values.span_of(field);
         let Some(i) = parts.iter().position(|p| &p.name == name) else {
             let near = nearest(name, bodies.iter().copied().chain(ground.then_some("ground")));
-            let help = near.map_or_else(known, |n| format!("did you mean \"{n}\"? {}", capital(&known())));
-            let message = format!("{} \"{}\" is attached to \"{name}\", which does not exist", block.kind, block.name);
-            out.push(Diagnostic::error("body.missing", message).at(span).label("no such body").about(name).help(help));
+            let help = near.map_or_else(known, |n| meant(text::quoted(&n), known()));
+            let message =
+                text!("{kind} \"{block}\" is attached to \"{name}\", which does not exist", kind = block.kind, block = block.name, name);
+            out.push(Diagnostic::error("body.missing", message).at(span).label(text!("no such body")).about(name).help(help));
             return;
         };
         if !is_body(i) {
-            let message =
-                format!("{} \"{}\" is attached to \"{name}\", which is a {} and not a body", block.kind, block.name, parts[i].kind);
-            out.push(Diagnostic::error("body.kind", message).at(span).label("not a body").help(known()));
+            let message = text!(
+                "{kind} \"{block}\" is attached to \"{name}\", which is a {other} and not a body",
+                kind = block.kind,
+                block = block.name,
+                name,
+                other = parts[i].kind
+            );
+            out.push(Diagnostic::error("body.kind", message).at(span).label(text!("not a body")).help(known()));
             return;
         }
         let Some(body) = &built[i] else { return };
         let shape = |position: f64| body.part.body().map(|b| b.shape(&body.params, position));
         if attach.position != 0.0 && shape(attach.position) == shape(0.0) {
-            let message = format!("the position on \"{name}\" has no effect: that {} does not tilt", parts[i].kind);
+            let message = text!("the position on \"{name}\" has no effect: that {kind} does not tilt", name, kind = parts[i].kind);
             out.push(
                 Diagnostic::warning("body.position", message)
                     .at(span)
-                    .label("no effect")
-                    .help("give a disc its diametral_inertia to let it tilt"),
+                    .label(text!("no effect"))
+                    .help(text!("give a disc its diametral_inertia to let it tilt")),
             );
         }
     };
@@ -60,9 +67,4 @@ pub(super) fn check(parts: &[Block], built: &[Option<PartInput>], strange: &[Str
             }
         }
     }
-}
-
-pub(super) fn capital(s: &str) -> String {
-    let mut chars = s.chars();
-    chars.next().map(|f| f.to_uppercase().chain(chars).collect()).unwrap_or_default()
 }

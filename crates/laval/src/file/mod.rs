@@ -36,13 +36,14 @@ mod tests;
 pub use assemble::{Loaded, NamedStudy, Refusal, assemble, catalog, load, load_bytes};
 pub use constructed::{construct, construct_kind};
 pub use reader::{read, read_bytes, read_json};
-pub use render::{Form, render, to_json as diagnostics_json};
+pub use render::{Form, render, render_in, to_json as diagnostics_json, to_json_in as diagnostics_json_in};
 pub use writer::{canonical, write, write_json};
-pub use written_units::{si_units, written_units};
+pub use written_units::{si_units, written_language, written_units};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{BlockInfo, Bounds, Field, FieldKind, KindInfo, Values};
 use crate::model::system::Drive;
+use crate::text;
 
 /// All kinds a file may name.
 #[derive(Clone, Debug, Default)]
@@ -76,11 +77,17 @@ impl Catalog {
         for (list, what) in [(&self.parts, "part"), (&self.studies, "study")].into_iter().chain(blocks) {
             for (i, k) in list.iter().enumerate() {
                 if list[..i].iter().any(|o| o.kind == k.kind) {
-                    out.push(Diagnostic::error("declaration.twice", format!("the kind of {what} {:?} is declared twice", k.kind)));
+                    out.push(Diagnostic::error(
+                        "declaration.twice",
+                        text!("the kind of {what} {kind} is declared twice", what, kind = text::quoted(&k.kind)),
+                    ));
                 }
                 for (j, f) in k.fields.iter().enumerate() {
                     if k.fields[..j].iter().any(|o| o.name == f.name) || matches!(f.name, "kind" | "name") {
-                        out.push(Diagnostic::error("declaration.twice", format!("{} declares the key {:?} twice", k.kind, f.name)));
+                        out.push(Diagnostic::error(
+                            "declaration.twice",
+                            text!("{kind} declares the key {name} twice", kind = k.kind, name = text::quoted(&f.name)),
+                        ));
                     }
                     declared::check_declaration(k.kind, f, &mut out);
                 }

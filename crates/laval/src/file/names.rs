@@ -1,10 +1,10 @@
 //! Coordinates and parameters that studies name.
 
-use super::joints::capital;
-use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Span, meant, nearest};
 use crate::model::field::{Field, FieldKind, Value, Values};
 use crate::model::system::System;
 use crate::study::StudyKind;
+use crate::text;
 
 /// They exist.
 pub(super) fn check(fields: &[Field], values: &Values, registry: &[StudyKind], system: &System, out: &mut Diagnostics) {
@@ -13,16 +13,16 @@ pub(super) fn check(fields: &[Field], values: &Values, registry: &[StudyKind], s
         match (field.kind, values.get(field.name)) {
             (FieldKind::Coordinate, Some(Value::Text(name))) => coordinate(system, name, span(), out),
             (FieldKind::ParameterPath, Some(Value::Text(path))) if system.param(path).is_none() => {
-                out.push(system.unknown_param(path).at(span()).label("unknown parameter"));
+                out.push(system.unknown_param(path).at(span()).label(text!("unknown parameter")));
             }
             (FieldKind::Tolerances, Some(Value::Tolerances(list))) => {
                 for t in list.iter().filter(|t| system.param(&t.parameter).is_none()) {
-                    out.push(system.unknown_param(&t.parameter).at(t.span.clone()).label("unknown parameter"));
+                    out.push(system.unknown_param(&t.parameter).at(t.span.clone()).label(text!("unknown parameter")));
                 }
             }
             (FieldKind::ParameterRanges, Some(Value::ParameterRanges(list))) => {
                 for (path, _, place) in list.iter().filter(|r| system.param(&r.0).is_none()) {
-                    out.push(system.unknown_param(path).at(place.clone()).label("unknown parameter"));
+                    out.push(system.unknown_param(path).at(place.clone()).label(text!("unknown parameter")));
                 }
             }
             // one that is named is checked where it stands
@@ -41,12 +41,12 @@ fn coordinate(system: &System, name: &str, span: Option<Span>, out: &mut Diagnos
     if all().any(|n| n == name) {
         return;
     }
-    let known = format!("coordinates of this machine: {}", all().collect::<Vec<_>>().join(", "));
-    let help = nearest(name, all()).map_or_else(|| known.clone(), |n| format!("did you mean \"{n}\"? {}", capital(&known)));
+    let known = text!("coordinates of this machine: {all}", all = all().collect::<Vec<_>>().join(", "));
+    let help = nearest(name, all()).map_or_else(|| known.clone(), |n| meant(text::quoted(&n), known.clone()));
     out.push(
-        Diagnostic::error("coordinate.unknown", format!("there is no coordinate \"{name}\""))
+        Diagnostic::error("coordinate.unknown", text!("there is no coordinate \"{name}\"", name))
             .at(span)
-            .label("unknown coordinate")
+            .label(text!("unknown coordinate"))
             .about(name)
             .help(help),
     );

@@ -6,6 +6,8 @@ use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, clip, subject, suggestion};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{AMOUNTS, Amount, Bounds, DISTRIBUTIONS, FieldKind, InnerStudy, KindInfo, Tolerance, Values};
+use crate::text;
+use crate::text::{Joint, Text};
 
 /// A kind of study that runs another one.
 fn nests(kind: &KindInfo) -> bool {
@@ -19,8 +21,8 @@ impl Context<'_> {
             return self.named_study(field, node, name);
         }
         let Some(table) = node.table() else {
-            let help = format!("write the name of a study of this file, or {}", self.written_here());
-            self.wrong_type(field, node, "a study", help);
+            let help = text!("write the name of a study of this file, or {example}", example = self.written_here());
+            self.wrong_type(field, node, text!("a study"), help);
             return None;
         };
         let catalog = self.catalog;
@@ -33,10 +35,10 @@ impl Context<'_> {
     }
 
     /// Which studies of the file another study can run: not those that run one themselves.
-    fn answering(&self, name: &str) -> String {
+    fn answering(&self, name: &str) -> Text {
         let names = self.studies.iter().filter(|s| s.info.is_none_or(|k| !nests(k))).map(|s| s.name);
-        let help = suggestion(name, names, "studies of this file that can be run");
-        help.unwrap_or_else(|| format!("add such a study to this file, or write {} here", self.written_here()))
+        let help = suggestion(name, names, |all| text!("studies of this file that can be run: {all}", all));
+        help.unwrap_or_else(|| text!("add such a study to this file, or write {example} here", example = self.written_here()))
     }
 
     /// How a study is written in place: the first kind that runs none itself.
@@ -48,9 +50,10 @@ impl Context<'_> {
     fn named_study(&mut self, field: &str, node: &Node, name: &str) -> Option<InnerStudy> {
         let studies = self.studies;
         let Some(found) = studies.iter().find(|s| s.name == name) else {
-            let message = format!("{} is {:?}, but no study has that name", subject(self.who, field), clip(name));
+            let message =
+                text!("{who} is {name}, but no study has that name", who = subject(self.who, field), name = text::quoted(&clip(name)));
             let help = self.answering(name);
-            self.error("study.unknown", node.span.clone(), message, "no such study", help);
+            self.error("study.unknown", node.span.clone(), message, text!("no such study"), help);
             return None;
         };
         // a study that is not understood is reported where it stands, and so are the mistakes of its values
@@ -76,19 +79,23 @@ impl Context<'_> {
         if !nests(info) {
             return Some(());
         }
-        let message = format!("{} cannot be a study of kind {:?}, which runs a study itself", subject(self.who, field), info.kind);
+        let message = text!(
+            "{who} cannot be a study of kind {kind}, which runs a study itself",
+            who = subject(self.who, field),
+            kind = text::quoted(&info.kind)
+        );
         let help = self.answering("");
-        self.error("study.nested", node.span.clone(), message, "runs another study", help);
+        self.error("study.nested", node.span.clone(), message, text!("runs another study"), help);
         None
     }
 
     /// A list of uncertain parameters.
     pub(super) fn tolerances(&mut self, field: &str, node: &Node) -> Option<Vec<Tolerance>> {
-        let help = "write [{ parameter = \"drum.mass\", distribution = \"normal\", deviation = \"2 %\" }]".to_string();
+        let help = text!("write [{{ parameter = \"drum.mass\", distribution = \"normal\", deviation = \"2 %\" }}]");
         let list = match &node.data {
             Data::List(list) if !list.is_empty() => list,
             _ => {
-                self.wrong_type(field, node, "a list of uncertain parameters", help);
+                self.wrong_type(field, node, text!("a list of uncertain parameters"), help);
                 return None;
             }
         };
@@ -97,17 +104,18 @@ impl Context<'_> {
         let read: Vec<Tolerance> = read.into_iter().collect::<Option<_>>()?;
         for (i, t) in read.iter().enumerate() {
             if read[..i].iter().any(|o| o.parameter == t.parameter) {
-                let message = format!("{} names {:?} twice", subject(self.who, field), t.parameter);
-                self.error("parameter.twice", t.span.clone(), message, "named above", None);
+                let message =
+                    text!("{who} names {parameter} twice", who = subject(self.who, field), parameter = text::quoted(&t.parameter));
+                self.error("parameter.twice", t.span.clone(), message, text!("named above"), None);
                 return None;
             }
         }
         Some(read)
     }
 
-    fn tolerance(&mut self, field: &str, node: &Node, help: &str) -> Option<Tolerance> {
+    fn tolerance(&mut self, field: &str, node: &Node, help: &Text) -> Option<Tolerance> {
         let Some(table) = node.table() else {
-            self.wrong_type(field, node, "an uncertain parameter", help.to_string());
+            self.wrong_type(field, node, text!("an uncertain parameter"), help.clone());
             return None;
         };
         let mut allowed = vec!["parameter", "distribution"];
@@ -115,20 +123,26 @@ impl Context<'_> {
         let mut fine = self.check_keys(field, table, &allowed);
         let word = |key: &str, cx: &mut Self| {
             let Some(e) = get(table, key) else {
-                let message = format!("{} has no {key:?}", subject(cx.who, field));
-                cx.error("key.missing", node.span.clone(), message, &format!("{key} = .. is missing"), help.to_string());
+                let message = text!("{who} has no {key}", who = subject(cx.who, field), key = text::quoted(&key));
+                cx.error("key.missing", node.span.clone(), message, text!("{key} = .. is missing", key), help.clone());
                 return None;
             };
-            cx.text_value(&format!("{field}.{key}"), &e.node, "a text").map(|t| (t, e))
+            cx.text_value(&format!("{field}.{key}"), &e.node, text!("a text")).map(|t| (t, e))
         };
         let (path, kind) = (word("parameter", self), word("distribution", self));
         let ((path, at), (kind, kind_at)) = (path?, kind?);
         let unit = self.parameter(field, &at.node, &path)?;
         let Some(distribution) = DISTRIBUTIONS.iter().find(|d| d.0 == kind) else {
-            let message = format!("{} cannot be {:?}", subject(self.who, &format!("{field}.distribution")), clip(&kind));
-            let mut help = suggestion(&kind, DISTRIBUTIONS.iter().map(|d| d.0), "distributions").unwrap_or_default();
-            help += &format!(" ({})", DISTRIBUTIONS.iter().map(|d| format!("{}: {}", d.0, d.1)).collect::<Vec<_>>().join("; "));
-            self.error("value.choice", kind_at.node.span.clone(), message, "not a distribution", help);
+            let message = text!(
+                "{who} cannot be {kind}",
+                who = subject(self.who, &format!("{field}.distribution")),
+                kind = text::quoted(&clip(&kind))
+            );
+            let one = |d: &(&'static str, &'static str)| text!("{name}: {meaning}", name = d.0, meaning = text::term(d.1));
+            let meanings = text::list(DISTRIBUTIONS.iter().map(one), Joint::Semicolon);
+            let help =
+                suggestion(&kind, DISTRIBUTIONS.iter().map(|d| d.0), |all| text!("distributions: {all} ({meanings})", all, meanings));
+            self.error("value.choice", kind_at.node.span.clone(), message, text!("not a distribution"), help);
             return None;
         };
         let mut amounts = Vec::new();

@@ -3,6 +3,7 @@
 use super::tree::{Data, Node, get};
 use super::values::{Context, clip, subject};
 use crate::model::field::{Bounds, MOST_POINTS, RangeValue, Value};
+use crate::text;
 use crate::units;
 use std::collections::BTreeMap;
 
@@ -27,59 +28,69 @@ impl Context<'_> {
                 self.wrong_type(
                     field,
                     node,
-                    &units::describe(unit),
-                    format!("write a number with a unit in quotes ({example}), or a bare number in SI units"),
+                    units::describe(unit),
+                    text!("write a number with a unit in quotes ({example}), or a bare number in SI units", example),
                 );
                 return None;
             }
         };
         if !x.is_finite() {
-            let message = format!("{}: a finite number is needed", subject(self.who, field));
-            self.error("number.invalid", node.span.clone(), message, "not finite", None);
+            let message = text!("{who}: a finite number is needed", who = subject(self.who, field));
+            self.error("number.invalid", node.span.clone(), message, text!("not finite"), None);
             return None;
         }
         if !bounds.contains(x) {
             let value = units::format_si(x, unit);
-            let message = format!("{} is {value}; it must be {}", subject(self.who, field), bounds.text(unit));
+            let message = text!("{who} is {value}; it must be {bounds}", who = subject(self.who, field), value, bounds = bounds.text(unit));
             let share = unit.is_empty() && bounds.max == 1.0 && (2.0..=100.0).contains(&x);
-            let help = share.then(|| format!("write \"{} %\" if you mean percent", units::write_number(x)));
+            let help = share.then(|| text!("write \"{x} %\" if you mean percent", x = units::write_number(x)));
             let help = help.or_else(|| {
-                (bare && !unit.is_empty())
-                    .then(|| format!("a bare number is in {unit}; put number and unit in quotes to use others ({})", units::examples(unit)))
+                (bare && !unit.is_empty()).then(|| {
+                    text!(
+                        "a bare number is in {unit}; put number and unit in quotes to use others ({examples})",
+                        unit,
+                        examples = units::examples(unit)
+                    )
+                })
             });
-            self.error("value.bounds", node.span.clone(), message, "out of bounds", help);
+            self.error("value.bounds", node.span.clone(), message, text!("out of bounds"), help);
             return None;
         }
         Some(x)
     }
 
     pub(super) fn integer(&mut self, field: &str, node: &Node, min: i64, max: i64, auto: bool) -> Option<Value> {
-        let or_auto = if auto { ", or \"auto\"" } else { "" };
-        let wanted = format!("a whole number{or_auto}");
+        let wanted = if auto { text!("a whole number, or \"auto\"") } else { text!("a whole number") };
         match &node.data {
             Data::Integer(i) if (min..=max).contains(i) => Some(Value::Integer(*i)),
             Data::Integer(i) => {
-                let message = format!("{} is {i}; it must be a whole number from {min} to {max}{or_auto}", subject(self.who, field));
-                self.error("value.bounds", node.span.clone(), message, "out of bounds", None);
+                let who = subject(self.who, field);
+                let message = match auto {
+                    true => text!("{who} is {i}; it must be a whole number from {min} to {max}, or \"auto\"", who, i, min, max),
+                    false => text!("{who} is {i}; it must be a whole number from {min} to {max}", who, i, min, max),
+                };
+                self.error("value.bounds", node.span.clone(), message, text!("out of bounds"), None);
                 None
             }
             Data::Text(t) if auto && t == "auto" => Some(Value::Auto),
             Data::Text(t) if t.trim().parse::<i64>().is_ok() => {
-                self.wrong_type(field, node, &wanted, format!("write {} without quotes", t.trim()));
+                self.wrong_type(field, node, &wanted, text!("write {t} without quotes", t = t.trim()));
                 None
             }
             Data::Text(t) if auto => {
-                let message = format!("{}: {wanted} is needed, not {:?}", subject(self.who, field), clip(t));
-                self.error("value.type", node.span.clone(), message, "not a whole number", None);
+                let message =
+                    text!("{who}: {wanted} is needed, not {t}", who = subject(self.who, field), wanted, t = text::quoted(&clip(t)));
+                self.error("value.type", node.span.clone(), message, text!("not a whole number"), None);
                 None
             }
             Data::Float(x) if x.fract() == 0.0 && x.abs() < 1e15 => {
-                self.wrong_type(field, node, &wanted, format!("write {}", *x as i64));
+                self.wrong_type(field, node, &wanted, text!("write {number}", number = *x as i64));
                 None
             }
             Data::Float(_) => {
-                let message = format!("{}: {wanted} is needed; this number has a fraction or is too large", subject(self.who, field));
-                self.error("value.type", node.span.clone(), message, "not a whole number", None);
+                let message =
+                    text!("{who}: {wanted} is needed; this number has a fraction or is too large", who = subject(self.who, field), wanted);
+                self.error("value.type", node.span.clone(), message, text!("not a whole number"), None);
                 None
             }
             _ => {
@@ -98,13 +109,13 @@ impl Context<'_> {
         let mut half = |key: &str| match get(table, key) {
             Some(e) => self.quantity(&format!("{name}.{key}"), &e.node, unit, bounds),
             None => {
-                let message = format!("{} has no {key:?}", subject(self.who, name));
+                let message = text!("{who} has no {key}", who = subject(self.who, name), key = text::quoted(&key));
                 self.error(
                     "key.missing",
                     node.span.clone(),
                     message,
-                    &format!("{key} = .. is missing"),
-                    "write one value for both directions, or { x = .., y = .. }".to_string(),
+                    text!("{key} = .. is missing", key),
+                    text!("write one value for both directions, or {{ x = .., y = .. }}"),
                 );
                 None
             }
@@ -116,19 +127,24 @@ impl Context<'_> {
     /// Exactly one of several quantities.
     pub(super) fn one_of(&mut self, name: &str, node: &Node, list: &[Alternative]) -> Option<Value> {
         let names: Vec<&str> = list.iter().map(|o| o.0).collect();
-        let how = format!("write exactly one of them: {{ {} = .. }}", names.join(" = .. } or { "));
+        let how = text!("write exactly one of them: {{ {names} = .. }}", names = names.join(" = .. } or { "));
         let Some(table) = node.table() else {
-            self.wrong_type(name, node, "one of several quantities", how);
+            self.wrong_type(name, node, text!("one of several quantities"), how);
             return None;
         };
         if !self.check_keys(name, table, &names) {
             return None;
         }
         let [e] = table else {
-            let found =
-                if table.is_empty() { "none".to_string() } else { table.iter().map(|e| e.key.as_ref()).collect::<Vec<_>>().join(", ") };
-            let message = format!("{} wants exactly one of {}; {found} given", subject(self.who, name), names.join(", "));
-            self.error("value.one_of", node.span.clone(), message, "exactly one", None);
+            let (who, names) = (subject(self.who, name), names.join(", "));
+            let message = match table {
+                [] => text!("{who} wants exactly one of {names}; none given", who, names),
+                _ => {
+                    let found = table.iter().map(|e| e.key.as_ref()).collect::<Vec<_>>().join(", ");
+                    text!("{who} wants exactly one of {names}; {found} given", who, names, found)
+                }
+            };
+            self.error("value.one_of", node.span.clone(), message, text!("exactly one"), None);
             return None;
         };
         let o = list.iter().find(|o| o.0 == e.key)?;
@@ -141,11 +157,14 @@ impl Context<'_> {
             return self.quantity(field, node, u, &b).map(|x| RangeValue { from: x, to: x, points: None });
         }
         let Some(table) = node.table() else {
-            let example = format!(
-                "write one value, or {{ from = .., to = .., points = .. }}, with {}",
-                unit.map_or("numbers".into(), |u| format!("values in {}", units::examples(u.0)))
-            );
-            self.wrong_type(field, node, "a range", example);
+            let example = match unit {
+                Some((u, _)) => {
+                    let examples = units::examples(u);
+                    text!("write one value, or {{ from = .., to = .., points = .. }}, with values in {examples}", examples)
+                }
+                None => text!("write one value, or {{ from = .., to = .., points = .. }}, with numbers"),
+            };
+            self.wrong_type(field, node, text!("a range"), example);
             return None;
         };
         let mut allowed = vec!["from", "to", "points"];
@@ -153,13 +172,13 @@ impl Context<'_> {
         let mut fine = self.check_keys(field, table, &allowed);
         let mut end = |cx: &mut Self, key: &str| {
             let Some(e) = get(table, key) else {
-                let message = format!("{} has no {key:?}", subject(cx.who, field));
+                let message = text!("{who} has no {key}", who = subject(cx.who, field), key = text::quoted(&key));
                 cx.error(
                     "key.missing",
                     node.span.clone(),
                     message,
-                    &format!("{key} = .. is missing"),
-                    "a range is { from = .., to = .., points = .. }; points may be left out".to_string(),
+                    text!("{key} = .. is missing", key),
+                    text!("a range is {{ from = .., to = .., points = .. }}; points may be left out"),
                 );
                 fine = false;
                 return None;
@@ -183,8 +202,12 @@ impl Context<'_> {
             return fine.then_some(RangeValue { from, to, points: None });
         }
         if from == to {
-            let message = format!("{} begins and ends at {}", subject(self.who, field), units::format_si(from, unit.map_or("", |u| u.0)));
-            self.error("range.empty", node.span.clone(), message, "empty range", "from and to must differ".to_string());
+            let message = text!(
+                "{who} begins and ends at {from}",
+                who = subject(self.who, field),
+                from = units::format_si(from, unit.map_or("", |u| u.0))
+            );
+            self.error("range.empty", node.span.clone(), message, text!("empty range"), text!("from and to must differ"));
             return None;
         }
         fine.then_some(RangeValue { from, to, points })
@@ -203,7 +226,7 @@ impl Context<'_> {
             Data::Integer(i) => Some((*i as f64, None)),
             Data::Float(x) if x.is_finite() => Some((*x, None)),
             _ => {
-                self.wrong_type(field, node, "a finite number with a unit", None);
+                self.wrong_type(field, node, text!("a finite number with a unit"), None);
                 None
             }
         }
@@ -212,7 +235,7 @@ impl Context<'_> {
     pub(super) fn columns(&mut self, field: &str, node: &Node, declared: &[Column]) -> Option<Value> {
         let Some(table) = node.table() else {
             let names: Vec<String> = declared.iter().map(|c| format!("{} = [..]", c.0)).collect();
-            self.wrong_type(field, node, "a table of columns", format!("write {{ {} }}", names.join(", ")));
+            self.wrong_type(field, node, text!("a table of columns"), text!("write {{ {names} }}", names = names.join(", ")));
             return None;
         };
         let allowed: Vec<&str> = declared.iter().map(|c| c.0).collect();
@@ -222,8 +245,13 @@ impl Context<'_> {
         for &(name, unit, required, doc) in declared {
             let Some(e) = get(table, name) else {
                 if required {
-                    let message = format!("{} has no column {name:?} ({doc})", subject(self.who, field));
-                    self.error("key.missing", node.span.clone(), message, &format!("{name} = [..] is missing"), None);
+                    let message = text!(
+                        "{who} has no column {name} ({doc})",
+                        who = subject(self.who, field),
+                        name = text::quoted(&name),
+                        doc = text::term(doc)
+                    );
+                    self.error("key.missing", node.span.clone(), message, text!("{name} = [..] is missing", name), None);
                     fine = false;
                 }
                 continue;
@@ -234,12 +262,15 @@ impl Context<'_> {
             };
             match length {
                 Some((first, n)) if n != column.len() => {
-                    let message = format!(
-                        "{}: the columns differ in length: {first} has {n} values, {name} has {}",
-                        subject(self.who, field),
-                        column.len()
+                    let message = text!(
+                        "{who}: the columns differ in length: {first} has {n} values, {name} has {column}",
+                        who = subject(self.who, field),
+                        first,
+                        n,
+                        name,
+                        column = column.len()
                     );
-                    self.error("columns.length", e.node.span.clone(), message, "other length", None);
+                    self.error("columns.length", e.node.span.clone(), message, text!("other length"), None);
                     fine = false;
                 }
                 _ => length = length.or(Some((name, column.len()))),
@@ -247,8 +278,8 @@ impl Context<'_> {
             out.insert(name, column);
         }
         if fine && out.is_empty() {
-            let message = format!("{} has no columns", subject(self.who, field));
-            self.error("key.missing", node.span.clone(), message, "empty", None);
+            let message = text!("{who} has no columns", who = subject(self.who, field));
+            self.error("key.missing", node.span.clone(), message, text!("empty"), None);
             return None;
         }
         fine.then_some(Value::Columns(out))
@@ -258,13 +289,19 @@ impl Context<'_> {
         let Data::List(list) = &node.data else {
             let help = match node.data {
                 Data::Table(_) => None,
-                _ => Some("put it in brackets, also when it is one value: [..]".to_string()),
+                _ => Some(text!("put it in brackets, also when it is one value: [..]")),
             };
-            self.wrong_type(field, node, "a list of numbers", help);
+            self.wrong_type(field, node, text!("a list of numbers"), help);
             return None;
         };
         if list.is_empty() {
-            self.error("value.type", node.span.clone(), format!("{}: the list is empty", subject(self.who, field)), "empty", None);
+            self.error(
+                "value.type",
+                node.span.clone(),
+                text!("{who}: the list is empty", who = subject(self.who, field)),
+                text!("empty"),
+                None,
+            );
             return None;
         }
         let read: Vec<Option<f64>> =

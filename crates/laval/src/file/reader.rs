@@ -3,6 +3,7 @@
 use super::draft::Draft;
 use super::{Catalog, Spec, blocks, syntax, tree};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::text;
 use toml::de::DeTable;
 
 /// Largest file, bytes.
@@ -18,23 +19,26 @@ pub fn read(text: &str, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
 pub(super) fn read_draft(text: &str, catalog: &Catalog) -> (Option<Draft>, Diagnostics) {
     let mut out = Diagnostics::default();
     if text.len() > MAX_BYTES {
-        out.push(Diagnostic::error("file.size", format!("the file has {} MB; at most 64 MB are read", text.len() >> 20)));
+        out.push(Diagnostic::error("file.size", text!("the file has {size} MB; at most 64 MB are read", size = text.len() >> 20)));
         return (None, out);
     }
     if let Some(span) = tree::too_deep(text) {
         out.push(
-            Diagnostic::error("file.depth", "a key with more than 64 dots is not read")
+            Diagnostic::error("file.depth", text!("a key with more than 64 dots is not read"))
                 .at(span.start..span.end.min(span.start + 40))
-                .label("nested too deeply"),
+                .label(text!("nested too deeply")),
         );
         return (None, out);
     }
     if let Some(at) = text.find('\0') {
         out.push(
-            Diagnostic::error("file.binary", format!("the file is no text: byte {} is NUL (0x00), which no text holds", at + 1))
-                .at(at..at + 1)
-                .label("NUL")
-                .help("save it as UTF-8 text; files in UTF-16, and files that were damaged, hold such bytes"),
+            Diagnostic::error(
+                "file.binary",
+                text!("the file is no text: byte {number} is NUL (0x00), which no text holds", number = at + 1),
+            )
+            .at(at..at + 1)
+            .label(text!("NUL"))
+            .help(text!("save it as UTF-8 text; files in UTF-16, and files that were damaged, hold such bytes")),
         );
         return (None, out);
     }
@@ -58,14 +62,17 @@ pub fn read_bytes(bytes: &[u8], catalog: &Catalog) -> (Option<Spec>, Diagnostics
     let mut out = Diagnostics::default();
     let at = error.valid_up_to();
     let help = match bytes {
-        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "it looks like UTF-16; save it as UTF-8",
-        _ => "save it as UTF-8; often a unit sign such as µ or ° in an older encoding is the cause",
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => text!("it looks like UTF-16; save it as UTF-8"),
+        _ => text!("save it as UTF-8; often a unit sign such as µ or ° in an older encoding is the cause"),
     };
     out.push(
-        Diagnostic::error("file.encoding", format!("the file is not UTF-8 text: byte {} is 0x{:02x}", at + 1, bytes[at]))
-            .at(at..at + 1)
-            .label("here")
-            .help(help),
+        Diagnostic::error(
+            "file.encoding",
+            text!("the file is not UTF-8 text: byte {number} is 0x{byte}", number = at + 1, byte = format_args!("{:02x}", bytes[at])),
+        )
+        .at(at..at + 1)
+        .label(text!("here"))
+        .help(help),
     );
     (None, out)
 }
@@ -75,7 +82,10 @@ pub fn read_json(value: &serde_json::Value, catalog: &Catalog) -> (Option<Spec>,
     let mut out = Diagnostics::default();
     let node = tree::from_json(value);
     let Some(root) = node.table() else {
-        out.push(Diagnostic::error("value.type", format!("a machine is an object with machine, part and study, not {}", node.shape())));
+        out.push(Diagnostic::error(
+            "value.type",
+            text!("a machine is an object with machine, part and study, not {shape}", shape = node.shape()),
+        ));
         return (None, out);
     };
     let draft = blocks::read_tree("", root, catalog, &mut out);

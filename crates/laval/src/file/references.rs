@@ -5,6 +5,7 @@ use super::values::{Context, clip, subject, suggestion};
 use super::{parameter_of, parameters_of};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::model::field::{Attach, Bounds, Field, RangeValue, Value};
+use crate::text;
 
 /// The SI unit in which each entry of a table of values was given; none for a bare number.
 pub(super) type Units = Vec<Option<String>>;
@@ -18,7 +19,7 @@ impl Context<'_> {
     pub(super) fn attach(&mut self, field: &str, node: &Node, ground: bool) -> Option<Attach> {
         let body = |cx: &mut Self, n: &Node| -> Option<Option<String>> {
             let Some(t) = n.text() else {
-                cx.wrong_type(field, n, "the name of a body", "write \"drum\", or { body = \"drum\", at = \"40 mm\" }".to_string());
+                cx.wrong_type(field, n, text!("the name of a body"), text!("write \"drum\", or {{ body = \"drum\", at = \"40 mm\" }}"));
                 return None;
             };
             if t == "ground" && named_ground(cx.parts) {
@@ -26,12 +27,18 @@ impl Context<'_> {
                 return None;
             }
             if t == "ground" && !ground {
-                let message = format!("{} must be a body; the ground is not allowed here", subject(cx.who, field));
-                cx.error("value.ground", n.span.clone(), message, "not a body", None);
+                let message = text!("{who} must be a body; the ground is not allowed here", who = subject(cx.who, field));
+                cx.error("value.ground", n.span.clone(), message, text!("not a body"), None);
                 return None;
             }
             if t.is_empty() {
-                cx.error("value.type", n.span.clone(), format!("{}: the name of a body is missing", subject(cx.who, field)), "empty", None);
+                cx.error(
+                    "value.type",
+                    n.span.clone(),
+                    text!("{who}: the name of a body is missing", who = subject(cx.who, field)),
+                    text!("empty"),
+                    None,
+                );
                 return None;
             }
             Some((t != "ground").then(|| t.to_string()))
@@ -41,13 +48,13 @@ impl Context<'_> {
         };
         let fine = self.check_keys(field, table, &["body", "at"]);
         let Some(b) = get(table, "body") else {
-            let message = format!("{} names no body", subject(self.who, field));
+            let message = text!("{who} names no body", who = subject(self.who, field));
             self.error(
                 "key.missing",
                 node.span.clone(),
                 message,
-                "body = .. is missing",
-                "write { body = \"drum\", at = \"40 mm\" }".to_string(),
+                text!("body = .. is missing"),
+                text!("write {{ body = \"drum\", at = \"40 mm\" }}"),
             );
             return None;
         };
@@ -55,8 +62,8 @@ impl Context<'_> {
         let position = match get(table, "at") {
             None => 0.0,
             Some(e) if body.is_none() => {
-                let message = format!("{}: the ground has no position", subject(self.who, field));
-                self.error("value.ground", e.span.clone(), message, "leave this out", None);
+                let message = text!("{who}: the ground has no position", who = subject(self.who, field));
+                self.error("value.ground", e.span.clone(), message, text!("leave this out"), None);
                 return None;
             }
             Some(e) => self.quantity(&format!("{field}.at"), &e.node, "m", &Bounds::within(1e4))?,
@@ -66,22 +73,22 @@ impl Context<'_> {
 
     /// Two points of bodies.
     pub(super) fn between(&mut self, name: &str, node: &Node) -> Option<Value> {
-        let help = "write between = [\"drum\", \"base\"]; one of the two may be \"ground\"".to_string();
+        let help = text!("write between = [\"drum\", \"base\"]; one of the two may be \"ground\"");
         let Data::List(list) = &node.data else {
-            self.wrong_type(name, node, "a list of two points", help);
+            self.wrong_type(name, node, text!("a list of two points"), help);
             return None;
         };
         let [a, b] = list.as_slice() else {
-            let message = format!("{} must name two points; {} given", subject(self.who, name), list.len());
-            self.error("value.between", node.span.clone(), message, "two points", help);
+            let message = text!("{who} must name two points; {given} given", who = subject(self.who, name), given = list.len());
+            self.error("value.between", node.span.clone(), message, text!("two points"), help);
             return None;
         };
         let (a, b) = (self.attach(name, a, true), self.attach(name, b, true));
         let (a, b) = (a?, b?);
         if a == b {
             let what = a.body.as_deref().unwrap_or("ground");
-            let message = format!("{} connects {what:?} with itself", subject(self.who, name));
-            self.error("value.between", node.span.clone(), message, "the same point twice", help);
+            let message = text!("{who} connects {what} with itself", who = subject(self.who, name), what = text::quoted(&what));
+            self.error("value.between", node.span.clone(), message, text!("the same point twice"), help);
             return None;
         }
         Some(Value::Between(a, b))
@@ -95,10 +102,15 @@ impl Context<'_> {
         let found = self.parts.iter().find(|p| p.0 == block).map(|p| p.1);
         let names = || self.parts.iter().map(|p| p.0.as_str());
         let Some(kind) = found else {
-            let message = format!("{} is {:?}, but no part is named {:?}", subject(self.who, field), clip(path), clip(block));
-            let help = suggestion(block, names(), "parts of this file");
-            let d = Diagnostic::error("parameter.unknown", message).at(node.span.clone()).label("no such part").about(path);
-            self.out.push(Diagnostic { help: help.map(Into::into), ..d });
+            let message = text!(
+                "{who} is {path}, but no part is named {block}",
+                who = subject(self.who, field),
+                path = text::quoted(&clip(path)),
+                block = text::quoted(&clip(block))
+            );
+            let help = suggestion(block, names(), |all| text!("parts of this file: {all}", all));
+            let d = Diagnostic::error("parameter.unknown", message).at(node.span.clone()).label(text!("no such part")).about(path);
+            self.out.push(Diagnostic { help: help.map(Box::new), ..d });
             return None;
         };
         let Some(info) = self.catalog.described(kind) else { return Some(None) };
@@ -106,46 +118,56 @@ impl Context<'_> {
             return Some(Some(p));
         }
         if let Some(list) = Field::list_of(&info.fields, rest) {
-            let message =
-                format!("{} is {:?}, but \"{}\" is a list: studies hold its values", subject(self.who, field), clip(path), list.name);
-            let help = format!("studies vary single numbers; parameters of a {kind}: {}", parameters_of(info).join(", "));
-            self.error("parameter.unknown", node.span.clone(), message, "a list, no parameter", help);
+            let message = text!(
+                "{who} is {path}, but \"{name}\" is a list: studies hold its values",
+                who = subject(self.who, field),
+                path = text::quoted(&clip(path)),
+                name = list.name
+            );
+            let help = text!("studies vary single numbers; parameters of a {kind}: {all}", kind, all = parameters_of(info).join(", "));
+            self.error("parameter.unknown", node.span.clone(), message, text!("a list, no parameter"), help);
             return None;
         }
         let message = if rest.is_empty() {
-            format!("{} names the part {block:?} and none of its parameters", subject(self.who, field))
+            text!("{who} names the part {block} and none of its parameters", who = subject(self.who, field), block = text::quoted(&block))
         } else {
-            format!("{} is {:?}, but a {kind} has no parameter {:?}", subject(self.who, field), clip(path), clip(rest))
+            text!(
+                "{who} is {path}, but a {kind} has no parameter {rest}",
+                who = subject(self.who, field),
+                path = text::quoted(&clip(path)),
+                kind,
+                rest = text::quoted(&clip(rest))
+            )
         };
-        let help = suggestion(rest, parameters_of(info), &format!("parameters of a {kind}"));
-        self.error("parameter.unknown", node.span.clone(), message, "no such parameter", help);
+        let help = suggestion(rest, parameters_of(info), |all| text!("parameters of a {kind}: {all}", kind, all));
+        self.error("parameter.unknown", node.span.clone(), message, text!("no such parameter"), help);
         None
     }
 
     /// The range of one parameter.
     pub(super) fn parameter_range(&mut self, name: &str, node: &Node) -> Option<Value> {
-        let help = "write { parameter = \"part.parameter\", from = .., to = .., points = .. }".to_string();
+        let help = text!("write {{ parameter = \"part.parameter\", from = .., to = .., points = .. }}");
         let Some(table) = node.table() else {
-            self.wrong_type(name, node, "the range of a parameter", help);
+            self.wrong_type(name, node, text!("the range of a parameter"), help);
             return None;
         };
         let Some(e) = get(table, "parameter") else {
-            let message = format!("{} names no parameter", subject(self.who, name));
-            self.error("key.missing", node.span.clone(), message, "parameter = .. is missing", help);
+            let message = text!("{who} names no parameter", who = subject(self.who, name));
+            self.error("key.missing", node.span.clone(), message, text!("parameter = .. is missing"), help);
             return None;
         };
-        let path = self.text_value(&format!("{name}.parameter"), &e.node, "the path of a parameter")?;
+        let path = self.text_value(&format!("{name}.parameter"), &e.node, text!("the path of a parameter"))?;
         let unit = self.parameter(name, &e.node, &path)?;
         self.range(name, node, &["parameter"], unit).map(|r| Value::ParameterRange(path, r))
     }
 
     /// Ranges of several parameters, each named once.
     pub(super) fn parameter_ranges(&mut self, name: &str, node: &Node) -> Option<Value> {
-        let help = "write [{ parameter = \"part.parameter\", from = .., to = .. }]".to_string();
+        let help = text!("write [{{ parameter = \"part.parameter\", from = .., to = .. }}]");
         let list = match &node.data {
             Data::List(list) if !list.is_empty() => list,
             _ => {
-                self.wrong_type(name, node, "a list of ranges of parameters", help);
+                self.wrong_type(name, node, text!("a list of ranges of parameters"), help);
                 return None;
             }
         };
@@ -154,8 +176,8 @@ impl Context<'_> {
         for (i, n) in list.iter().enumerate() {
             match self.parameter_range(&format!("{name}[{}]", i + 1), n) {
                 Some(Value::ParameterRange(path, _)) if out.iter().any(|o| o.0 == path) => {
-                    let message = format!("{} names {path:?} twice", subject(self.who, name));
-                    self.error("parameter.twice", n.span.clone(), message, "named above", None);
+                    let message = text!("{who} names {path} twice", who = subject(self.who, name), path = text::quoted(&path));
+                    self.error("parameter.twice", n.span.clone(), message, text!("named above"), None);
                     fine = false;
                 }
                 Some(Value::ParameterRange(path, r)) => out.push((path, r, n.span.clone())),
@@ -167,10 +189,10 @@ impl Context<'_> {
 
     /// The name of a coordinate.
     pub(super) fn coordinate(&mut self, name: &str, node: &Node) -> Option<Value> {
-        let t = self.text_value(name, node, "the name of a coordinate")?;
+        let t = self.text_value(name, node, text!("the name of a coordinate"))?;
         if t.trim().is_empty() {
-            let message = format!("{}: the name of a coordinate is missing", subject(self.who, name));
-            self.error("value.type", node.span.clone(), message, "empty", "write it as in \"drum.x\"".to_string());
+            let message = text!("{who}: the name of a coordinate is missing", who = subject(self.who, name));
+            self.error("value.type", node.span.clone(), message, text!("empty"), text!("write it as in \"drum.x\""));
             return None;
         }
         Some(Value::Text(t))
@@ -204,8 +226,8 @@ impl Context<'_> {
             self.wrong_type(
                 name,
                 node,
-                "a table of initial values",
-                "write { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".to_string(),
+                text!("a table of initial values"),
+                text!("write {{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }}"),
             );
             return None;
         };

@@ -1,7 +1,10 @@
 //! Diagnostics for people and for tools.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span};
+use crate::language::Language;
 use crate::plain;
+use crate::text;
+use crate::text::Text;
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
 use serde_json::{Value as Json, json};
 use std::fmt::{self, Write as _};
@@ -38,6 +41,7 @@ const LONGEST_LINE: usize = 400;
 
 struct Shown<'a> {
     d: &'a Diagnostic,
+    language: Language,
     message: String,
     source: &'a NamedSource<String>,
     span: Span,
@@ -65,13 +69,13 @@ impl miette::Diagnostic for Shown<'_> {
         })
     }
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.d.help.as_ref().map(|h| Box::new(plain::line(h)) as Box<dyn fmt::Display>)
+        self.d.help.as_ref().map(|h| Box::new(line(self.language, h)) as Box<dyn fmt::Display>)
     }
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {
         Some(self.source)
     }
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let label = self.d.label.as_deref().map(|l| plain::line(l).into_owned());
+        let label = self.d.label.as_deref().map(|l| line(self.language, l));
         let s = LabeledSpan::new_primary_with_span(label, (self.span.start, self.span.len()));
         Some(Box::new(std::iter::once(s)))
     }
@@ -100,39 +104,67 @@ fn line_column(text: &str, at: usize) -> (usize, usize) {
     (before.bytes().filter(|&b| b == b'\n').count() + 1, text[line_start..at].chars().count() + 1)
 }
 
-fn word(s: Severity) -> &'static str {
+/// A sentence in one line.
+fn line(language: Language, text: &Text) -> String {
+    plain::line(&language.said(text)).into_owned()
+}
+
+fn word(s: Severity) -> Text {
     match s {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
+        Severity::Error => text!("error"),
+        Severity::Warning => text!("warning"),
     }
 }
 
+/// What stands before a help.
+fn help_word() -> Text {
+    text!("help")
+}
+
 /// The message, with the lines of the other places where the same is wrong.
-fn message(d: &Diagnostic, text: &str) -> String {
+fn message(d: &Diagnostic, text: &str) -> Text {
     /// Most lines named.
     const LINES: usize = 8;
     let mut lines: Vec<usize> = d.also().iter().map(|s| line_column(text, clamp(text, s).start).0).collect();
     lines.dedup();
     let left = lines.len().saturating_sub(LINES);
     let mut shown: Vec<String> = lines.iter().take(LINES).map(usize::to_string).collect();
-    let last = if left > 0 { Some(format!("{left} more")) } else { shown.pop() };
-    match (shown.as_slice(), last) {
-        (_, None) => d.message.clone(),
-        ([], Some(one)) => format!("{} (also named in line {one})", d.message),
-        (many, Some(last)) => format!("{} (also named in lines {} and {last})", d.message, many.join(", ")),
+    let message = &d.message;
+    if left > 0 {
+        return text!("{message} (also named in lines {lines} and {left} more)", message, lines = shown.join(", "), left);
+    }
+    match (shown.pop(), shown.as_slice()) {
+        (None, _) => message.clone(),
+        (Some(line), []) => text!("{message} (also named in line {line})", message, line),
+        (Some(last), many) => text!("{message} (also named in lines {lines} and {last})", message, lines = many.join(", "), last),
     }
 }
 
-fn one_line(out: &mut String, d: &Diagnostic, text: &str, file: &str) {
+fn one_line(out: &mut String, d: &Diagnostic, text: &str, file: &str, language: Language) {
     let place = d.span.as_ref().map(|s| line_column(text, clamp(text, s).start)).map_or(String::new(), |(l, c)| format!(":{l}:{c}"));
-    let _ = writeln!(out, "{}{place}: {}[{}]: {}", plain::line(file), word(d.severity), d.code, plain::line(&message(d, text)));
+    let (severity, message) = (line(language, &word(d.severity)), line(language, &message(d, text)));
+    let _ = writeln!(out, "{}{place}: {severity}[{}]: {message}", plain::line(file), d.code);
     if let Some(h) = &d.help {
-        let _ = writeln!(out, "  help: {}", plain::line(h));
+        let _ = writeln!(out, "  {}: {}", language.said(&help_word()), line(language, h));
+    }
+}
+
+/// The excerpts of the library that draws them end with its own word for the help.
+fn name_help(out: &mut String, begin: usize, language: Language) {
+    const WORD: &str = "  help: ";
+    let own = language.said(&help_word());
+    if let Some(at) = out[begin..].rfind(WORD).filter(|_| language != Language::English) {
+        out.replace_range(begin + at..begin + at + WORD.len(), &format!("  {own}: "));
     }
 }
 
 /// Shows diagnostics of the file `file` with the content `text`, in the order of their places. Control characters are shown as escapes.
 pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> String {
+    render_in(Language::English, diagnostics, text, file, form)
+}
+
+/// [`render`] in a language.
+pub fn render_in(language: Language, diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> String {
     let mut sorted = diagnostics.clone();
     sorted.sort_by_place();
     let mut out = String::new();
@@ -144,7 +176,7 @@ pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> 
     for (d, span) in sorted.0.iter().zip(spans) {
         let span = span.and_then(|_| Some(ends.next()?..ends.next()?));
         let Form::Excerpts { width, colour } = form else {
-            one_line(&mut out, d, text, file);
+            one_line(&mut out, d, text, file, language);
             continue;
         };
         let span = span.filter(|s| {
@@ -156,20 +188,24 @@ pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> 
         let handler = GraphicalReportHandler::new_themed(theme).with_width(width.clamp(40, 400)).with_links(false).with_context_lines(1);
         let written = match span {
             Some(span) => {
-                handler.render_report(&mut out, &Shown { d, message: plain::line(&message(d, text)).into_owned(), source: &source, span })
+                let message = line(language, &message(d, text));
+                let begin = out.len();
+                let written = handler.render_report(&mut out, &Shown { d, language, message, source: &source, span });
+                name_help(&mut out, begin, language);
+                written
             }
             None => {
-                one_line(&mut out, d, text, file);
+                one_line(&mut out, d, text, file, language);
                 Ok(())
             }
         };
         if written.is_err() {
-            one_line(&mut out, d, text, file);
+            one_line(&mut out, d, text, file, language);
         }
         out.push('\n');
     }
     if sorted.0.len() > MOST {
-        let _ = writeln!(out, "... and {} more", sorted.0.len() - MOST);
+        let _ = writeln!(out, "{}", language.said(&text!("... and {n} more", n = sorted.0.len() - MOST)));
     }
     out
 }
@@ -177,6 +213,11 @@ pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> 
 /// Diagnostics for tools: code, severity, message, label, help, and the place in bytes and in lines and columns from 1, with the other places (`also`)
 /// where the same name is missing.
 pub fn to_json(diagnostics: &Diagnostics, text: &str) -> Json {
+    to_json_in(Language::English, diagnostics, text)
+}
+
+/// [`to_json`] with its sentences in a language; codes, severities and places are the same in all.
+pub fn to_json_in(language: Language, diagnostics: &Diagnostics, text: &str) -> Json {
     let mut sorted = diagnostics.clone();
     sorted.sort_by_place();
     let one = |d: &Diagnostic| {
@@ -187,7 +228,16 @@ pub fn to_json(diagnostics: &Diagnostics, text: &str) -> Json {
         };
         let also: Vec<Json> = d.also().iter().map(place).collect();
         let place = d.span.as_ref().map(place);
-        json!({ "code": d.code, "severity": word(d.severity), "message": d.message, "place": place, "also": also, "label": d.label, "help": d.help })
+        let said = |t: &Option<Box<Text>>| t.as_ref().map(|t| language.said(t));
+        json!({
+            "code": d.code,
+            "severity": word(d.severity).to_string(),
+            "message": language.said(&d.message),
+            "place": place,
+            "also": also,
+            "label": said(&d.label),
+            "help": said(&d.help)
+        })
     };
     Json::Array(sorted.0.iter().map(one).collect())
 }

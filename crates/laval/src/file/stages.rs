@@ -6,6 +6,7 @@ use crate::model::field::Extra;
 use crate::model::system::{PartInput, System};
 use crate::parts::PartKind;
 use crate::study::{BlockKind, ErasedStudy, StudyKind};
+use crate::text;
 
 /// A part by itself; `None` where it could not be built. The flag says that nothing is wrong with it.
 pub(super) fn part(registry: &[PartKind], block: &Block, diagnostics: &mut Diagnostics) -> (Option<PartInput>, bool) {
@@ -49,8 +50,8 @@ pub(super) fn put(mut own: Diagnostics, block: &Block, diagnostics: &mut Diagnos
             d.span.clone_from(&block.span);
         }
         if !d.message.starts_with(block.kind) {
-            let name = if block.name == block.kind { String::new() } else { format!(" {:?}", block.name) };
-            d.message = format!("{}{name}: {}", block.kind, d.message);
+            let whose = if block.name == block.kind { block.kind.to_string() } else { format!("{} {:?}", block.kind, block.name) };
+            d.message = text!("{whose}: {message}", whose, message = d.message);
         }
     }
     diagnostics.0.append(&mut own.0);

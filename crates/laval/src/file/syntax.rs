@@ -1,6 +1,8 @@
 //! Mistakes against TOML itself, said so that someone who has never heard of TOML can mend them.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
+use crate::text;
+use crate::text::Text;
 use toml::de::Error;
 
 /// Line around a byte: its place without the line end.
@@ -23,14 +25,16 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
         out.0.retain(|d| d.span.as_ref().is_none_or(|s| s.start < open.line.start));
         let source = text.get(open.line.clone()).unwrap_or("").trim();
         let key = source.split('=').next().unwrap_or("").trim();
-        let what = if open.missing.ends_with(']') { "list" } else { "table" };
-        let d = Diagnostic::error("toml.syntax", format!("the {what} of {key} is not closed")).at(open.line.clone());
+        let message = match open.missing.ends_with(']') {
+            true => text!("the list of {key} is not closed", key),
+            false => text!("the table of {key} is not closed", key),
+        };
+        let d = Diagnostic::error("toml.syntax", message).at(open.line.clone());
         let space = if open.missing.starts_with('}') { " " } else { "" };
-        found.push(d.label(format!("{} is missing", open.missing)).help(format!(
-            "write {}{space}{}",
-            source.trim_end_matches(','),
-            open.missing
-        )));
+        found.push(
+            d.label(text!("{missing} is missing", missing = open.missing))
+                .help(text!("write {line}", line = format_args!("{}{space}{}", source.trim_end_matches(','), open.missing))),
+        );
         lines.push(line_at(text, open.line.start));
     }
     let repeated: Vec<Span> = errors.iter().filter_map(|e| repeated_block(text, e)).collect();
@@ -80,8 +84,11 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
     });
     // what only the whole tree could tell
     if let Some(last) = found.iter_mut().max_by_key(|d| d.span.as_ref().map(|s| s.start)) {
-        let help = last.help.take().map_or_else(|| ONLY_SYNTAX.to_string(), |h| format!("{h} ({ONLY_SYNTAX})"));
-        last.help = Some(help.into());
+        let help = match last.help.take() {
+            Some(help) => text!("{help} ({only_syntax})", help, only_syntax = only_syntax()),
+            None => only_syntax(),
+        };
+        last.help = Some(Box::new(help));
     }
     out.0.extend(found);
 }
@@ -94,8 +101,9 @@ fn repeated_block(text: &str, e: &Error) -> Option<Span> {
 }
 
 /// What a file with mistakes of syntax was not examined for.
-const ONLY_SYNTAX: &str =
-    "so far only the syntax and single values were checked: how parts and studies fit together is looked at once the syntax is right";
+fn only_syntax() -> Text {
+    text!("so far only the syntax and single values were checked: how parts and studies fit together is looked at once the syntax is right")
+}
 
 /// A list or table that nobody closed.
 struct Unclosed {
@@ -163,78 +171,84 @@ fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
     } else {
         at
     };
-    let d = |message: &str, label: &str| Diagnostic::error("toml.syntax", message).at(span.clone()).label(label);
+    let d = |message: Text, label: Text| Diagnostic::error("toml.syntax", message).at(span.clone()).label(label);
     if let Some((i, c)) = source.char_indices().find(|(_, c)| c.is_ascii_control() && *c != '\t' && *c != '\r') {
         let code = format!("0x{:02x}", c as u32);
         let place = line.start + i..line.start + i + 1;
-        return Diagnostic::error("toml.syntax", format!("this line holds the control character {code}, which no text has"))
+        return Diagnostic::error("toml.syntax", text!("this line holds the control character {code}, which no text has", code))
             .at(place)
-            .label(code)
-            .help("remove it");
+            .label(text!("{code}", code))
+            .help(text!("remove it"));
     }
     if e.message().starts_with("duplicate key") {
         let word = text.get(span.clone()).unwrap_or("").trim();
         if body.starts_with('[') {
-            return d(&format!("{body} stands twice in the file"), "the second time")
-                .help("write one block, or double brackets where several are allowed: [[part]], [[study]]");
+            return d(text!("{body} stands twice in the file", body), text!("the second time"))
+                .help(text!("write one block, or double brackets where several are allowed: [[part]], [[study]]"));
         }
-        return d(&format!("the key {word:?} is given twice in one block"), "the second time")
-            .help("keep one of the two; a further part begins with its own [[part]]");
+        return d(text!("the key {word} is given twice in one block", word = text::quoted(&word)), text!("the second time"))
+            .help(text!("keep one of the two; a further part begins with its own [[part]]"));
     }
     if let Some(rest) = body.strip_prefix('[')
         && !rest.contains('=')
     {
         let word = rest.trim_matches(|c| c == '[' || c == ']' || c == ' ');
-        return d("the header of this block is not closed properly", "brackets").help(match word {
-            "machine" => "write [machine]".to_string(),
-            _ => format!("write [[{word}]]"),
+        return d(text!("the header of this block is not closed properly"), text!("brackets")).help(match word {
+            "machine" => text!("write [machine]"),
+            _ => text!("write [[{word}]]", word),
         });
     }
     let Some((key, value)) = body.split_once('=') else {
-        return d("this line is neither a block header nor a key with a value", "not understood")
-            .help("write key = value, [machine], [[part]] or [[study]]; a remark begins with #");
+        return d(text!("this line is neither a block header nor a key with a value"), text!("not understood"))
+            .help(text!("write key = value, [machine], [[part]] or [[study]]; a remark begins with #"));
     };
     let (key, value) = (key.trim(), value.split('#').next().unwrap_or("").trim());
     if value.is_empty() {
-        return d(&format!("the value of {key} is missing"), "nothing behind =").help(format!("write {key} = \"..\""));
+        return d(text!("the value of {key} is missing", key), text!("nothing behind =")).help(text!("write {key} = \"..\"", key));
     }
     let plain_key = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.'));
     if !plain_key && !key.starts_with(['"', '\'']) {
-        return d(&format!("{key:?} cannot be a key"), "not a key")
-            .help("a key is one word of letters, digits, _ and -; write key = value");
+        return d(text!("{key} cannot be a key", key = text::quoted(&key)), text!("not a key"))
+            .help(text!("a key is one word of letters, digits, _ and -; write key = value"));
     }
     let quotes = value.matches('"').count();
     if quotes % 2 == 1 {
-        return d(&format!("a quotation mark is missing in the value of {key}"), "not closed").help(
+        return d(text!("a quotation mark is missing in the value of {key}", key), text!("not closed")).help(
             if value.ends_with('"') && !value.starts_with(['"', '[', '{']) {
-                format!("write {key} = \"{value}")
+                text!("write {key} = \"{value}", key, value)
             } else if value.starts_with('"') {
-                format!("write {key} = {value}\"")
+                text!("write {key} = {value}\"", key, value)
             } else {
-                "texts and quantities stand between two quotation marks".to_string()
+                text!("texts and quantities stand between two quotation marks")
             },
         );
     }
     if value.starts_with(['{', '[']) {
         let count = |open: char, close: char| value.matches(open).count() != value.matches(close).count();
         if count('{', '}') {
-            return d(&format!("a brace is missing in the value of {key}"), "{ and } must match")
-                .help("a table is written { x = \"..\", y = \"..\" }");
+            return d(text!("a brace is missing in the value of {key}", key), text!("{{ and }} must match"))
+                .help(text!("a table is written {{ x = \"..\", y = \"..\" }}"));
         }
         if count('[', ']') {
-            return d(&format!("a bracket is missing in the value of {key}"), "[ and ] must match")
-                .help("a list is written [\"..\", \"..\"]");
+            return d(text!("a bracket is missing in the value of {key}", key), text!("[ and ] must match"))
+                .help(text!("a list is written [\"..\", \"..\"]"));
         }
-        return d(&format!("the value of {key} cannot be read"), "not understood")
-            .help("inside lists and tables, too, texts and quantities stand in quotes, with commas between entries: { x = \"1 mm\", y = \"2 mm\" }");
+        return d(text!("the value of {key} cannot be read", key), text!("not understood"))
+            .help(text!("inside lists and tables, too, texts and quantities stand in quotes, with commas between entries: {{ x = \"1 mm\", y = \"2 mm\" }}"));
     }
     if value.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.')) && !value.contains('"') {
-        return d(&format!("the value of {key} must stand in quotes, because it has a unit"), "quotes are missing")
-            .help(format!("write {key} = \"{value}\""));
+        return d(text!("the value of {key} must stand in quotes, because it has a unit", key), text!("quotes are missing")).help(text!(
+            "write {key} = \"{value}\"",
+            key,
+            value
+        ));
     }
     if !value.starts_with(['"', '\'']) {
-        return d(&format!("the value of {key} must stand in quotes"), "quotes are missing")
-            .help(format!("write {key} = \"{}\"", value.trim_matches('"')));
+        return d(text!("the value of {key} must stand in quotes", key), text!("quotes are missing")).help(text!(
+            "write {key} = \"{value}\"",
+            key,
+            value = value.trim_matches('"')
+        ));
     }
-    d(&format!("this line cannot be read: {}", e.message()), "not understood").help(format!("write {key} = \"..\""))
+    d(text!("this line cannot be read: {why}", why = e.message()), text!("not understood")).help(text!("write {key} = \"..\"", key))
 }

@@ -1,6 +1,8 @@
 //! One tree for TOML and JSON, with places.
 
 use crate::diagnostic::Span;
+use crate::text;
+use crate::text::Text;
 use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -19,7 +21,7 @@ pub(super) enum Data<'a> {
     Float(f64),
     Flag(bool),
     /// A date, or null in JSON.
-    Other(&'static str),
+    Other(fn() -> Text),
     List(Vec<Node<'a>>),
     Table(Vec<Entry<'a>>),
 }
@@ -45,15 +47,15 @@ impl<'a> Node<'a> {
         }
     }
     /// What it is, for messages.
-    pub fn shape(&self) -> &'static str {
+    pub fn shape(&self) -> Text {
         match &self.data {
-            Data::Text(_) => "a text",
-            Data::Integer(_) | Data::Float(_) => "a number",
-            Data::Flag(_) => "true or false",
-            Data::Other(what) => what,
-            Data::List(list) if list.is_empty() => "an empty list",
-            Data::List(_) => "a list",
-            Data::Table(_) => "a table",
+            Data::Text(_) => text!("a text"),
+            Data::Integer(_) | Data::Float(_) => text!("a number"),
+            Data::Flag(_) => text!("true or false"),
+            Data::Other(what) => what(),
+            Data::List(list) if list.is_empty() => text!("an empty list"),
+            Data::List(_) => text!("a list"),
+            Data::Table(_) => text!("a table"),
         }
     }
 }
@@ -86,7 +88,7 @@ pub(super) fn from_toml(value: Spanned<DeValue<'_>>) -> Node<'_> {
         },
         DeValue::Float(x) => Data::Float(x.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(b) => Data::Flag(b),
-        DeValue::Datetime(_) => Data::Other("a date"),
+        DeValue::Datetime(_) => Data::Other(|| text!("a date")),
         DeValue::Array(list) => Data::List(list.into_iter().map(from_toml).collect()),
         DeValue::Table(t) => Data::Table(from_table(t)),
     };
@@ -96,7 +98,7 @@ pub(super) fn from_toml(value: Spanned<DeValue<'_>>) -> Node<'_> {
 pub(super) fn from_json(value: &serde_json::Value) -> Node<'_> {
     use serde_json::Value as J;
     let data = match value {
-        J::Null => Data::Other("null"),
+        J::Null => Data::Other(|| text!("null")),
         J::Bool(b) => Data::Flag(*b),
         J::Number(n) => n.as_i64().map_or_else(|| Data::Float(n.as_f64().unwrap_or(f64::NAN)), Data::Integer),
         J::String(s) => Data::Text(Cow::Borrowed(s)),

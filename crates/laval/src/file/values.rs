@@ -3,8 +3,10 @@
 use super::Catalog;
 use super::references::Units;
 use super::tree::{Data, Entry, Node};
-use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Span, meant, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Value, Values, Word};
+use crate::text;
+use crate::text::{Argument, Joint, Text};
 use crate::units::{UnitError, describe, examples};
 
 /// What reading a field needs to know about its surroundings.
@@ -28,17 +30,15 @@ pub(super) struct StudyTable<'a> {
     pub span: Option<Span>,
 }
 
+/// A field of a block: `disc "drum": mass`.
 pub(super) fn subject(who: &str, field: &str) -> String {
     if field.is_empty() { who.to_string() } else { format!("{who}: {field}") }
 }
 
 impl Context<'_> {
-    pub fn error(&mut self, code: &'static str, span: Option<Span>, message: String, label: &str, help: impl Into<Option<String>>) {
-        let mut d = Diagnostic::error(code, message).at(span);
-        if !label.is_empty() {
-            d = d.label(label);
-        }
-        d.help = help.into().map(Into::into);
+    pub fn error(&mut self, code: &'static str, span: Option<Span>, message: Text, label: Text, help: impl Into<Option<Text>>) {
+        let mut d = Diagnostic::error(code, message).at(span).label(label);
+        d.help = help.into().map(Box::new);
         self.out.push(d);
     }
 
@@ -55,29 +55,29 @@ impl Context<'_> {
     /// Says what is wrong with a quantity, wanted in a unit or in any.
     pub(super) fn unit_error(&mut self, field: &str, node: &Node, e: UnitError, wanted: Option<&str>) {
         let label = match e.code {
-            "unit.unknown" => "unknown unit",
-            "unit.missing" => "no unit",
-            "unit.dimension" => "wrong dimension",
-            "unit.angle" => "turns or radians?",
-            "number.missing" => "no number",
-            _ => "here",
+            "unit.unknown" => text!("unknown unit"),
+            "unit.missing" => text!("no unit"),
+            "unit.dimension" => text!("wrong dimension"),
+            "unit.angle" => text!("turns or radians?"),
+            "number.missing" => text!("no number"),
+            _ => text!("here"),
         };
         let span = self.inner(node, &e);
-        let message = format!("{}: {}", subject(self.who, field), e.message);
+        let message = text!("{who}: {message}", who = subject(self.who, field), message = e.message);
         let known = || {
             let unit = wanted.filter(|_| e.code == "unit.unknown")?;
             Some(if unit.is_empty() {
-                "a pure number has none".to_string()
+                text!("a pure number has none")
             } else {
-                format!("{} is given in {}", describe(unit), examples(unit))
+                text!("{quantity} is given in {examples}", quantity = describe(unit), examples = examples(unit))
             })
         };
         let help = e.help.clone().or_else(known);
         self.error(e.code, span, message, label, help);
     }
 
-    pub(super) fn wrong_type(&mut self, field: &str, node: &Node, wanted: &str, help: impl Into<Option<String>>) {
-        let message = format!("{}: {wanted} is needed, not {}", subject(self.who, field), node.shape());
+    pub(super) fn wrong_type(&mut self, field: &str, node: &Node, wanted: impl Argument, help: impl Into<Option<Text>>) {
+        let message = text!("{who}: {wanted} is needed, not {shape}", who = subject(self.who, field), wanted, shape = node.shape());
         self.error("value.type", node.span.clone(), message, node.shape(), help);
     }
 
@@ -86,18 +86,18 @@ impl Context<'_> {
         let mut fine = true;
         for e in table.iter().filter(|e| !allowed.contains(&e.key.as_ref())) {
             fine = false;
-            let message = format!("{} has no {:?}", subject(self.who, field), clip(&e.key));
-            let help = suggestion(&e.key, allowed.iter().copied(), "allowed here");
-            self.error("key.unknown", e.span.clone(), message, "unknown key", help);
+            let message = text!("{who} has no {key}", who = subject(self.who, field), key = text::quoted(&clip(&e.key)));
+            let help = suggestion(&e.key, allowed.iter().copied(), |all| text!("allowed here: {all}", all));
+            self.error("key.unknown", e.span.clone(), message, text!("unknown key"), help);
         }
         fine
     }
 
-    pub(super) fn text_value(&mut self, field: &str, node: &Node, what: &str) -> Option<String> {
+    pub(super) fn text_value(&mut self, field: &str, node: &Node, what: Text) -> Option<String> {
         match node.text() {
             Some(t) => Some(t.to_string()),
             None => {
-                self.wrong_type(field, node, what, "put it in quotes".to_string());
+                self.wrong_type(field, node, what, text!("put it in quotes"));
                 None
             }
         }
@@ -127,14 +127,14 @@ impl Context<'_> {
             FieldKind::Integer { min, max } => self.integer(name, node, min, max, false),
             FieldKind::IntegerOrAuto { min, max } => self.integer(name, node, min, max, true),
             FieldKind::Flag => self.flag(name, node),
-            FieldKind::Text => self.text_value(name, node, "a text").map(Value::Text),
+            FieldKind::Text => self.text_value(name, node, text!("a text")).map(Value::Text),
             FieldKind::Coordinate => self.coordinate(name, node),
             FieldKind::Attach { ground } => self.attach(name, node, ground).map(Value::Attach),
             FieldKind::Between => self.between(name, node),
             FieldKind::Range { unit, bounds } => self.range(name, node, &[], Some((unit, bounds))).map(Value::Range),
             FieldKind::List { unit, bounds } => self.list(name, node, unit, &bounds).map(Value::List),
             FieldKind::ParameterPath => {
-                let path = self.text_value(name, node, "the path of a parameter")?;
+                let path = self.text_value(name, node, text!("the path of a parameter"))?;
                 self.parameter(name, node, &path).map(|_| Value::Text(path))
             }
             FieldKind::ParameterRange => self.parameter_range(name, node),
@@ -150,17 +150,20 @@ impl Context<'_> {
     fn choice(&mut self, name: &str, node: &Node, words: &[Word]) -> Option<Value> {
         let all = words.iter().map(|w| format!("{:?}", w.0)).collect::<Vec<_>>().join(", ");
         let Some(t) = node.text() else {
-            self.wrong_type(name, node, "a word", format!("write one of {all}"));
+            self.wrong_type(name, node, text!("a word"), text!("write one of {all}", all));
             return None;
         };
         if let Some(w) = words.iter().find(|w| w.0 == t) {
             return Some(Value::Choice(w.0));
         }
-        let message = format!("{} cannot be {:?}", subject(self.who, name), clip(t));
-        let mut help = nearest(t, words.iter().map(|w| w.0)).map(|w| format!("did you mean {w:?}? ")).unwrap_or_default();
-        help += if help.is_empty() { "choose " } else { "Choose " };
-        help += &words.iter().map(|w| format!("{:?} ({})", w.0, w.1)).collect::<Vec<_>>().join(", ");
-        self.error("value.choice", node.span.clone(), message, "not one of its words", help);
+        let message = text!("{who} cannot be {t}", who = subject(self.who, name), t = text::quoted(&clip(t)));
+        let word = |w: &Word| text!("{word} ({meaning})", word = text::quoted(&w.0), meaning = text::term(w.1));
+        let all = text::list(words.iter().map(word), Joint::Comma);
+        let help = match nearest(t, words.iter().map(|w| w.0)) {
+            Some(near) => text!("did you mean {near}? Choose {all}", near = text::quoted(&near), all),
+            None => text!("choose {all}", all),
+        };
+        self.error("value.choice", node.span.clone(), message, text!("not one of its words"), help);
         None
     }
 
@@ -169,29 +172,27 @@ impl Context<'_> {
             Data::Flag(b) => Some(Value::Flag(*b)),
             other => {
                 let help = match other {
-                    Data::Text(t) if t == "true" || t == "false" => format!("write {t} without quotes"),
-                    _ => "write true or false, without quotes".to_string(),
+                    Data::Text(t) if t == "true" || t == "false" => text!("write {t} without quotes", t),
+                    _ => text!("write true or false, without quotes"),
                 };
-                self.wrong_type(name, node, "true or false", help);
+                self.wrong_type(name, node, text!("true or false"), help);
                 None
             }
         }
     }
 }
 
-/// "did you mean ..?" and the list of what is allowed.
-pub(super) fn suggestion<'a>(word: &str, allowed: impl IntoIterator<Item = &'a str>, what: &str) -> Option<String> {
+/// "did you mean ..?" and the list of what is allowed, as `listed` says it.
+pub(super) fn suggestion<'a>(word: &str, allowed: impl IntoIterator<Item = &'a str>, listed: impl Fn(String) -> Text) -> Option<Text> {
     let allowed: Vec<&str> = allowed.into_iter().collect();
-    let list = if allowed.is_empty() { None } else { Some(format!("{what}: {}", allowed.join(", "))) };
-    match (nearest(word, allowed.iter().copied()), list) {
-        (Some(n), Some(l)) => Some(format!("did you mean {n:?}? {}", capital(l))),
-        (_, l) => l,
+    if allowed.is_empty() {
+        return None;
     }
-}
-
-fn capital(s: String) -> String {
-    let mut c = s.chars();
-    c.next().map(|f| f.to_uppercase().chain(c).collect()).unwrap_or_default()
+    let list = listed(allowed.join(", "));
+    Some(match nearest(word, allowed.iter().copied()) {
+        Some(near) => meant(text::quoted(&near), list),
+        None => list,
+    })
 }
 
 /// The first characters of a word from the file, for messages.

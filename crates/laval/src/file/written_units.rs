@@ -1,8 +1,10 @@
 //! The units that a machine file writes, for reports in the units of the reader.
 
+use crate::language::Language;
 use crate::units::parse_unit;
 use std::collections::BTreeMap;
 use toml::Value;
+use toml::de::DeTable;
 
 /// SI units of results.
 const RESULTS: [&str; 24] = [
@@ -47,6 +49,13 @@ pub fn written_units(text: &str) -> Vec<(String, f64, String)> {
     let mut sorted: Vec<(String, usize)> = counts.into_iter().collect();
     sorted.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
     si_units(sorted.into_iter().map(|s| s.0))
+}
+
+/// The language that a file asks for in `[report]`, also when the rest of it cannot be read.
+pub fn written_language(text: &str) -> Option<Language> {
+    let (file, _) = DeTable::parse_recoverable(text);
+    let report = file.get_ref().get("report")?.get_ref().as_table()?;
+    report.get("language")?.get_ref().as_str()?.parse().ok()
 }
 
 /// Units with their size in the SI unit and the SI unit; what is no unit of results is left out.

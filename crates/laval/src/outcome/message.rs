@@ -1,5 +1,7 @@
 //! What a finding says, as data: the name of a sentence in the catalogues and the values it names, in SI units.
 
+use crate::text::Text;
+
 /// A sentence of the catalogues (`crates/laval/text`) and its arguments.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Message {
@@ -51,6 +53,8 @@ pub enum Arg {
     Word(&'static str),
     /// A fixed phrase of a part, in English, such as a statement of its validity; the catalogues may have it in other languages.
     Term(String),
+    /// A sentence of a diagnostic.
+    Said(Text),
     /// A phrase of the catalogues.
     Phrase(Message),
     /// Several, joined by commas.
@@ -156,7 +160,7 @@ impl Arg {
             Arg::Quantity(q) => each(q),
             Arg::Phrase(m) => m.quantities(each),
             Arg::List(all) => all.iter().try_for_each(|a| a.quantities(each)),
-            Arg::Count(_) | Arg::Name(_) | Arg::Word(_) | Arg::Term(_) => Ok(()),
+            Arg::Count(_) | Arg::Name(_) | Arg::Word(_) | Arg::Term(_) | Arg::Said(_) => Ok(()),
         }
     }
 
@@ -177,6 +181,12 @@ impl Default for Arg {
 impl From<&'static str> for Arg {
     fn from(text: &'static str) -> Arg {
         Arg::term(text)
+    }
+}
+
+impl From<Text> for Arg {
+    fn from(text: Text) -> Arg {
+        Arg::Said(text)
     }
 }
 

@@ -39,6 +39,8 @@ mod overview;
 mod table;
 mod tiles;
 
+use crate::text;
+use crate::text::Argument;
 pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text, parameter_name};
 pub use finding::{Evidence, Finding, Level};
@@ -177,12 +179,12 @@ impl Outcome {
     }
 
     fn finite(&self) -> Result<(), OutcomeError> {
-        let check = |what: &str, numbers: &[f64]| match numbers.iter().all(|x| x.is_finite()) {
+        let check = |what: &dyn Argument, numbers: &[f64]| match numbers.iter().all(|x| x.is_finite()) {
             true => Ok(()),
-            false => Err(OutcomeError::NotFinite { what: what.into() }),
+            false => Err(OutcomeError::NotFinite { what: what.argument() }),
         };
         if let End::StepTooSmall { at } | End::NewtonFailed { at, .. } | End::Unbounded { at } = self.end {
-            check("the end", &[at])?;
+            check(&text!("the end"), &[at])?;
         }
         for f in &self.findings {
             f.message.quantities(&mut |q| check(&f.id, &[q.value]))?;
@@ -196,7 +198,9 @@ impl Outcome {
             if let Data::Float(values) = &c.data
                 && values.iter().any(|x| x.is_infinite())
             {
-                return Err(OutcomeError::NotFinite { what: format!("{} in the table {}", c.name, t.name()) });
+                return Err(OutcomeError::NotFinite {
+                    what: text!("{name} in the table {table}", name = c.name, table = t.name()).argument(),
+                });
             }
         }
         Ok(())
@@ -381,7 +385,7 @@ pub enum OutcomeError {
     /// A number left the range of floating point.
     NotFinite {
         /// What it would have been.
-        what: String,
+        what: text::Arg,
     },
     /// A figure names a table or column that does not exist, or one of a type that it cannot use.
     Reference {
@@ -396,21 +400,38 @@ pub enum OutcomeError {
     },
 }
 
-impl fmt::Display for OutcomeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            OutcomeError::Length { table, column, found, expected } => {
-                write!(f, "column `{column}` of table `{table}` has {found} rows, the columns before it have {expected}")
-            }
-            OutcomeError::NotFinite { what } => write!(f, "{what} is no finite number"),
-            OutcomeError::Twice { what, name } => write!(f, "two {what}s are named `{name}`"),
+impl Argument for OutcomeError {
+    fn argument(&self) -> text::Arg {
+        let said = match self {
+            OutcomeError::Length { table, column, found, expected } => text!(
+                "column `{column}` of table `{table}` has {found} rows, the columns before it have {expected}",
+                column,
+                table,
+                found,
+                expected
+            ),
+            OutcomeError::NotFinite { what } => text!("{what} is no finite number", what),
+            OutcomeError::Twice { what, name } => text!("two {what}s are named `{name}`", what = text::term(what), name),
             OutcomeError::Reference { figure, table, column, expected } if column.is_empty() => {
-                write!(f, "figure `{figure}` needs {expected} `{table}`, which is missing")
+                text!("figure `{figure}` needs {expected} `{table}`, which is missing", figure, expected = text::term(expected), table)
             }
             OutcomeError::Reference { figure, table, column, expected } => {
-                write!(f, "figure `{figure}` needs {expected} `{column}` in table `{table}`")
+                text!(
+                    "figure `{figure}` needs {expected} `{column}` in table `{table}`",
+                    figure,
+                    expected = text::term(expected),
+                    column,
+                    table
+                )
             }
-        }
+        };
+        said.argument()
+    }
+}
+
+impl fmt::Display for OutcomeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.argument().fmt(f)
     }
 }
 
@@ -419,9 +440,9 @@ impl std::error::Error for OutcomeError {}
 impl From<OutcomeError> for Diagnostic {
     fn from(e: OutcomeError) -> Self {
         match e {
-            OutcomeError::NotFinite { .. } => Diagnostic::error("study.not_finite", format!("the result cannot be computed: {e}"))
-                .help("a value of the machine or of the study is too large or too small"),
-            _ => Diagnostic::error("study.outcome", format!("the study's result is inconsistent: {e}")),
+            OutcomeError::NotFinite { .. } => Diagnostic::error("study.not_finite", text!("the result cannot be computed: {e}", e))
+                .help(text!("a value of the machine or of the study is too large or too small")),
+            _ => Diagnostic::error("study.outcome", text!("the study's result is inconsistent: {e}", e)),
         }
     }
 }

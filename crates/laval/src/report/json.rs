@@ -134,6 +134,7 @@ fn arg(a: &Arg) -> Value {
         Arg::Name(name) => json!({ "name": name }),
         Arg::Word(word) => json!({ "word": word }),
         Arg::Term(text) => json!({ "term": text }),
+        Arg::Said(text) => json!({ "term": text.to_string() }),
         Arg::Phrase(m) => json!({ "message": m.key, "args": args(m) }),
         Arg::List(all) => all.iter().map(arg).collect::<Vec<_>>().into(),
     }

@@ -44,6 +44,7 @@ mod units;
 mod words;
 mod write;
 
+pub use crate::language::Language;
 pub use csv::csv;
 pub use html::html;
 pub use json::{RESULTS_SCHEMA, SCHEMA, json};
@@ -56,7 +57,7 @@ pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
 pub use units::{Rung, Units};
-pub use words::{Language, Style};
+pub use words::Style;
 pub use write::{Format, WriteError, folders, write};
 
 use crate::outcome::{Outcome, Overview};

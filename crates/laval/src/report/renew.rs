@@ -5,6 +5,8 @@ use super::write::{Composed, Format, WriteError, compose, folders, write_all};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::End;
 use crate::output_folder::{Held, Lasting, tidy, write_whole};
+use crate::text;
+use crate::text::Text;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -39,22 +41,22 @@ pub fn share(dir: &Path) -> Result<Held, Diagnostic> {
 /// When one of these does not hold.
 pub fn prepare(dir: &Path, studies: &[&str]) -> Result<Held, Diagnostic> {
     let held = Held::take(dir)?;
-    let blocked = |path: &Path, what: &str| {
-        let d = Diagnostic::error("folder.taken", format!("{} is {what}, where results are to be written", path.display()));
-        Err(d.help("move it elsewhere, or name another folder with --out"))
+    let blocked = |path: &Path, what: Text| {
+        let d = Diagnostic::error("folder.taken", text!("{path} is {what}, where results are to be written", path = path.display(), what));
+        Err(d.help(text!("move it elsewhere, or name another folder with --out")))
     };
     let earlier = match read(dir) {
         Earlier::Ours(files) => files,
         Earlier::None => BTreeMap::new(),
-        Earlier::Foreign => return blocked(&dir.join(MANIFEST), "a file of another program"),
+        Earlier::Foreign => return blocked(&dir.join(MANIFEST), text!("a file of another program")),
     };
     for name in [MANIFEST, "results.json", "report.html"] {
         let path = dir.join(name);
         if path.is_dir() {
-            return blocked(&path, "a folder");
+            return blocked(&path, text!("a folder"));
         }
         if name != MANIFEST && earlier.is_empty() && foreign(&path) {
-            return blocked(&path, "a file of another program");
+            return blocked(&path, text!("a file of another program"));
         }
     }
     let listed = earlier.keys().filter(|name| plain(name)).filter_map(|name| Some(name.split_once('/')?.0.to_string()));
@@ -63,7 +65,7 @@ pub fn prepare(dir: &Path, studies: &[&str]) -> Result<Held, Diagnostic> {
         if folder.is_dir() {
             tidy(&folder)?;
         } else if folder.symlink_metadata().is_ok() {
-            return blocked(&folder, "no folder");
+            return blocked(&folder, text!("no folder"));
         }
     }
     Ok(held)

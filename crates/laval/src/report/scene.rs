@@ -372,7 +372,8 @@ impl Build<'_> {
                             false => self.colour(key, k, of),
                         };
                         // curves on a heat map are black
-                        let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(h) if h.curves.is_none()));
+                        let on_heat =
+                            colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(h) if h.curves.is_none()));
                         let glyph = if on_heat { Glyph::Contour } else { Glyph::Line };
                         let entry = (!m.reference).then(|| self.entry(&label, colour, glyph));
                         let place = |i: usize| (xs[i], ys[i]);

@@ -1,6 +1,6 @@
 //! Axis ticks: steps of 1, 2, 5 on linear axes; decades, with a minor grid, on logarithmic ones, lengths each with its own prefix: 100 µm, 1 mm.
 
-use super::words::Language;
+use crate::language::Language;
 use crate::outcome::{significant, unit_text};
 use laval_num::order::SortByNumber;
 

@@ -5,6 +5,8 @@ use super::{Report, csv, html, json, svg};
 use crate::hash::sha256;
 use crate::outcome::OutcomeError;
 use crate::output_folder::{Lasting, write_whole};
+use crate::text;
+use crate::text::Text;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -84,19 +86,26 @@ pub enum WriteError {
     },
 }
 
-impl fmt::Display for WriteError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl WriteError {
+    /// As a sentence.
+    pub fn sentence(&self) -> Text {
         match self {
             WriteError::Io { path, source, written } => {
-                write!(f, "cannot write {}: {source}", path.display())?;
+                let path = path.display();
                 match written.len() {
-                    0 => Ok(()),
-                    1 => write!(f, " (1 file written before it is complete)"),
-                    n => write!(f, " ({n} files written before it are complete)"),
+                    0 => text!("cannot write {path}: {source}", path, source),
+                    1 => text!("cannot write {path}: {source} (1 file written before it is complete)", path, source),
+                    n => text!("cannot write {path}: {source} ({n} files written before it are complete)", path, source, n),
                 }
             }
-            WriteError::Outcome { study, source } => write!(f, "study `{study}`: {source}"),
+            WriteError::Outcome { study, source } => text!("study `{study}`: {source}", study, source),
         }
+    }
+}
+
+impl fmt::Display for WriteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.sentence().fmt(f)
     }
 }
 

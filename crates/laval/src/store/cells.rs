@@ -1,6 +1,7 @@
 //! Columns of a chunk: what they are, and their values.
 
 use crate::diagnostic::Diagnostic;
+use crate::text;
 use serde::{Deserialize, Serialize};
 
 /// Type of a column.
@@ -117,5 +118,8 @@ pub(super) fn check(columns: &[Column], rows: usize, cells: &[Cells]) -> Result<
     }
     let text = |c: &Cells| format!("{:?} of {}", c.kind(), c.len());
     let found = cells.iter().map(text).collect::<Vec<_>>().join(", ");
-    Err(Diagnostic::error("store.columns", format!("a chunk of {rows} rows and {} columns was computed as {found}", columns.len())))
+    Err(Diagnostic::error(
+        "store.columns",
+        text!("a chunk of {rows} rows and {columns} columns was computed as {found}", rows, columns = columns.len(), found),
+    ))
 }

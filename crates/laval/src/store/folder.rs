@@ -6,6 +6,8 @@ use super::{Host, Keep, Plan, Work, parquet};
 use crate::diagnostic::Diagnostic;
 use crate::hash::sha256;
 use crate::output_folder::{Held, Lasting, write_whole};
+use crate::text;
+use crate::text::{Arg, Argument, Joint, Text};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -62,7 +64,8 @@ impl Folder {
         }
         for name in names {
             let path = self.path.join(name);
-            fs::remove_file(&path).map_err(|e| Diagnostic::error("store.write", format!("cannot remove {}: {e}", path.display())))?;
+            fs::remove_file(&path)
+                .map_err(|e| Diagnostic::error("store.write", text!("cannot remove {path}: {e}", path = path.display(), e)))?;
         }
         Ok(())
     }
@@ -77,8 +80,8 @@ impl Folder {
         if value.as_ref().is_some_and(own) {
             return Ok(());
         }
-        Err(Diagnostic::error("store.foreign", format!("{} was not written by this program", path.display()))
-            .help("move it elsewhere, or give the results another folder with --out"))
+        Err(Diagnostic::error("store.foreign", text!("{path} was not written by this program", path = path.display()))
+            .help(text!("move it elsewhere, or give the results another folder with --out")))
     }
 
     fn read_manifest(&self) -> Result<Option<Manifest>, Diagnostic> {
@@ -88,17 +91,22 @@ impl Folder {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
             Err(e) => return Err(self.unreadable(&path, &e)),
         };
-        let wrong = |why: String| {
-            Diagnostic::error("store.manifest", format!("{} is no manifest of this program: {why}", path.display()))
-                .help("give the results another folder with --out, or start anew with --fresh (which removes what the folder holds)")
+        let wrong = |why: Arg| {
+            Diagnostic::error("store.manifest", text!("{path} is no manifest of this program: {why}", path = path.display(), why))
+                .help(text!("give the results another folder with --out, or start anew with --fresh (which removes what the folder holds)"))
         };
-        let value: serde_json::Value = serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))?;
+        let value: serde_json::Value = serde_json::from_str(&text).map_err(|e| wrong(e.to_string().argument()))?;
         let format = value.get("format").and_then(serde_json::Value::as_u64);
         if format != Some(u64::from(FORMAT)) {
-            let found = format.map_or("none".to_string(), |f| f.to_string());
-            return Err(wrong(format!("its format is {found}, this program writes format {FORMAT}")));
+            let said = match format {
+                Some(found) => {
+                    text!("its format is {found}, this program writes format {own}", found = found.to_string(), own = u64::from(FORMAT))
+                }
+                None => text!("its format is none, this program writes format {own}", own = u64::from(FORMAT)),
+            };
+            return Err(wrong(said.argument()));
         }
-        serde_json::from_value(value).map(Some).map_err(|e| wrong(e.to_string()))
+        serde_json::from_value(value).map(Some).map_err(|e| wrong(e.to_string().argument()))
     }
 
     fn belongs(&self, old: &Manifest) -> Result<(), Diagnostic> {
@@ -110,15 +118,19 @@ impl Folder {
         let more = all.len().saturating_sub(SHOWN);
         all.truncate(SHOWN);
         if all.is_empty() {
-            all.push("the order of its blocks".into());
+            all.push(text!("the order of its blocks"));
         }
         if more > 0 {
-            all.push(format!("and {more} more"));
+            all.push(text!("and {more} more", more));
         }
-        let of = if old.input == self.manifest.input { "another build of the program or another processor" } else { "another input" };
-        let message = format!("{} holds results of {of}: {}", self.path.display(), all.join("; "));
+        let (path, all) = (self.path.display(), text::list(&all, Joint::Semicolon));
+        let message = if old.input == self.manifest.input {
+            text!("{path} holds results of another build of the program or another processor: {all}", path, all)
+        } else {
+            text!("{path} holds results of another input: {all}", path, all)
+        };
         Err(Diagnostic::error("store.changed", message)
-            .help("give the new results another folder with --out, or start anew with --fresh (which removes the old ones)"))
+            .help(text!("give the new results another folder with --out, or start anew with --fresh (which removes the old ones)")))
     }
 
     /// Keeps the chunks whose files are sound: those of the manifest by its checksums, and those written just before a kill by the checksum they hold and
@@ -136,9 +148,9 @@ impl Folder {
             let sum = bytes.as_ref().map(|b| sha256(b));
             let sound = match (&sum, entry) {
                 (None, None) => continue,
-                (None, Some(_)) => Err("missing"),
+                (None, Some(_)) => Err(text!("missing")),
                 (Some(sum), Some(e)) if *sum == e.sha256 => Ok(()),
-                (Some(_), Some(_)) => Err("damaged"),
+                (Some(_), Some(_)) => Err(text!("damaged")),
                 (Some(_), None) => self.unlisted(index, plan, bytes.as_deref().unwrap_or_default()),
             };
             match (sound, sum) {
@@ -146,7 +158,13 @@ impl Folder {
                 (Ok(()), None) => {}
                 (Err(why), _) => {
                     let rows = plan.range(index);
-                    host.note(&format!("{} is {why}: rows {} to {} are computed again", path.display(), rows.start, rows.end - 1));
+                    host.note(&text!(
+                        "{path} is {why}: rows {first} to {last} are computed again",
+                        path = path.display(),
+                        why,
+                        first = rows.start,
+                        last = rows.end - 1
+                    ));
                 }
             }
         }
@@ -158,13 +176,13 @@ impl Folder {
     }
 
     /// Whether a chunk that no manifest names is sound, else why not.
-    fn unlisted(&self, index: usize, plan: &Plan, bytes: &[u8]) -> Result<(), &'static str> {
+    fn unlisted(&self, index: usize, plan: &Plan, bytes: &[u8]) -> Result<(), Text> {
         if !parquet::sealed(bytes) {
-            return Err("damaged");
+            return Err(text!("damaged"));
         }
         match self.read(index, &plan.columns) {
             Ok((cells, mark)) if mark == self.mark(index) && cells.iter().all(|c| c.len() == plan.range(index).len()) => Ok(()),
-            _ => Err("not of this study"),
+            _ => Err(text!("not of this study")),
         }
     }
 
@@ -175,7 +193,7 @@ impl Folder {
     /// Writes a chunk, then the manifest that names it.
     pub fn put(&mut self, index: usize, columns: &[Column], cells: &[Cells]) -> Result<(), Diagnostic> {
         let bytes = parquet::encode(columns, cells, &self.mark(index))
-            .map_err(|e| Diagnostic::error("store.write", format!("chunk {index} cannot be written as Parquet: {e}")))?;
+            .map_err(|e| Diagnostic::error("store.write", text!("chunk {index} cannot be written as Parquet: {e}", index, e)))?;
         let path = self.file(index);
         write_whole(&path, &bytes, Lasting::PowerLoss).map_err(|e| self.unwritable(&path, &e))?;
         let at = self.manifest.chunks.partition_point(|e| e.chunk < index);
@@ -185,7 +203,8 @@ impl Folder {
 
     pub fn read(&self, index: usize, columns: &[Column]) -> Result<(Vec<Cells>, String), Diagnostic> {
         let path = self.file(index);
-        parquet::decode(&path, columns).map_err(|e| Diagnostic::error("store.read", format!("cannot read {}: {e}", path.display())))
+        parquet::decode(&path, columns)
+            .map_err(|e| Diagnostic::error("store.read", text!("cannot read {path}: {e}", path = path.display(), e)))
     }
 
     fn write_manifest(&self) -> Result<(), Diagnostic> {
@@ -193,7 +212,7 @@ impl Folder {
             return Ok(());
         }
         let path = self.path.join(MANIFEST);
-        let text = self.manifest.text().map_err(|e| Diagnostic::error("store.write", format!("the manifest cannot be written: {e}")))?;
+        let text = self.manifest.text().map_err(|e| Diagnostic::error("store.write", text!("the manifest cannot be written: {e}", e)))?;
         // a chunk that no manifest names yet is found by its mark: it is kept too
         write_whole(&path, text.as_bytes(), Lasting::PowerLoss).map_err(|e| self.unwritable(&path, &e))
     }
@@ -201,12 +220,14 @@ impl Folder {
     fn unwritable(&self, path: &Path, e: &io::Error) -> Diagnostic {
         let kept = self.manifest.chunks.len();
         let all = self.manifest.rows.div_ceil(self.manifest.chunk_rows);
-        let message = format!("cannot write {}: {e}; {kept} of {all} chunks are complete and kept", path.display());
-        Diagnostic::error("store.write", message).help("make room or mend the folder, then run the same command: it continues from there")
+        let message = text!("cannot write {path}: {e}; {kept} of {all} chunks are complete and kept", path = path.display(), e, kept, all);
+        Diagnostic::error("store.write", message)
+            .help(text!("make room or mend the folder, then run the same command: it continues from there"))
     }
 
     fn unreadable(&self, path: &Path, e: &io::Error) -> Diagnostic {
-        Diagnostic::error("store.read", format!("cannot read {}: {e}", path.display())).help("name another folder with --out")
+        Diagnostic::error("store.read", text!("cannot read {path}: {e}", path = path.display(), e))
+            .help(text!("name another folder with --out"))
     }
 }
 

@@ -4,6 +4,8 @@ use super::Plan;
 use super::cells::Column;
 use crate::build;
 use crate::hash::sha256;
+use crate::text;
+use crate::text::{Argument, Text};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
@@ -68,18 +70,20 @@ impl Manifest {
     }
 
     /// What differs between the input of a folder and that of this run, in words.
-    pub fn differences(&self, now: &Manifest) -> Vec<String> {
+    pub fn differences(&self, now: &Manifest) -> Vec<Text> {
         let (mut old, mut new) = (BTreeMap::new(), BTreeMap::new());
         flatten("", &self.identity(), &mut old);
         flatten("", &now.identity(), &mut new);
         let mut keys: Vec<&String> = old.keys().chain(new.keys().filter(|k| !old.contains_key(*k))).collect();
         // the number of rows and columns follows from what was requested: the cause before its effects
         keys.sort_by_key(|k| (!k.starts_with("input."), k.as_str()));
-        let absent = "not given".to_string();
-        let word = |map: &BTreeMap<String, String>, k: &String| map.get(k).unwrap_or(&absent).clone();
+        let word = |map: &BTreeMap<String, String>, k: &String| map.get(k).map_or_else(|| text!("not given").argument(), |w| w.argument());
         keys.into_iter()
             .filter(|k| old.get(*k) != new.get(*k))
-            .map(|k| format!("{} was {}, now {}", k.strip_prefix("input.").unwrap_or(k), word(&old, k), word(&new, k)))
+            .map(|k| {
+                let what = k.strip_prefix("input.").unwrap_or(k);
+                text!("{what} was {old}, now {new}", what, old = word(&old, k), new = word(&new, k))
+            })
             .collect()
     }
 

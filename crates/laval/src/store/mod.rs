@@ -45,6 +45,8 @@ pub use piece::{Piece, Work};
 
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, End, Finding, Message};
+use crate::text;
+use crate::text::Text;
 #[cfg(feature = "parquet")]
 use folder::Folder;
 use serde::{Deserialize, Serialize};
@@ -83,7 +85,7 @@ pub trait Host: Sync {
     /// Of the rows under way, how much is done.
     fn part(&self, _rows: f64) {}
     /// A remark that the result does not hold, because it does not depend on it.
-    fn note(&self, text: &str);
+    fn note(&self, text: &Text);
     /// Most rows; chunks that begin beyond are left out.
     fn most_rows(&self) -> u64;
 }
@@ -112,15 +114,20 @@ impl Plan {
     }
 
     fn check(&self) -> Result<(), Diagnostic> {
-        let wrong = |message: String| Err(Diagnostic::error("store.plan", message));
+        let wrong = |message: Text| Err(Diagnostic::error("store.plan", message));
         if self.rows == 0 || self.chunk == 0 || self.columns.is_empty() {
-            return wrong("a study needs at least one row, one row in a chunk, and one column".into());
+            return wrong(text!("a study needs at least one row, one row in a chunk, and one column"));
         }
         if self.chunks() > MOST_CHUNKS {
-            return wrong(format!("{} rows in chunks of {} are more than {MOST_CHUNKS} chunks", self.rows, self.chunk));
+            return wrong(text!(
+                "{rows} rows in chunks of {chunk} are more than {most} chunks",
+                rows = self.rows,
+                chunk = self.chunk,
+                most = MOST_CHUNKS
+            ));
         }
         match self.columns.iter().enumerate().find(|(i, c)| self.columns[..*i].iter().any(|o| o.name == c.name)) {
-            Some((_, c)) => wrong(format!("two columns are named \"{}\"", c.name)),
+            Some((_, c)) => wrong(text!("two columns are named \"{name}\"", name = c.name)),
             None => Ok(()),
         }
     }
@@ -184,7 +191,7 @@ impl Place {
             #[cfg(feature = "parquet")]
             Some(keep) => Folder::open(keep, plan, host, _mine).map(|f| Place::Folder(Box::new(f))),
             #[cfg(not(feature = "parquet"))]
-            Some(_) => Err(Diagnostic::error("store.parquet", "this build cannot write Parquet, which long studies are kept in")),
+            Some(_) => Err(Diagnostic::error("store.parquet", text!("this build cannot write Parquet, which long studies are kept in"))),
         }
     }
 
@@ -264,7 +271,7 @@ fn fill(
     host.planned(&plan, chained);
     let work = host.keep().map(|k| k.work).unwrap_or_default();
     if work == Work::Plan {
-        return Err(Diagnostic::warning(NO_RESULT, "the study is planned, not run"));
+        return Err(Diagnostic::warning(NO_RESULT, text!("the study is planned, not run")));
     }
     let mine: Vec<usize> = match work {
         Work::Piece(piece) => (0..plan.chunks()).filter(|&i| piece.has(i, chained)).collect(),
@@ -304,8 +311,11 @@ fn fill(
         rows.set(done);
     }
     if let Work::Piece(piece) = work {
-        let there = if total == 0 { "no rows".to_string() } else { format!("{done} of {total} rows are there") };
-        return Err(Diagnostic::warning(NO_RESULT, format!("part {piece}: {there}")));
+        let message = match total {
+            0 => text!("part {piece} has no rows", piece),
+            _ => text!("part {piece}: {done} of {total} rows are there", piece, done, total),
+        };
+        return Err(Diagnostic::warning(NO_RESULT, message));
     }
     let kept = host.keep().is_some();
     Ok(Results { plan, place, done, end, kept })
@@ -317,12 +327,12 @@ fn missing(plan: &Plan, chunks: &mut dyn Iterator<Item = usize>, rows: u64) -> D
     let chunks: Vec<usize> = chunks.collect();
     let mut shown: Vec<String> = chunks.iter().take(SHOWN).map(|i| (i + 1).to_string()).collect();
     if chunks.len() > SHOWN {
-        shown.push(format!("{} more", chunks.len() - SHOWN));
+        shown.push("...".into());
     }
-    let message = format!("{rows} of {} rows are missing, those of the chunks {} of {}", plan.rows, shown.join(", "), plan.chunks());
-    Diagnostic::error(MISSING, message).help(
-        "run the parts that have not ended once more; chunk k belongs to part ((k - 1) mod n) + 1 of n. laval run computes what is missing",
-    )
+    let (all, shown, of) = (plan.rows, shown.join(", "), plan.chunks());
+    Diagnostic::error(MISSING, text!("{rows} of {all} rows are missing, those of the chunks {shown} of {of}", rows, all, shown, of)).help(text!(
+        "run the parts that have not ended once more; chunk k belongs to part ((k - 1) mod n) + 1 of n. laval run computes what is missing"
+    ))
 }
 
 /// What a run has computed or found; the folder stays locked while it lives.
@@ -385,7 +395,7 @@ impl Results {
     /// When a chunk cannot be read.
     pub fn numbers(&self, column: &str) -> Result<Vec<f64>, Diagnostic> {
         let Some(c) = self.position(column) else {
-            return Err(Diagnostic::error("store.columns", format!("there is no column \"{column}\"")));
+            return Err(Diagnostic::error("store.columns", text!("there is no column \"{column}\"", column)));
         };
         let mut out = Vec::with_capacity(usize::try_from(self.done).unwrap_or_default());
         for chunk in self.chunks() {

@@ -5,6 +5,8 @@ use crate::model::system::System;
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, significant};
 use crate::store::{Host, Keep, Plan};
+use crate::text;
+use crate::text::Text;
 use laval_num::work::{self, Cancel};
 use std::cell::Cell;
 use std::sync::LazyLock;
@@ -24,9 +26,9 @@ pub trait Progress: Sync {
     /// What a study that is kept in chunks is going to compute; `chained` when a chunk follows from the one before.
     fn planned(&self, _plan: &Plan, _chained: bool) {}
     /// How large the work is, in words, before it begins.
-    fn job(&self, _text: &str) {}
+    fn job(&self, _text: &Text) {}
     /// A remark that the outcome does not hold, because it does not depend on it.
-    fn note(&self, _text: &str) {}
+    fn note(&self, _text: &Text) {}
 }
 
 /// No progress display.
@@ -73,10 +75,10 @@ impl Context<'_> {
     }
 
     /// Says how large the work is before it begins, where it is large: `count` of `what`, from `large` on.
-    pub fn announce(&self, count: f64, large: f64, what: &str) {
+    pub fn announce(&self, count: f64, large: f64, what: Text) {
         // a count that is no number is worth a word, too
         if !(count < large) {
-            self.progress.job(&format!("{} {what}", significant(count, 3)));
+            self.progress.job(&text!("{count} {what}", count = significant(count, 3), what));
         }
     }
 
@@ -106,7 +108,7 @@ impl Context<'_> {
             if !said.get() && begun.elapsed() > LONG {
                 said.set(true);
                 let names: Vec<String> = system.without_time_form().map(|slot| format!("\"{}\"", slot.name)).collect();
-                self.progress.job(&format!("making the time form of {}", names.join(", ")));
+                self.progress.job(&text!("making the time form of {names}", names = names.join(", ")));
             }
             self.cancelled()
         };
@@ -133,7 +135,7 @@ impl Host for Context<'_> {
     fn part(&self, rows: f64) {
         self.progress.part(rows);
     }
-    fn note(&self, text: &str) {
+    fn note(&self, text: &Text) {
         self.progress.note(text);
     }
     fn most_rows(&self) -> u64 {

@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
 use crate::outcome::Outcome;
+use crate::text;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -122,7 +123,7 @@ pub trait TypedStudy: Study {
     fn result(&self, system: &System, context: &Context) -> Result<Self::Result, Diagnostic> {
         speed_range::known(self, system)?;
         watch::run(self, system, context, || self.compute(system, context))?
-            .map_err(|_| Diagnostic::error(watch::STOPPED, "the study was stopped within a computation that has no partial result"))
+            .map_err(|_| Diagnostic::error(watch::STOPPED, text!("the study was stopped within a computation that has no partial result")))
     }
     /// Tables, figures and findings of a result.
     ///

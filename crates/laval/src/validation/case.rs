@@ -3,6 +3,8 @@
 use super::markdown::{Block, Kind, blocks};
 use super::table::{Expectation, Row};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
+use crate::text;
+use crate::text::Text;
 
 /// What kind of evidence the expected numbers are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,19 +117,19 @@ impl Case {
     pub fn parse(id: &str, text: &str) -> Result<Case, Diagnostics> {
         let mut out = Diagnostics::default();
         let blocks = blocks(text);
-        let wrong = |message: String| Diagnostic::error("validation.document", message);
+        let wrong = |message: Text| Diagnostic::error("validation.document", message);
         let title = blocks.iter().find_map(|b| match &b.kind {
             Kind::Heading(1, t) => Some(t.clone()),
             _ => None,
         });
         if title.is_none() {
-            out.push(wrong("the page has no title".into()).help("begin with # and the title"));
+            out.push(wrong(text!("the page has no title")).help(text!("begin with # and the title")));
         }
         let facts = facts(&blocks, &mut out);
         for name in ["Symbols", "Machine", "Expected", "Tolerance"] {
             match section(&blocks, name) {
-                None => out.push(wrong(format!("the page has no section \"{name}\"")).help(format!("add ## {name}"))),
-                Some([]) => out.push(wrong(format!("the section \"{name}\" is empty"))),
+                None => out.push(wrong(text!("the page has no section \"{name}\"", name)).help(text!("add ## {name}", name))),
+                Some([]) => out.push(wrong(text!("the section \"{name}\" is empty", name))),
                 Some(_) => {}
             }
         }
@@ -141,7 +143,7 @@ impl Case {
             })
             .collect();
         if machines.is_empty() {
-            out.push(wrong("the page has no machine".into()).help("put a machine file between ```toml machine and ```"));
+            out.push(wrong(text!("the page has no machine")).help(text!("put a machine file between ```toml machine and ```")));
         }
         let in_section = section(&blocks, "Expected").and_then(|s| {
             s.iter().find_map(|b| match &b.kind {
@@ -156,10 +158,10 @@ impl Case {
             expected = Expectation::read(grid, &mut out);
             expected_block = blocks.iter().position(|b| std::ptr::eq(b, block)).unwrap_or(0);
             if expected.is_empty() && out.0.len() == before {
-                out.push(wrong("no value is expected".into()).at(block.span.clone()));
+                out.push(wrong(text!("no value is expected")).at(block.span.clone()));
             }
         } else {
-            out.push(wrong("the section \"Expected\" has no table".into()));
+            out.push(wrong(text!("the section \"Expected\" has no table")));
         }
         let explained = section(&blocks, WHY).is_some_and(|s| s.iter().any(|b| matches!(b.kind, Kind::Paragraph(_) | Kind::List { .. })));
         match (title, facts) {
@@ -167,13 +169,16 @@ impl Case {
                 let worst = expected.iter().map(|e| e.stated).max().unwrap_or(Row::Differs);
                 let follows = verdict(worst, explained);
                 if follows != f.verdict {
-                    let message = format!(
-                        "the page states \"{}\", but its rows{} make it \"{}\"",
-                        f.verdict.words(),
-                        if explained { "" } else { " without an explanation" },
-                        follows.words()
-                    );
-                    out.push(wrong(message).at(f.verdict_span).help(format!("an explanation stands under ## {WHY}")));
+                    let (stated, follows) = (f.verdict.words(), follows.words());
+                    let message = match explained {
+                        true => text!("the page states \"{stated}\", but its rows make it \"{follows}\"", stated, follows),
+                        false => text!(
+                            "the page states \"{stated}\", but its rows without an explanation make it \"{follows}\"",
+                            stated,
+                            follows
+                        ),
+                    };
+                    out.push(wrong(message).at(f.verdict_span).help(text!("an explanation stands under ## {title}", title = WHY)));
                     return Err(out);
                 }
                 Ok(Case {
@@ -218,7 +223,7 @@ struct Facts {
 
 /// The first table of the page.
 fn facts(blocks: &[Block], out: &mut Diagnostics) -> Option<Facts> {
-    let wrong = |message: String| Diagnostic::error("validation.document", message);
+    let wrong = |message: Text| Diagnostic::error("validation.document", message);
     let found = blocks.iter().enumerate().find_map(|(i, b)| match &b.kind {
         Kind::Table(grid) => Some((i, grid)),
         _ => None,
@@ -228,8 +233,8 @@ fn facts(blocks: &[Block], out: &mut Diagnostics) -> Option<Facts> {
         let cell = rows.iter().find(|r| r.first().is_some_and(|c| c.text == name)).and_then(|r| r.get(1)).filter(|c| !c.text.is_empty());
         if cell.is_none() {
             out.push(
-                wrong(format!("the page does not say its {}", name.to_lowercase()))
-                    .help(format!("add a row | {name} | ... | to its first table")),
+                wrong(text!("the page does not say its {name}", name = name.to_lowercase()))
+                    .help(text!("add a row | {name} | ... | to its first table", name)),
             );
         }
         cell
@@ -239,7 +244,7 @@ fn facts(blocks: &[Block], out: &mut Diagnostics) -> Option<Facts> {
         let kind = EvidenceKind::ALL.into_iter().find(|k| k.word() == c.text);
         if kind.is_none() {
             let all = EvidenceKind::ALL.map(EvidenceKind::word).join(", ");
-            out.push(wrong(format!("\"{}\" is no kind of evidence", c.text)).at(c.span.clone()).help(format!("kinds: {all}")));
+            out.push(wrong(text!("\"{text}\" is no kind of evidence", text = c.text)).at(c.span.clone()).help(text!("kinds: {all}", all)));
         }
         kind
     });
@@ -247,7 +252,7 @@ fn facts(blocks: &[Block], out: &mut Diagnostics) -> Option<Facts> {
         let stated = Verdict::ALL.into_iter().find(|v| v.words() == c.text);
         if stated.is_none() {
             let all = Verdict::ALL.map(Verdict::words).join(", ");
-            out.push(wrong(format!("\"{}\" is no verdict", c.text)).at(c.span.clone()).help(format!("verdicts: {all}")));
+            out.push(wrong(text!("\"{text}\" is no verdict", text = c.text)).at(c.span.clone()).help(text!("verdicts: {all}", all)));
         }
         stated
     });

@@ -6,6 +6,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
 use crate::file;
 use crate::outcome::Outcome;
 use crate::study::Context;
+use crate::text;
+use crate::text::Text;
 
 /// One number compared.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,7 +66,7 @@ pub fn check(case: Case) -> Checked {
             match compare(e, &outcomes) {
                 Ok(c) => compared.push(c),
                 Err(message) => {
-                    let message = format!("study \"{}\", {}: {message}", e.study, e.value);
+                    let message = text!("study \"{study}\", {value}: {message}", study = e.study, value = e.value, message);
                     problems.push(Diagnostic::error("validation.value", message).at(e.place.clone()));
                 }
             }
@@ -90,20 +92,23 @@ fn run(case: &Case, problems: &mut Diagnostics) -> Vec<Outcome> {
         for named in &loaded.studies {
             let context = Context { name: &named.name, ..Context::quiet("") };
             if outcomes.iter().any(|o| o.name == named.name) {
-                let d = Diagnostic::error("validation.study", format!("two studies of this page are named \"{}\"", named.name));
-                problems.push(moved(d.help("give each study of the page a name of its own")));
+                let d = Diagnostic::error("validation.study", text!("two studies of this page are named \"{name}\"", name = named.name));
+                problems.push(moved(d.help(text!("give each study of the page a name of its own"))));
                 continue;
             }
             match named.study.run(&loaded.system, &context) {
                 Ok(outcome) => {
                     if !outcome.end.is_complete() {
-                        let d = Diagnostic::error("validation.study", format!("study \"{}\": {}", named.name, outcome.end_in_words()));
+                        let d = Diagnostic::error(
+                            "validation.study",
+                            text!("study \"{name}\": {message}", name = named.name, message = outcome.end_in_words()),
+                        );
                         problems.push(moved(d));
                     }
                     outcomes.push(outcome);
                 }
                 Err(mut d) => {
-                    d.message = format!("study \"{}\": {}", named.name, d.message);
+                    d.message = text!("study \"{name}\": {message}", name = named.name, message = d.message);
                     problems.push(moved(d));
                 }
             }
@@ -112,12 +117,12 @@ fn run(case: &Case, problems: &mut Diagnostics) -> Vec<Outcome> {
     outcomes
 }
 
-fn compare(e: &Expectation, outcomes: &[Outcome]) -> Result<Compared, String> {
+fn compare(e: &Expectation, outcomes: &[Outcome]) -> Result<Compared, Text> {
     let outcome = outcomes.iter().find(|o| o.name == e.study).ok_or_else(|| {
         let names = || outcomes.iter().map(|o| o.name.as_str());
         match nearest(&e.study, names()) {
-            Some(n) => format!("there is no such study; did you mean \"{n}\"?"),
-            None => format!("there is no such study; studies: {}", names().collect::<Vec<_>>().join(", ")),
+            Some(n) => text!("there is no such study; did you mean {near}?", near = text::quoted(&n)),
+            None => text!("there is no such study; studies: {names}", names = names().collect::<Vec<_>>().join(", ")),
         }
     })?;
     let found = e.what.find(outcome, &e.choices)?;

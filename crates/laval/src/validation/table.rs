@@ -3,7 +3,9 @@
 use super::markdown::{Cell, Grid};
 use super::value::{Choice, What};
 use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
-use crate::units::{parse_unit, read_quantity};
+use crate::text;
+use crate::text::Text;
+use crate::units::{UnitError, parse_unit, read_quantity};
 
 /// How one number compares with what is expected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -111,18 +113,20 @@ impl Expectation {
     /// The rows of a table; says all that is wrong.
     pub(super) fn read(grid: &Grid, out: &mut Diagnostics) -> Vec<Expectation> {
         let before = out.0.len();
-        let wrong = |cell: &Cell, message: String| Diagnostic::error("validation.expected", message).at(cell.span.clone());
+        let wrong = |cell: &Cell, message: Text| Diagnostic::error("validation.expected", message).at(cell.span.clone());
         for h in &grid.head {
             if !COLUMNS.contains(&h.text.as_str()) {
-                let help = nearest(&h.text, COLUMNS)
-                    .map_or_else(|| format!("columns: {}", COLUMNS.join(", ")), |n| format!("did you mean \"{n}\"?"));
-                out.push(wrong(h, format!("\"{}\" is no column of expected values", h.text)).help(help));
+                let help = nearest(&h.text, COLUMNS).map_or_else(
+                    || text!("columns: {names}", names = COLUMNS.join(", ")),
+                    |n| text!("did you mean {near}?", near = text::quoted(&n)),
+                );
+                out.push(wrong(h, text!("\"{text}\" is no column of expected values", text = h.text)).help(help));
             }
         }
         for name in ["study", "value", "expected", "tolerance"] {
             if !grid.head.iter().any(|h| h.text == name) {
                 let place = grid.head.first().cloned().unwrap_or_default();
-                out.push(wrong(&place, format!("the table of expected values has no column \"{name}\"")));
+                out.push(wrong(&place, text!("the table of expected values has no column \"{name}\"", name)));
             }
         }
         if out.0.len() > before {
@@ -133,17 +137,20 @@ impl Expectation {
 
     fn row(head: &[Cell], row: &[Cell], out: &mut Diagnostics) -> Option<Expectation> {
         let before = out.0.len();
-        let mut wrong = |cell: &Cell, message: String, help: &str| {
+        let mut wrong = |cell: &Cell, message: Text, help: Option<Text>| {
             let d = Diagnostic::error("validation.expected", message).at(cell.span.clone());
-            out.push(if help.is_empty() { d } else { d.help(help) });
+            out.push(match help {
+                Some(help) => d.help(help),
+                None => d,
+            });
         };
         let place = row.first().map_or(0..0, |c| c.span.start..row.last().map_or(c.span.end, |l| l.span.end));
         if row.len() != head.len() {
             let all = Cell { text: String::new(), span: place };
             wrong(
                 &all,
-                format!("this row has {} cells, the head of the table has {}", row.len(), head.len()),
-                "write a bar inside a cell as \\|",
+                text!("this row has {cells} cells, the head of the table has {head}", cells = row.len(), head = head.len()),
+                Some(text!("write a bar inside a cell as \\|")),
             );
             return None;
         }
@@ -156,15 +163,21 @@ impl Expectation {
         let (cell, value) = get("value");
         let what = What::read(value);
         if what.is_none() {
-            wrong(cell, format!("\"{value}\" names no number"), "write TABLE / COLUMN, finding ID, point KIND, or count of points KIND");
+            wrong(
+                cell,
+                text!("\"{value}\" names no number", value),
+                Some(text!("write TABLE / COLUMN, finding ID, point KIND, or count of points KIND")),
+            );
         }
         let (cell, at) = get("at");
         let choices = Choice::read(at);
         if choices.is_none() {
             wrong(
                 cell,
-                format!("\"{at}\" chooses no row"),
-                "write COLUMN = VALUE, COLUMN near VALUE, near VALUE, nr N, first, last, largest or smallest, with commas between",
+                text!("\"{at}\" chooses no row", at),
+                Some(text!(
+                    "write COLUMN = VALUE, COLUMN near VALUE, near VALUE, nr N, first, last, largest or smallest, with commas between"
+                )),
             );
         }
         let (cell, expected_text) = get("expected");
@@ -179,41 +192,41 @@ impl Expectation {
         if expected.is_none() {
             wrong(
                 cell,
-                format!("\"{expected_text}\" is no number"),
-                "write a number, below NUMBER or above NUMBER; the unit has a column of its own",
+                text!("\"{expected_text}\" is no number", expected_text),
+                Some(text!("write a number, below NUMBER or above NUMBER; the unit has a column of its own")),
             );
         }
         let (cell, unit) = get("unit");
         if let Err(e) = factor(unit, split_factor(unit).1) {
-            wrong(cell, format!("\"{unit}\" is no unit: {e}"), "");
+            wrong(cell, text!("\"{unit}\" is no unit: {why}", unit, why = e), None);
         }
         let (cell, text) = get("tolerance");
         let tolerance = Tolerance::read(text);
         match (expected, tolerance) {
             (Some(Expected::Value(0.0)), Some(Tolerance::Relative(_))) => {
-                wrong(cell, "nothing is near zero relatively".into(), "give an absolute tolerance");
+                wrong(cell, text!("nothing is near zero relatively"), Some(text!("give an absolute tolerance")));
             }
             (Some(Expected::Value(_)), None) => {
                 wrong(
                     cell,
-                    format!("\"{text}\" is no tolerance"),
-                    "write NUMBER relative or NUMBER absolute (in the unit of the row), above zero",
+                    text!("\"{text}\" is no tolerance", text),
+                    Some(text!("write NUMBER relative or NUMBER absolute (in the unit of the row), above zero")),
                 );
             }
             (Some(Expected::Below(_) | Expected::Above(_)), _) if !matches!(text, "" | "-" | "–") => {
-                wrong(cell, "a bound has no tolerance".into(), "leave the cell empty");
+                wrong(cell, text!("a bound has no tolerance"), Some(text!("leave the cell empty")));
             }
             _ => {}
         }
         let (cell, text) = get("scatter");
         let scatter = Tolerance::read(text);
         if scatter.is_none() && !matches!(text, "" | "-" | "–") {
-            wrong(cell, format!("\"{text}\" is no scatter"), "write NUMBER relative or NUMBER absolute");
+            wrong(cell, text!("\"{text}\" is no scatter", text), Some(text!("write NUMBER relative or NUMBER absolute")));
         }
         let (cell, text) = get("verdict");
         let stated = if text.is_empty() { Some(Row::Agrees) } else { Row::read(text) };
         if stated.is_none() {
-            wrong(cell, format!("\"{text}\" is no verdict of a row"), "write agrees, within source scatter or differs");
+            wrong(cell, text!("\"{text}\" is no verdict of a row", text), Some(text!("write agrees, within source scatter or differs")));
         }
         if out.0.len() > before {
             return None;
@@ -246,8 +259,8 @@ fn split_factor(unit: &str) -> (&str, &str) {
 }
 
 /// What one of the row's unit is in the unit of the outcome.
-pub(super) fn factor(unit: &str, of_outcome: &str) -> Result<f64, String> {
+pub(super) fn factor(unit: &str, of_outcome: &str) -> Result<f64, Text> {
     let (number, plain) = split_factor(unit);
-    parse_unit(plain).map_err(|e| e.to_string())?;
-    read_quantity(format!("{number} {plain}").trim(), of_outcome).map_err(|e| e.to_string())
+    parse_unit(plain).map_err(UnitError::sentence)?;
+    read_quantity(format!("{number} {plain}").trim(), of_outcome).map_err(UnitError::sentence)
 }

@@ -1,7 +1,9 @@
 //! Which number of an outcome is meant.
 
 use crate::outcome::{Data, Evidence, Outcome};
-use crate::units::read_quantity;
+use crate::text;
+use crate::text::Text;
+use crate::units::{UnitError, read_quantity};
 use laval_num::order::SortByNumber;
 
 /// What is compared: the cell `value` of an expectation.
@@ -89,29 +91,30 @@ impl What {
     }
 
     /// The one number of the outcome that is meant; the error is the sentence to show.
-    pub(super) fn find(&self, outcome: &Outcome, at: &[Choice]) -> Result<Measured, String> {
+    pub(super) fn find(&self, outcome: &Outcome, at: &[Choice]) -> Result<Measured, Text> {
         let count = |n: usize| Ok(Measured { value: n as f64, unit: String::new() });
         match self {
             What::Findings(id) => count(outcome.findings.iter().filter(|f| &f.id == id).count()),
             What::Points(kind) => count(outcome.special_points.iter().filter(|p| &p.kind == kind).count()),
             What::Rows(name) => {
-                let known = || list("tables", outcome.tables.iter().map(|t| t.name()));
-                count(outcome.find_table(name).ok_or_else(|| format!("there is no table \"{name}\"; {}", known()))?.rows())
+                let known = || list(Listed::Tables, outcome.tables.iter().map(|t| t.name()));
+                count(outcome.find_table(name).ok_or_else(|| text!("there is no table \"{name}\"; {known}", name, known = known()))?.rows())
             }
             What::Cell { table, column } => cell(outcome, table, column, at),
             What::Finding { id, evidence } => {
                 let all: Vec<_> = outcome.findings.iter().filter(|f| &f.id == id).collect();
                 if all.is_empty() {
-                    return Err(format!(
-                        "there is no finding \"{id}\"; {}",
-                        list("findings", outcome.findings.iter().map(|f| f.id.as_str()))
+                    return Err(text!(
+                        "there is no finding \"{id}\"; {list}",
+                        id,
+                        list = list(Listed::Findings, outcome.findings.iter().map(|f| f.id.as_str()))
                     ));
                 }
                 let numbers = all
                     .iter()
                     .map(|f| match evidence {
                         Some(e) => supporting(&f.evidence, e),
-                        None => f.value.map(|v| (v, f.unit.clone())).ok_or_else(|| format!("the finding \"{id}\" has no number")),
+                        None => f.value.map(|v| (v, f.unit.clone())).ok_or_else(|| text!("the finding \"{id}\" has no number", id)),
                     })
                     .collect::<Result<Vec<_>, _>>()?;
                 let places: Vec<f64> = numbers.iter().map(|n| n.0).collect();
@@ -121,8 +124,8 @@ impl What {
             What::Point { kind, evidence } => {
                 let mut all: Vec<_> = outcome.special_points.iter().filter(|p| &p.kind == kind).collect();
                 if all.is_empty() {
-                    let kinds = list("special points", outcome.special_points.iter().map(|p| p.kind.as_str()));
-                    return Err(format!("there is no special point \"{kind}\"; {kinds}"));
+                    let kinds = list(Listed::Points, outcome.special_points.iter().map(|p| p.kind.as_str()));
+                    return Err(text!("there is no special point \"{kind}\"; {kinds}", kind, kinds));
                 }
                 all.sort_by_number(|a| a.at);
                 let unit = outcome.parameter.as_ref().map(|p| p.unit.clone()).unwrap_or_default();
@@ -168,41 +171,67 @@ impl Choice {
     }
 }
 
-fn list<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> String {
-    let mut names: Vec<&str> = names.collect();
-    names.dedup();
-    if names.is_empty() { format!("this study has no {what}") } else { format!("{what}: {}", names.join(", ")) }
+/// What an outcome has by name.
+enum Listed {
+    Tables,
+    Columns,
+    Findings,
+    Points,
+    Evidence,
 }
 
-fn supporting(evidence: &[Evidence], what: &str) -> Result<(f64, String), String> {
+fn list<'a>(of: Listed, names: impl Iterator<Item = &'a str>) -> Text {
+    let mut names: Vec<&str> = names.collect();
+    names.dedup();
+    let (none, names) = (names.is_empty(), names.join(", "));
+    match of {
+        Listed::Tables if none => text!("this study has no tables"),
+        Listed::Tables => text!("tables: {names}", names),
+        Listed::Columns if none => text!("this study has no columns"),
+        Listed::Columns => text!("columns: {names}", names),
+        Listed::Findings if none => text!("this study has no findings"),
+        Listed::Findings => text!("findings: {names}", names),
+        Listed::Points if none => text!("this study has no special points"),
+        Listed::Points => text!("special points: {names}", names),
+        Listed::Evidence if none => text!("this study has no evidence"),
+        Listed::Evidence => text!("evidence: {names}", names),
+    }
+}
+
+fn supporting(evidence: &[Evidence], what: &str) -> Result<(f64, String), Text> {
     match evidence.iter().find(|e| e.what == what) {
         Some(e) => Ok((e.value, e.unit.clone())),
         None => {
             let names: Vec<String> = evidence.iter().map(|e| e.what.to_string()).collect();
-            Err(format!("there is no evidence \"{what}\"; {}", list("evidence", names.iter().map(String::as_str))))
+            Err(text!("there is no evidence \"{what}\"; {list}", what, list = list(Listed::Evidence, names.iter().map(String::as_str))))
         }
     }
 }
 
-fn cell(outcome: &Outcome, table: &str, column: &str, at: &[Choice]) -> Result<Measured, String> {
-    let t = outcome
-        .find_table(table)
-        .ok_or_else(|| format!("there is no table \"{table}\"; {}", list("tables", outcome.tables.iter().map(|t| t.name()))))?;
+fn cell(outcome: &Outcome, table: &str, column: &str, at: &[Choice]) -> Result<Measured, Text> {
+    let t = outcome.find_table(table).ok_or_else(|| {
+        text!("there is no table \"{table}\"; {list}", table, list = list(Listed::Tables, outcome.tables.iter().map(|t| t.name())))
+    })?;
     let named = |name: &str| {
         t.column(name).ok_or_else(|| {
-            format!("table \"{table}\" has no column \"{name}\"; {}", list("columns", t.columns().iter().map(|c| c.name.as_str())))
+            text!(
+                "table \"{table}\" has no column \"{name}\"; {list}",
+                table,
+                name,
+                list = list(Listed::Columns, t.columns().iter().map(|c| c.name.as_str()))
+            )
         })
     };
     let wanted = named(column)?;
     if t.rows() == 0 {
-        return Err(format!("table \"{table}\" has no rows"));
+        return Err(text!("table \"{table}\" has no rows", table));
     }
     let mut numbers: Vec<Option<(f64, String)>> = (0..t.rows())
         .map(|row| {
-            let number = wanted.number(row).ok_or_else(|| format!("column \"{column}\" holds no numbers"))?;
+            let number = wanted.number(row).ok_or_else(|| text!("column \"{column}\" holds no numbers", column))?;
             Ok(Some((number, wanted.unit.clone())))
         })
-        .collect::<Result<_, String>>()?;
+        .collect::<Result<_, Text>>()?;
     let mut rest = Vec::new();
     for choice in at {
         match choice {
@@ -213,10 +242,10 @@ fn cell(outcome: &Outcome, table: &str, column: &str, at: &[Choice]) -> Result<M
                     Data::Flag(v) => match value.as_str() {
                         "yes" => Box::new(|row| v[row]),
                         "no" => Box::new(|row| !v[row]),
-                        _ => return Err(format!("column \"{name}\" is yes or no, not \"{value}\"")),
+                        _ => return Err(text!("column \"{name}\" is yes or no, not \"{value}\"", name, value)),
                     },
                     _ => {
-                        let x = read_quantity(value, &by.unit).map_err(|e| e.to_string())?;
+                        let x = read_quantity(value, &by.unit).map_err(UnitError::sentence)?;
                         Box::new(move |row| by.number(row).is_some_and(|y| (y - x).abs() <= 1e-12 * x.abs()))
                     }
                 };
@@ -224,7 +253,7 @@ fn cell(outcome: &Outcome, table: &str, column: &str, at: &[Choice]) -> Result<M
             }
             Choice::Near(Some(name), value) => {
                 let by = named(name)?;
-                let x = read_quantity(value, &by.unit).map_err(|e| e.to_string())?;
+                let x = read_quantity(value, &by.unit).map_err(UnitError::sentence)?;
                 let far = |row: usize| by.number(row).map_or(f64::INFINITY, |y| (y - x).abs());
                 let near = (0..t.rows()).filter(|&row| numbers[row].is_some()).min_by(|&a, &b| far(a).total_cmp(&far(b)));
                 (0..t.rows()).filter(|&row| Some(row) != near).for_each(|row| numbers[row] = None);
@@ -237,7 +266,7 @@ fn cell(outcome: &Outcome, table: &str, column: &str, at: &[Choice]) -> Result<M
 }
 
 /// The candidate left by the choices; `places` is what `near` compares, in `unit`.
-fn one(numbers: Vec<Option<(f64, String)>>, places: &[f64], unit: &str, at: &[Choice]) -> Result<Measured, String> {
+fn one(numbers: Vec<Option<(f64, String)>>, places: &[f64], unit: &str, at: &[Choice]) -> Result<Measured, Text> {
     let mut left: Vec<(usize, f64, String)> =
         numbers.into_iter().enumerate().filter_map(|(i, n)| n.map(|(value, unit)| (i, value, unit))).collect();
     for choice in at {
@@ -248,17 +277,17 @@ fn one(numbers: Vec<Option<(f64, String)>>, places: &[f64], unit: &str, at: &[Ch
             Choice::Largest => extreme(&left, |v| v),
             Choice::Smallest => extreme(&left, |v| -v),
             Choice::Near(None, value) => {
-                let x = read_quantity(value, unit).map_err(|e| e.to_string())?;
+                let x = read_quantity(value, unit).map_err(UnitError::sentence)?;
                 extreme(&left.iter().map(|l| (l.0, places[l.0], String::new())).collect::<Vec<_>>(), |v| -(v - x).abs())
             }
-            Choice::Equal(..) | Choice::Near(Some(_), _) => return Err("points and findings have no columns".into()),
+            Choice::Equal(..) | Choice::Near(Some(_), _) => return Err(text!("points and findings have no columns")),
         };
         left = left.into_iter().skip(keep).take(1).collect();
     }
     match left.len() {
         1 => Ok(left.pop().map(|(_, value, unit)| Measured { value, unit }).unwrap_or(Measured { value: f64::NAN, unit: String::new() })),
-        0 => Err("no row fits".into()),
-        n => Err(format!("{n} rows fit: say which one in the column \"at\"")),
+        0 => Err(text!("no row fits")),
+        n => Err(text!("{n} rows fit: say which one in the column \"at\"", n)),
     }
 }
 
@@ -289,7 +318,7 @@ mod tests {
             .special_point(SpecialPoint::new("fold", 100.0, (99.0, 101.0)).evidence("residual", 2e-9, ""))
     }
 
-    fn get(what: &str, at: &str) -> Result<f64, String> {
+    fn get(what: &str, at: &str) -> Result<f64, Text> {
         What::read(what).unwrap().find(&outcome(), &Choice::read(at).unwrap()).map(|m| m.value)
     }
 

@@ -16,7 +16,7 @@ fn study(more: &str) -> String {
 fn run(text: &str) -> Result<Outcome, String> {
     let text = format!("{}{}", text.split("\n[[study]]").next().unwrap(), study("compare = \"approximation\""));
     let machine = load(&text).unwrap_or_else(|d| panic!("{text}\n{d:?}"));
-    machine.studies[0].study.run(&machine.system, &Context::quiet("campbell")).map_err(|d| d.message)
+    machine.studies[0].study.run(&machine.system, &Context::quiet("campbell")).map_err(|d| d.message.to_string())
 }
 
 fn column(t: &Table, name: &str) -> Vec<f64> {

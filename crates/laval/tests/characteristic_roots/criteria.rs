@@ -18,7 +18,7 @@ fn run(text: &str) -> Result<Outcome, String> {
     machine.studies[0]
         .study
         .run(&machine.system, &Context::quiet("map"))
-        .map_err(|d| format!("{} {}", d.message, d.help.unwrap_or_default()))
+        .map_err(|d| format!("{} {}", d.message, d.help.map_or_else(String::new, |h| h.to_string())))
 }
 
 fn words(o: &Outcome) -> String {

@@ -90,7 +90,7 @@ fn check(bytes: &[u8], shown: bool) -> Result<Option<Loaded>, String> {
 
 fn places(d: &Diagnostics, length: usize) -> Result<(), String> {
     // text that is not UTF-8 is marked where it stands in its printed form, which may be longer
-    match d.0.iter().find(|d| d.message.is_empty() || d.span.as_ref().is_some_and(|s| s.start > s.end || s.end > 3 * length)) {
+    match d.0.iter().find(|d| d.message.to_string().is_empty() || d.span.as_ref().is_some_and(|s| s.start > s.end || s.end > 3 * length)) {
         Some(bad) => Err(format!("a diagnostic without words or with a wrong place: {bad:?}")),
         None => Ok(()),
     }
@@ -140,7 +140,7 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
                 ends.push(format!("{} {}", named.study.kind(), outcome.end.word()));
                 guarded(|| sound::written(outcome)).map_err(what)?;
             }
-            Err(d) if d.message.is_empty() => return Err(what("refused without a word".into())),
+            Err(d) if d.message.to_string().is_empty() => return Err(what("refused without a word".into())),
             Err(d) => {
                 sound::words(&d.to_string()).map_err(what)?;
                 ends.push(format!("{} refused ({})", named.study.kind(), d.code));

@@ -206,7 +206,7 @@ fn stability_is_not_assessed_where_a_force_jumps() {
 
 #[test]
 fn refusals_say_what_to_do() {
-    let text = |d: &Diagnostic| format!("{}: {}\n    {}\n", d.code, d.message, d.help.as_deref().unwrap_or("-"));
+    let text = |d: &Diagnostic| format!("{}: {}\n    {}\n", d.code, d.message, d.help.as_ref().map_or("-".to_string(), |h| h.to_string()));
     let refused = |b: Builder, r: Request| text(&study(b, r).map(|_| ()).unwrap_err());
     let mut all = refused(machine(0.0, 100.0).free_spin(), Request::over(100.0, 1000.0));
     let skew = machine(0.0, 100.0).part(

@@ -24,7 +24,7 @@ fn run(text: &str) -> Outcome {
 
 fn refused(text: &str) -> String {
     let loaded = load(text).unwrap_or_else(|d| panic!("{}", render(&d, text, "m.toml", Form::Lines)));
-    loaded.refusals().into_iter().map(|r| r.diagnostic.message).collect::<Vec<_>>().join("; ")
+    loaded.refusals().into_iter().map(|r| r.diagnostic.message.to_string()).collect::<Vec<_>>().join("; ")
 }
 
 fn ids(o: &Outcome) -> Vec<&str> {

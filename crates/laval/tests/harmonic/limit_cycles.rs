@@ -187,7 +187,7 @@ fn internal_damping_whirls_softly() {
 fn unfit_machines_are_refused() {
     let refused = |base: Base| {
         let system = base.builder().build().unwrap();
-        laval::solve::harmonic::free::cycles::admit(&system, (1000.0, 4000.0)).err().map(|d| d.message).unwrap_or_default()
+        laval::solve::harmonic::free::cycles::admit(&system, (1000.0, 4000.0)).err().map(|d| d.message.to_string()).unwrap_or_default()
     };
     let undamped = Base { chi: 0.0, chi0: 0.0, ..filled(0.8, 0.0) };
     assert!(refused(undamped).contains("nothing damps this machine"), "{}", refused(undamped));

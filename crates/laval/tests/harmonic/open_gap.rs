@@ -39,7 +39,7 @@ fn study(system: &System) -> Outcome {
 }
 
 fn refused(system: &System) -> String {
-    rest(system, 100.0).unwrap_err().message
+    rest(system, 100.0).unwrap_err().message.to_string()
 }
 
 fn frequencies(system: &System) -> Vec<f64> {

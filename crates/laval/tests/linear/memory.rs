@@ -193,8 +193,8 @@ impl Part for Loose {
 }
 
 impl Contacts for Loose {
-    fn refuses_rest(&self, _: &Params<Self, f64>) -> Option<String> {
-        Some("give a preload".into())
+    fn refuses_rest(&self, _: &Params<Self, f64>) -> Option<laval::text::Text> {
+        Some(laval::text!("give a preload"))
     }
 }
 

@@ -257,8 +257,8 @@ impl Progress for Heard {
     fn part(&self, rows: f64) {
         self.parts.lock().unwrap().push(rows);
     }
-    fn job(&self, text: &str) {
-        self.jobs.lock().unwrap().push(text.into());
+    fn job(&self, text: &laval::text::Text) {
+        self.jobs.lock().unwrap().push(text.to_string());
     }
 }
 

@@ -3,11 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Module, and the modules it may use besides itself. `units`, `diagnostic`, `hash`, `plain`, `build` and `folder` are open to all. What one crate may use of another
+/// Module, and the modules it may use besides itself. `units`, `diagnostic`, `text`, `hash`, `plain`, `build` and `folder` are open to all. What one crate may use of another
 /// Cargo enforces; this holds between the modules of a crate, and keeps concrete parts out of `laval-solve`.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
     ("diagnostic", &[]),
+    ("text", &[]),
+    ("numerics", &[]),
+    ("language", &[]),
     ("model", &[]),
     ("cavity", &[]),
     ("parts", &["model", "cavity"]),
@@ -21,12 +24,12 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("columns", &[]),
     ("store", &["outcome", "columns"]),
     ("study", &["model", "solve", "separation", "outcome", "store"]),
-    ("report", &["outcome", "columns"]),
-    ("file", &["model", "parts", "study"]),
+    ("report", &["outcome", "columns", "language"]),
+    ("file", &["model", "parts", "study", "language"]),
     ("validation", &["file", "study", "outcome", "report"]),
     ("prelude", &["model", "parts", "study", "outcome", "file"]),
 ];
-const OPEN: &[&str] = &["units", "diagnostic", "hash", "plain", "build", "output_folder"];
+const OPEN: &[&str] = &["units", "diagnostic", "text", "hash", "plain", "build", "output_folder"];
 
 /// A source file of the crate: its module, its path, and its code without comments and unit tests.
 struct Source {

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Beginnings of names that are put together where they are used.
-const COMPOSED: [&str; 5] = ["verdict-", "short-", "study-", "unit-", "term-"];
+/// Beginnings of names that are put together where they are used; those of diagnostics have tests of their own (`templates`).
+const COMPOSED: [&str; 6] = ["verdict-", "short-", "study-", "unit-", "term-", "diag-"];
 pub const LANGUAGES: [&str; 3] = ["ru", "kk", "uz"];
 
 fn files(folder: &Path, extension: &str, out: &mut Vec<PathBuf>) {

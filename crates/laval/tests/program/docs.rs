@@ -17,7 +17,7 @@ fn page(name: &str, title: &str, intro: &str, kinds: &[laval::model::field::Kind
 }
 
 /// The page is this text; or becomes it.
-fn current(name: &str, text: &str) {
+pub fn current(name: &str, text: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name);
     if std::env::var_os("LAVAL_WRITE_DOCS").is_some() {
         std::fs::write(&path, text).unwrap();

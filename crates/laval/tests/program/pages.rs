@@ -32,11 +32,11 @@ pub fn beside(what: &str, kind: &str) -> String {
 fn reads(text: &str, whose: &str) {
     match load(text) {
         Err(failure) => {
-            let messages: Vec<&String> = failure.0.iter().map(|d| &d.message).collect();
+            let messages: Vec<String> = failure.0.iter().map(|d| d.message.to_string()).collect();
             panic!("{whose}: {messages:#?}\n{text}");
         }
         Ok(machine) => {
-            let refused: Vec<String> = machine.refusals().iter().map(|r| r.diagnostic.message.clone()).collect();
+            let refused: Vec<String> = machine.refusals().iter().map(|r| r.diagnostic.message.to_string()).collect();
             assert!(refused.is_empty(), "{whose}: {refused:#?}\n{text}");
         }
     }

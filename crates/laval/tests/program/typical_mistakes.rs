@@ -4,6 +4,7 @@
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{Form, load, render};
 use laval::study::Context;
+use laval::text;
 
 const MACHINE: &str = r#"[machine]
 name = "oil separator"
@@ -60,7 +61,7 @@ fn found(text: &str) -> Diagnostics {
             let refused = l.studies.iter().find_map(|s| {
                 let d = s.study.run(&l.system, &Context::quiet("study")).err()?;
                 let span = d.span.clone().or_else(|| l.spec.study(&s.name)?.span.clone());
-                Some(Diagnostic { message: format!("study \"{}\": {}", s.name, d.message), ..d }.at(span))
+                Some(Diagnostic { message: text!("study \"{name}\": {message}", name = s.name, message = d.message), ..d }.at(span))
             });
             Diagnostics(vec![refused.expect("neither the file nor a study is wrong")])
         }

@@ -1,6 +1,7 @@
 # Phrases that several studies share.
 
 list-and = { $rest } and { $last }
+list-or = { $rest } or { $last }
 # A body, a point of a body, the tilt of a body.
 body = "{ $body }"
 point = "{ $body }" at { $height }

@@ -1,6 +1,7 @@
 # Phrases that several studies share.
 
 list-and = { $rest } және { $last }
+list-or = { $rest } немесе { $last }
 # A body, a point of a body, the tilt of a body.
 body = «{ $body }» денесі
 point = «{ $body }» денесінің { $height } биіктіктегі нүктесі

@@ -1,6 +1,7 @@
 # Phrases that several studies share.
 
 list-and = { $rest } и { $last }
+list-or = { $rest } или { $last }
 # A body, a point of a body, the tilt of a body: in the genitive.
 body = тела «{ $body }»
 point = тела «{ $body }» на высоте { $height }

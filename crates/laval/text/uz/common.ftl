@@ -1,6 +1,7 @@
 # Bir nechta hisob uchun umumiy iboralar.
 
 list-and = { $rest } va { $last }
+list-or = { $rest } yoki { $last }
 # Jism, jism nuqtasi, jismning og‘ish burchagi.
 body = "{ $body }" jismi
 point = "{ $body }" jismining { $height } balandlikdagi nuqtasi

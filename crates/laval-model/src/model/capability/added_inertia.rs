@@ -1,14 +1,15 @@
 //! Inertia that a part adds to its body or takes from it.
 
 use super::super::params::{Parametric, Params};
+use crate::text::Text;
 
 /// Inertia that a part takes from its body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Removed {
     /// How much of what, as a sentence without its stop.
-    pub what: String,
+    pub what: Text,
     /// What to change where too little is left.
-    pub help: &'static str,
+    pub help: Text,
 }
 
 /// A part whose added inertia may be negative.

@@ -2,6 +2,7 @@
 
 use super::super::context::At;
 use super::super::params::{Parametric, Params};
+use crate::text::Text;
 
 /// A part with a gap, or with a force law that is not smooth.
 pub trait Contacts: Parametric {
@@ -11,7 +12,7 @@ pub trait Contacts: Parametric {
     }
     /// Why the part cannot be linearised where it carries no load, as a sentence that names what is missing. A part with an open
     /// [`clearance`](Self::clearance) is linearised nevertheless where other parts hold what it joins.
-    fn refuses_rest(&self, _p: &Params<Self, f64>) -> Option<String> {
+    fn refuses_rest(&self, _p: &Params<Self, f64>) -> Option<Text> {
         None
     }
     /// Surfaces in the state where the force law changes: zero on the surface. Integration in time stops on them.
@@ -22,12 +23,13 @@ pub trait Contacts: Parametric {
 pub mod erased {
     use super::super::super::context::At;
     use super::super::super::params::Family;
+    use crate::text::Text;
 
     /// See the [trait of the author](super::Contacts).
     #[allow(missing_docs)]
     pub trait Contacts {
         fn clearance(&self, p: &[f64], at: &At<f64>) -> Option<f64>;
-        fn refuses_rest(&self, p: &[f64]) -> Option<String>;
+        fn refuses_rest(&self, p: &[f64]) -> Option<Text>;
         fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>);
     }
 
@@ -35,7 +37,7 @@ pub mod erased {
         fn clearance(&self, p: &[f64], at: &At<f64>) -> Option<f64> {
             super::Contacts::clearance(self, &T::Family::from_slice(p), at)
         }
-        fn refuses_rest(&self, p: &[f64]) -> Option<String> {
+        fn refuses_rest(&self, p: &[f64]) -> Option<Text> {
             super::Contacts::refuses_rest(self, &T::Family::from_slice(p))
         }
         fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>) {

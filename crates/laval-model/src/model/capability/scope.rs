@@ -1,6 +1,7 @@
 //! Machines and speeds that a part is made for.
 
 use super::super::params::{Parametric, Params};
+use crate::text::Text;
 
 /// Direction of the shaft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -43,7 +44,7 @@ pub trait Scope: Parametric {
         None
     }
     /// Why it does not fit a machine with this axis, and what to change.
-    fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<String> {
+    fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<Text> {
         None
     }
 }
@@ -52,19 +53,20 @@ pub trait Scope: Parametric {
 pub mod erased {
     use super::super::super::params::Family;
     use super::{Axis, Tabulated};
+    use crate::text::Text;
 
     /// See the [trait of the author](super::Scope).
     #[allow(missing_docs)]
     pub trait Scope {
         fn tabulated(&self) -> Option<Tabulated>;
-        fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
+        fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text>;
     }
 
     impl<T: super::Scope> Scope for T {
         fn tabulated(&self) -> Option<Tabulated> {
             super::Scope::tabulated(self)
         }
-        fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String> {
+        fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text> {
             super::Scope::refuses_axis(self, &T::Family::from_slice(p), axis)
         }
     }

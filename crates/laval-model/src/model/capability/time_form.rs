@@ -1,6 +1,7 @@
 //! Parts that are exact in the frequency domain only, and another part takes their place in motions.
 
 use super::super::params::{Parametric, Params};
+use crate::text::Text;
 
 /// The spin speeds, rad/s, of motions in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,16 +20,16 @@ pub enum Untimed {
     /// There is none.
     No {
         /// Why.
-        why: String,
+        why: Text,
         /// What may be done about it; studies in the frequency domain unless given.
-        help: Option<&'static str>,
+        help: Option<Text>,
     },
     /// Cancelled.
     Stopped,
 }
 
-impl From<String> for Untimed {
-    fn from(why: String) -> Self {
+impl From<Text> for Untimed {
+    fn from(why: Text) -> Self {
         Untimed::No { why, help: None }
     }
 }

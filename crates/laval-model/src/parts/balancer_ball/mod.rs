@@ -49,6 +49,8 @@ use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values}
 use crate::model::part::{At, Correction, Dof, Energy, ErasedPart, Layout, Link, Observed, Outline, Params, Part, Physics, Rows, Validity};
 use crate::model::system::Axis;
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use crate::units::format_si;
 use inertia::Masses;
 use laval_num::complex::Complex;
@@ -306,7 +308,7 @@ body_tilt = false                   # the drum moves in its plane
         let attach = values.attach("on")?;
         let one = BallBalancer { attach, body_tilt: true, free: false, contact: false, tracks: Vec::new(), masses: Vec::new() };
         let before = diagnostics.0.len();
-        let mut refuse = |field: &str, message: String, help: &str| {
+        let mut refuse = |field: &str, message: Text, help: Text| {
             diagnostics.push(Diagnostic::error("balancer_ball.tracks", message).at(values.span_of(field)).help(help));
         };
         let mut part = match values.columns("tracks") {
@@ -315,24 +317,24 @@ body_tilt = false                   # the drum moves in its plane
                 let counts = columns.get("balls")?;
                 let entry = |name: &str, k: usize, absent: f64| columns.get(name).and_then(|c| c.get(k)).copied().unwrap_or(absent);
                 if let Some(n) = counts.iter().find(|n| !(**n >= 1.0 && n.fract() == 0.0)) {
-                    refuse("tracks", format!("a track has {n} balls"), "give a whole number of balls, at least 1, for each track");
+                    refuse("tracks", text!("a track has {n} balls", n), text!("give a whole number of balls, at least 1, for each track"));
                     return None;
                 }
                 if !(counts.iter().sum::<f64>() <= MOST as f64) {
-                    refuse("tracks", format!("the tracks have more than {MOST} balls together"), "give fewer balls");
+                    refuse("tracks", text!("the tracks have more than {most} balls together", most = MOST), text!("give fewer balls"));
                     return None;
                 }
                 if let Some(r) = (0..counts.len()).map(|k| entry("radius", k, 1.0)).find(|r| !(*r > 0.0 && *r <= 1e3)) {
-                    refuse("tracks", format!("a track has {r} times the radius"), "radius is a positive ratio to track_radius");
+                    refuse("tracks", text!("a track has {r} times the radius", r), text!("radius is a positive ratio to track_radius"));
                 }
                 if (0..counts.len()).any(|k| !(entry("tilt", k, 0.0).abs() <= 1.5 && entry("node_line", k, 0.0).abs() <= 1e3)) {
-                    refuse("tracks", "a track is tilted by more than 1.5 rad".into(), "tilt is in addition to that of the balancer");
+                    refuse("tracks", text!("a track is tilted by more than 1.5 rad"), text!("tilt is in addition to that of the balancer"));
                 }
                 let all = counts.iter().sum::<f64>();
                 if let Some(n) = values.integer("balls").filter(|n| values.written("balls") && *n as f64 != all) {
                     let each = counts.iter().map(|n| format!("{n}")).collect::<Vec<_>>().join(" + ");
-                    let help = "balls is the number on all tracks together; leave it out, the tracks say how many each has";
-                    refuse("balls", format!("balls = {n}, and the tracks have {each} = {all}"), help);
+                    let help = text!("balls is the number on all tracks together; leave it out, the tracks say how many each has");
+                    refuse("balls", text!("balls = {n}, and the tracks have {each} = {all}", n, each, all), help);
                 }
                 (0..counts.len()).fold(one, |part, k| {
                     part.track(counts[k] as usize, entry("radius", k, 1.0), entry("tilt", k, 0.0), entry("node_line", k, 0.0))
@@ -341,9 +343,12 @@ body_tilt = false                   # the drum moves in its plane
         };
         if let Some(ratios) = values.list("mass_ratios") {
             if ratios.len() != part.masses.len() {
-                let on = if part.tracks.len() > 1 { format!(" on {} tracks", part.tracks.len()) } else { String::new() };
-                let message = format!("{} mass ratios are given for {} balls{on}", ratios.len(), part.masses.len());
-                refuse("mass_ratios", message, "one ratio for each ball, track by track");
+                let (tracks, given, balls) = (part.tracks.len(), ratios.len(), part.masses.len());
+                let message = match tracks {
+                    0 | 1 => text!("{given} mass ratios are given for {balls} balls", given, balls),
+                    _ => text!("{given} mass ratios are given for {balls} balls on {tracks} tracks", given, balls, tracks),
+                };
+                refuse("mass_ratios", message, text!("one ratio for each ball, track by track"));
             }
             part = part.masses(ratios);
         }
@@ -448,55 +453,53 @@ body_tilt = false                   # the drum moves in its plane
         out.push(Validity { what, ratio });
     }
 
-    fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
+    fn warnings(&self, p: &Params<Self, f64>) -> Vec<Text> {
         let steepest = |t: &Track| p.track_radius * t.radius * (p.tilt + t.tilt).sin().powi(2);
         let locking = self.tracks.iter().map(steepest).fold(0.0, f64::max);
         if self.free || !(locking > 0.1 * p.eccentricity) {
             return Vec::new();
         }
-        let text = format!(
-            "the tilt of the tracks locks the balls to the node line: r sin^2(tilt) = {} should stay below a tenth of the eccentricity of the ring, {}",
-            format_si(locking, "m"),
-            format_si(0.1 * p.eccentricity, "m")
-        );
-        vec![text]
+        vec![text!(
+            "the tilt of the tracks locks the balls to the node line: r sin^2(tilt) = {locking} should stay below a tenth of the eccentricity of the ring, {tenth}",
+            locking = format_si(locking, "m"),
+            tenth = format_si(0.1 * p.eccentricity, "m")
+        )]
     }
 
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let mut wrong = Vec::new();
         if self.free && p.diametral_inertia == 0.0 {
-            wrong.push(("diametral_inertia", "a free ring needs inertia about its node line: give diametral_inertia".to_string()));
+            wrong.push(("diametral_inertia", text!("a free ring needs inertia about its node line: give diametral_inertia")));
         }
         if p.polar_inertia > 2.0 * p.diametral_inertia * (1.0 + 1e-12) {
             wrong.push((
                 "polar_inertia",
-                format!(
-                    "no ring has a polar inertia ({}) above twice its diametral inertia ({}); a thin ring has just twice",
-                    format_si(p.polar_inertia, "kg m^2"),
-                    format_si(p.diametral_inertia, "kg m^2")
-                ),
+                text!("no ring has a polar inertia ({polar_inertia}) above twice its diametral inertia ({diametral_inertia}); a thin ring has just twice", polar_inertia = format_si(p.polar_inertia, "kg m^2"), diametral_inertia = format_si(p.diametral_inertia, "kg m^2")),
             ));
         }
         if !self.free && (p.tilt_stiffness != 0.0 || p.tilt_damping != 0.0) {
             let field = if p.tilt_stiffness != 0.0 { "tilt_stiffness" } else { "tilt_damping" };
-            wrong.push((field, format!("{field} acts on free rings, and these are fixed: give rings = \"free\" as well")));
+            wrong.push((field, text!("{field} acts on free rings, and these are fixed: give rings = \"free\" as well", field)));
         }
         let smallest = self.tracks.iter().map(|t| p.track_radius * t.radius).fold(f64::INFINITY, f64::min);
         if p.eccentricity >= smallest {
             let (s, r) = (format_si(p.eccentricity, "m"), format_si(smallest, "m"));
-            wrong.push(("eccentricity", format!("the ring centre ({s} from the shaft) lies outside the track (radius {r})")));
+            wrong.push(("eccentricity", text!("the ring centre ({s} from the shaft) lies outside the track (radius {r})", s, r)));
         }
         for (k, track) in self.tracks.iter().enumerate() {
             let (r, n) = (p.track_radius * track.radius, track.balls.len());
             let fits = if p.ball_radius < r { (std::f64::consts::PI / (p.ball_radius / r).asin()).floor() } else { 0.0 };
             if p.ball_radius > 0.0 && (n as f64) > fits {
-                wrong.push(("ball_radius", format!("{n} balls do not fit on track {}: there is room for {fits}", k + 1)));
+                wrong.push((
+                    "ball_radius",
+                    text!("{n} balls do not fit on track {number}: there is room for {fits}", n, number = k + 1, fits),
+                ));
             }
         }
         if self.contact != (p.contact_stiffness > 0.0) {
-            wrong.push(("contact_stiffness", "balls that touch and balls that do not are different machines: build each by itself".into()));
+            wrong.push(("contact_stiffness", text!("balls that touch and balls that do not are different machines: build each by itself")));
         } else if self.contact && p.ball_radius == 0.0 {
-            wrong.push(("ball_radius", "balls that touch need their size: give ball_radius".into()));
+            wrong.push(("ball_radius", text!("balls that touch need their size: give ball_radius")));
         }
         wrong
     }
@@ -601,10 +604,10 @@ impl MovableMasses for BallBalancer {
 }
 
 impl Scope for BallBalancer {
-    fn refuses_axis(&self, p: &Params<Self, f64>, axis: Axis) -> Option<String> {
+    fn refuses_axis(&self, p: &Params<Self, f64>, axis: Axis) -> Option<Text> {
         let level = !self.body_tilt && !self.free && self.tracks.iter().all(|t| p.tilt + t.tilt == 0.0);
         (axis == Axis::Horizontal && p.gravity != 0.0 && !level)
-            .then(|| "weight acts across a horizontal axis, not along it: give gravity = 0 (the weight across the axis is known from the machine)".into())
+            .then(|| text!("weight acts across a horizontal axis, not along it: give gravity = 0 (the weight across the axis is known from the machine)"))
     }
 }
 

@@ -2,6 +2,8 @@
 
 use super::{Fill, Liquid, LiquidParams, Model};
 use crate::model::field::Bounds;
+use crate::text;
+use crate::text::Text;
 use crate::units::format_si;
 
 /// Ways to say how full the cavity is.
@@ -12,9 +14,15 @@ pub(super) const FILLS: &[(&str, &str, Bounds, &str)] = &[
     ("mass", "kg", Bounds::up_to(1e9), "liquid mass"),
 ];
 
+/// The free surface, m, lies outside the cavity.
+pub(super) fn outside(surface: f64, radius: f64) -> Text {
+    let (value, radius) = (format_si(surface, "m"), format_si(radius, "m"));
+    text!("the free surface (radius {value}) lies outside the cavity (radius {radius})", value, radius)
+}
+
 impl Liquid {
     /// What is wrong with its parameters, and which.
-    pub(super) fn wrong(&self, p: &LiquidParams<f64>) -> Vec<(&'static str, String)> {
+    pub(super) fn wrong(&self, p: &LiquidParams<f64>) -> Vec<(&'static str, Text)> {
         let fill = if p.free_surface_radius == 0.0 {
             Fill::Full
         } else if p.free_surface_radius < p.cavity_radius {
@@ -23,40 +31,35 @@ impl Liquid {
             Fill::Empty
         };
         if p.free_surface_radius > p.cavity_radius {
-            let text = format!(
-                "the free surface (radius {}) lies outside the cavity (radius {})",
-                format_si(p.free_surface_radius, "m"),
-                format_si(p.cavity_radius, "m")
-            );
-            return vec![("fill", text)];
+            return vec![("fill", outside(p.free_surface_radius, p.cavity_radius))];
         }
         if fill != self.fill {
-            return vec![("fill", "an empty, a partly filled and a full cavity are different machines: build each by itself".into())];
+            return vec![("fill", text!("an empty, a partly filled and a full cavity are different machines: build each by itself"))];
         }
-        let mut wrong: Vec<(&'static str, String)> = self.outdated(p).map(|text| ("fill", text)).into_iter().collect();
+        let mut wrong: Vec<(&'static str, Text)> = self.outdated(p).map(|text| ("fill", text)).into_iter().collect();
         if self.model == Model::Planar && p.skew != 0.0 {
             wrong.push((
                 "skew",
-                "planar knows no tilt of the cavity: give model = \"strip\" or \"spatial\" for a cavity that is skew".into(),
+                text!("planar knows no tilt of the cavity: give model = \"strip\" or \"spatial\" for a cavity that is skew"),
             ));
         }
         if (p.viscosity > 0.0) != self.viscous {
-            wrong.push(("viscosity", "a liquid with viscosity and one without are different machines: build each by itself".into()));
+            wrong.push(("viscosity", text!("a liquid with viscosity and one without are different machines: build each by itself")));
         }
         if self.viscous {
             if matches!(self.model, Model::PlanarTilt | Model::Frozen) {
-                wrong.push(("viscosity", "this model knows no viscosity: planar, strip and spatial do".into()));
+                wrong.push(("viscosity", text!("this model knows no viscosity: planar, strip and spatial do")));
             } else if self.fill == Fill::Full {
                 wrong.push((
                     "viscosity",
-                    "a full cavity with viscosity is not among the models: leave viscosity out, or a little air in".into(),
+                    text!("a full cavity with viscosity is not among the models: leave viscosity out, or a little air in"),
                 ));
             }
             if p.wave_damping != 0.0 {
-                wrong.push(("wave_damping", "the viscosity damps the wave by itself: give one of the two".into()));
+                wrong.push(("wave_damping", text!("the viscosity damps the wave by itself: give one of the two")));
             }
         } else if p.wave_damping != 0.0 && matches!(self.model, Model::Spatial | Model::Frozen) {
-            wrong.push(("wave_damping", "this model knows no wave damping: spatial takes a viscosity".into()));
+            wrong.push(("wave_damping", text!("this model knows no wave damping: spatial takes a viscosity")));
         }
         wrong
     }

@@ -50,6 +50,8 @@ use crate::model::part::{
 };
 use crate::model::timed::{Speeds, Untimed};
 use crate::params;
+use crate::text;
+use crate::text::Text;
 use crate::units::{format_number, format_si};
 use laval_num::analytic::value;
 use laval_num::complex::{Complex, c};
@@ -290,17 +292,17 @@ wave_damping = "4 1/s"
         if !(0.0..=1.0 + 1e-12).contains(&fraction) {
             let (message, help) = if kind == "free_surface_radius" {
                 (
-                    format!(
-                        "the free surface (radius {}) lies outside the cavity (radius {})",
-                        format_si(value, "m"),
-                        format_si(radius, "m")
-                    ),
-                    "the free surface is the inner face of the layer on the wall: 0 is full, the cavity radius is empty".to_string(),
+                    check::outside(value, radius),
+                    text!("the free surface is the inner face of the layer on the wall: 0 is full, the cavity radius is empty"),
                 )
             } else {
                 (
-                    format!("this is {} times what the cavity holds", format_number(fraction, 4)),
-                    format!("the cavity holds {} l, {} of this liquid", format_number(1e3 * cavity, 4), format_si(cavity * density, "kg")),
+                    text!("this is {fraction} times what the cavity holds", fraction = format_number(fraction, 4)),
+                    text!(
+                        "the cavity holds {cavity} l, {density} of this liquid",
+                        cavity = format_number(1e3 * cavity, 4),
+                        density = format_si(cavity * density, "kg")
+                    ),
                 )
             };
             diagnostics.push(Diagnostic::error("liquid.fill", message).at(values.span_of("fill")).help(help));
@@ -326,17 +328,17 @@ wave_damping = "4 1/s"
         {
             let (less, more) = (last.saturating_sub(1).max(1), last + 1);
             diagnostics.push(
-                Diagnostic::error("liquid.axial_harmonics", "only odd harmonics act on a tilt, and the last one is to be odd")
+                Diagnostic::error("liquid.axial_harmonics", text!("only odd harmonics act on a tilt, and the last one is to be odd"))
                     .at(values.span_of("axial_harmonics"))
-                    .help(format!("give axial_harmonics = {less} or {more}")),
+                    .help(text!("give axial_harmonics = {less} or {more}", less, more)),
             );
             return None;
         }
         if harmonics != Truncation::None && model != Model::Spatial {
             diagnostics.push(
-                Diagnostic::error("liquid.axial_harmonics", format!("{word} has no axial harmonics"))
+                Diagnostic::error("liquid.axial_harmonics", text!("{word} has no axial harmonics", word))
                     .at(values.span_of("axial_harmonics"))
-                    .help("model = \"spatial\" has them; leave axial_harmonics out otherwise"),
+                    .help(text!("model = \"spatial\" has them; leave axial_harmonics out otherwise")),
             );
             return None;
         }
@@ -344,9 +346,9 @@ wave_damping = "4 1/s"
         let accuracy = values.number("time_error");
         if accuracy.is_some() && model != Model::Spatial && !viscous {
             diagnostics.push(
-                Diagnostic::error("liquid.time_error", format!("{word} without viscosity is exact in time"))
+                Diagnostic::error("liquid.time_error", text!("{word} without viscosity is exact in time", word))
                     .at(values.span_of("time_error"))
-                    .help("leave time_error out; with model = \"spatial\" or a viscosity it sets the number of waves"),
+                    .help(text!("leave time_error out; with model = \"spatial\" or a viscosity it sets the number of waves")),
             );
             return None;
         }
@@ -505,10 +507,10 @@ wave_damping = "4 1/s"
             out.push(Validity { what: "wall acceleration over centrifugal acceleration of the layer", ratio });
         }
     }
-    fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
+    fn warnings(&self, p: &Params<Self, f64>) -> Vec<Text> {
         self.removed(p).map(|r| r.what).into_iter().collect()
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         self.wrong(p)
     }
     fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
@@ -590,10 +592,12 @@ impl ReplacedInTime for Liquid {
 impl AddedInertia for Liquid {
     fn removed(&self, p: &Params<Self, f64>) -> Option<Removed> {
         let (Model::PlanarTilt, Some([a, _])) = (self.model, self.rigid(p)) else { return None };
-        let taken = format_si(-a, "kg m^2");
         (a < 0.0).then(|| Removed {
-            what: format!("planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not"),
-            help: "give model = \"strip\" or \"spatial\"; or the body more diametral_inertia",
+            what: text!(
+                "planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not",
+                taken = format_si(-a, "kg m^2")
+            ),
+            help: text!("give model = \"strip\" or \"spatial\"; or the body more diametral_inertia"),
         })
     }
 }

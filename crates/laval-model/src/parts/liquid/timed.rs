@@ -18,6 +18,8 @@ use crate::cavity::waves::{MARGIN, MOST_HARMONICS, MOST_WAVES};
 use crate::model::blocks::Blocks;
 use crate::model::part::{Dof, DofKind};
 use crate::model::timed::{Speeds, Untimed};
+use crate::text;
+use crate::text::Text;
 use crate::units::format_number;
 use laval_num::scalar::Scalar;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -57,9 +59,6 @@ const WAVES: &str = "of tilts that grow or decay by a twentieth of the speed or 
 const LAYER: &str = "of motions that do not decay, up to four times the speed in rotor axes";
 
 /// Why there is none at speed 0.
-const STILL: &str = "without spin nothing holds the layer on the wall";
-const TURN: &str =
-    "give the study a speed above 0; for a machine that stands still model = \"frozen\" without viscosity counts the liquid as a mass";
 
 /// A form, or why there is none.
 type Form = Result<Arc<Rationals>, Untimed>;
@@ -67,6 +66,14 @@ type Form = Result<Arc<Rationals>, Untimed>;
 /// The forms made last, shared by copies of the part.
 #[derive(Clone, Default)]
 pub(super) struct Memo(Arc<Mutex<Vec<(Made, Form)>>>);
+
+fn many_harmonics() -> Text {
+    text!("its waves are computed up to axial_harmonics = {most}; leave axial_harmonics out for all of them", most = MOST_HARMONICS)
+}
+
+fn waves() -> Text {
+    text!("{n} waves", n = MOST_WAVES)
+}
 
 impl Liquid {
     fn made(&self, p: &LiquidParams<f64>, speed: Option<f64>) -> Made {
@@ -76,20 +83,21 @@ impl Liquid {
     /// The part with its reactions as rational functions.
     pub(super) fn for_motions(&self, p: &LiquidParams<f64>, speeds: Speeds, stop: &dyn Fn() -> bool) -> Result<Self, Untimed> {
         if speeds == Speeds::Changing && p.skew != 0.0 && !self.viscous {
-            return Err("that of a cavity that is skew to its shaft holds at constant speed only".to_string().into());
+            return Err(text!("that of a cavity that is skew to its shaft holds at constant speed only").into());
         }
         let speed = match (self.viscous, speeds) {
             (false, _) => None,
             (true, Speeds::One(speed)) => Some(speed),
             (true, Speeds::Several) => {
-                let why =
-                    "the layer of a viscous liquid depends on the speed, so that its form is made for one; transient and basins run at one";
-                return Err(why.to_string().into());
+                let why = text!(
+                    "the layer of a viscous liquid depends on the speed, so that its form is made for one; transient and basins run at one"
+                );
+                return Err(why.into());
             }
             (true, Speeds::Changing) => {
-                return Err("the layer of a viscous liquid depends on the speed, so that its form holds at constant speed only"
-                    .to_string()
-                    .into());
+                return Err(
+                    text!("the layer of a viscous liquid depends on the speed, so that its form holds at constant speed only").into()
+                );
             }
         };
         let made = self.made(p, speed);
@@ -119,14 +127,13 @@ impl Liquid {
     }
 
     /// Of an ideal liquid.
-    fn waves_in_time(&self, p: &LiquidParams<f64>, made: Made) -> Result<Rationals, String> {
+    fn waves_in_time(&self, p: &LiquidParams<f64>, made: Made) -> Result<Rationals, Text> {
         let found = Self::cavity(p).tilt_in_time(self.harmonics, self.accuracy, MOST_WAVES).ok_or_else(|| match self.harmonics {
-            Truncation::At(last) if last > MOST_HARMONICS => {
-                format!("its waves are computed up to axial_harmonics = {MOST_HARMONICS}; leave axial_harmonics out for all of them")
-            }
-            _ => format!(
-                "{MOST_WAVES} waves do not give its reaction with a relative error of {}; allow a larger time_error",
-                format_number(self.accuracy, 3)
+            Truncation::At(last) if last > MOST_HARMONICS => many_harmonics(),
+            _ => text!(
+                "{most} do not give its reaction with a relative error of {allowed}; allow a larger time_error",
+                most = waves(),
+                allowed = format_number(self.accuracy, 3)
             ),
         })?;
         Ok(Rationals { made, plane: None, tilt: Some(found.form), error: found.error, scope: WAVES, margin: MARGIN })
@@ -136,31 +143,34 @@ impl Liquid {
     fn layer_in_time(&self, p: &LiquidParams<f64>, made: Made, speed: f64, stop: &dyn Fn() -> bool) -> Result<Rationals, Untimed> {
         let cavity = Self::cavity(p);
         let allowed = format_number(self.accuracy, 3);
-        let reported = |of: &str, most: String, strip: &str, refused: Refused| {
+        let reported = |of: Text, most: Text, strip: Text, refused: Refused| {
             match refused {
-            Refused::Speed => return Untimed::No { why: STILL.to_string(), help: Some(TURN) },
+            Refused::Speed => return Untimed::No { why: text!("without spin nothing holds the layer on the wall"), help: Some(text!("give the study a speed above 0; for a machine that stands still model = \"frozen\" without viscosity counts the liquid as a mass")) },
             Refused::Accuracy { reached } => {
                 let larger = if reached.is_finite() {
-                    format!("try time_error = {}", format_number(reached, 2))
+                    text!("try time_error = {reached}", reached = format_number(reached, 2))
                 } else {
-                    "allow a larger time_error".into()
+                    text!("allow a larger time_error")
                 };
-                format!("{most} do not give its reaction on {of} with a relative error of {allowed}; {larger}{strip}")
+                text!("{most} do not give its reaction on {of} with a relative error of {allowed}; {larger}{strip}", most, of, allowed, larger, strip)
             }
             Refused::Harmonics => {
-                format!("its waves are computed up to axial_harmonics = {MOST_HARMONICS}; leave axial_harmonics out for all of them")
+                many_harmonics()
             }
-            Refused::Reaction => format!(
-                "its reaction on {of} cannot be computed to a tenth of the error allowed, {allowed}, for all motions up to four times the speed{strip}"
+            Refused::Reaction => text!(
+                "its reaction on {of} cannot be computed to a tenth of the error allowed, {allowed}, for all motions up to four times the speed{strip}",
+                of,
+                allowed,
+                strip
             ),
-            Refused::Work => format!("finding the form of its reaction on {of} takes too much work; allow a larger time_error{strip}"),
+            Refused::Work => text!("finding the form of its reaction on {of} takes too much work; allow a larger time_error{strip}", of, strip),
             Refused::Stopped => return Untimed::Stopped,
         }
         .into()
         };
         let plane = cavity
             .planar_in_time(speed, p.viscosity, self.accuracy, stop)
-            .map_err(|e| reported("displacement", format!("{MOST_POLES} poles"), "", e))?;
+            .map_err(|e| reported(text!("displacement"), text!("{n} poles", n = MOST_POLES), text!(""), e))?;
         let (tilt, error) = match self.model {
             Model::Strip => (Some(plane.form.clone().scaled(cavity.slices())), plane.error),
             Model::Spatial => {
@@ -171,7 +181,7 @@ impl Liquid {
                     {
                         *reached = f64::INFINITY;
                     }
-                    reported("tilt", format!("{MOST_WAVES} waves"), ", or model = \"strip\"", e)
+                    reported(text!("tilt"), waves(), text!(", or model = \"strip\""), e)
                 })?;
                 (Some(tilt.form), plane.error.max(tilt.error))
             }
@@ -197,10 +207,10 @@ impl Liquid {
     }
 
     /// Why the form does not belong to these parameters.
-    pub(super) fn outdated(&self, p: &LiquidParams<f64>) -> Option<String> {
+    pub(super) fn outdated(&self, p: &LiquidParams<f64>) -> Option<Text> {
         let time = self.time.as_ref()?;
         (time.made != self.made(p, time.made.speed))
-            .then(|| "its form in the time domain was made for another cavity; its size and its filling cannot be varied here".into())
+            .then(|| text!("its form in the time domain was made for another cavity; its size and its filling cannot be varied here"))
     }
 
     /// States of the waves.

@@ -46,6 +46,8 @@ use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
 use crate::model::part::{At, Dof, DofKind, Domain, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, TimeForm};
 use crate::params;
+use crate::text;
+use crate::text::{Joint, Text};
 use crate::units::{format_number, format_si};
 use kernel::{Exponential, Ladder, Term};
 use laval_num::complex::{Complex, c};
@@ -265,12 +267,12 @@ impl ShaftViscoelastic {
 }
 
 /// What is said of a material that creeps without bound; how much of the kernel would do.
-fn creeps(relaxed: f64) -> String {
-    format!(
-        "the material creeps without bound: in the long run it would keep 1 - K(0) = {} of its stiffness, which must stay above 0; this kernel is \
-         admissible below {} of its amplitude",
-        format_number(1.0 - relaxed, 4),
-        format_number(1.0 / relaxed, 4)
+fn creeps(relaxed: f64) -> Text {
+    text!(
+        "the material creeps without bound: in the long run it would keep 1 - K(0) = {kept} of its stiffness, which must stay above 0; this kernel is \
+         admissible below {share} of its amplitude",
+        kept = format_number(1.0 - relaxed, 4),
+        share = format_number(1.0 / relaxed, 4)
     )
 }
 
@@ -286,22 +288,22 @@ const KERNEL: [&str; 3] = ["amplitude", "exponent", "decay"];
 fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> Option<Law> {
     let given: Vec<&str> = KERNEL.into_iter().filter(|name| params.get(name).is_some_and(|x| x != 0.0)).collect();
     let lists: Vec<&str> = ["terms", "exponentials"].into_iter().filter(|name| values.columns(name).is_some()).collect();
-    let help = "give amplitude, exponent and decay of one weakly singular term, or several terms, or exponentials";
+    let help = text!("give amplitude, exponent and decay of one weakly singular term, or several terms, or exponentials");
     if lists.len() + usize::from(!given.is_empty()) > 1 {
         let second = if lists.len() == 2 { lists[1] } else { given[0] };
-        let message = format!("the memory of the material is given twice: {} beside {}", second, lists[0]);
-        diagnostics.push(Diagnostic::error("shaft_viscoelastic.twice", message).at(values.span_of(second)).help(help));
+        let message = text!("the memory of the material is given twice: {second} beside {first}", second, first = lists[0]);
+        diagnostics.push(Diagnostic::error("shaft_viscoelastic.twice", message).at(values.span_of(second)).help(help.clone()));
         return None;
     }
-    let refuse = |diagnostics: &mut Diagnostics, field: &str, message: String| {
-        diagnostics.push(Diagnostic::error("shaft_viscoelastic.kernel", message).at(values.span_of(field)).help(help));
+    let refuse = |diagnostics: &mut Diagnostics, field: &str, message: Text| {
+        diagnostics.push(Diagnostic::error("shaft_viscoelastic.kernel", message).at(values.span_of(field)).help(help.clone()));
         None
     };
     let column = |list: &str, name: &str| values.columns(list).and_then(|c| c.get(name).cloned()).unwrap_or_default();
     if lists.first() == Some(&"exponentials") {
         let (share, rate) = (column("exponentials", "share"), column("exponentials", "rate"));
         if share.len() != rate.len() || share.is_empty() {
-            return refuse(diagnostics, "exponentials", "columns share and rate need equally many rows, at least one".into());
+            return refuse(diagnostics, "exponentials", text!("columns share and rate need equally many rows, at least one"));
         }
         for (k, (g, r)) in share.iter().zip(&rate).enumerate() {
             if !(*g >= 0.0 && *r > 0.0 && g.is_finite() && *r <= 1e12) {
@@ -309,7 +311,7 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
                 return refuse(
                     diagnostics,
                     "exponentials",
-                    format!("row {row}: a share is not negative, and a rate lies between 0 and 1e12 1/s"),
+                    text!("row {row}: a share is not negative, and a rate lies between 0 and 1e12 1/s", row),
                 );
             }
         }
@@ -318,13 +320,17 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
     let (accuracy, band) = (values.number("accuracy").unwrap_or(1e-5), values.number("band").unwrap_or(1e4));
     let terms: Vec<Term> = if lists.is_empty() {
         if given.is_empty() {
-            return refuse(diagnostics, "amplitude", "the memory of the material is not given".into());
+            return refuse(diagnostics, "amplitude", text!("the memory of the material is not given"));
         }
         if let Some(missing) = KERNEL[1..].iter().find(|name| !given.contains(name)) {
             return refuse(
                 diagnostics,
                 given[0],
-                format!("the kernel A t^(a-1) exp(-b t) needs its {missing} beside {}", given.join(" and ")),
+                text!(
+                    "the kernel A t^(a-1) exp(-b t) needs its {missing} beside {given}",
+                    missing,
+                    given = text::list(&given, Joint::Ands)
+                ),
             );
         }
         let number = |name: &str| params.get(name).unwrap_or(f64::NAN);
@@ -332,13 +338,15 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
     } else {
         let [amplitude, exponent, decay] = KERNEL.map(|name| column("terms", name));
         if amplitude.is_empty() || exponent.len() != amplitude.len() || decay.len() != amplitude.len() {
-            return refuse(diagnostics, "terms", "columns amplitude, exponent and decay need equally many rows, at least one".into());
+            return refuse(diagnostics, "terms", text!("columns amplitude, exponent and decay need equally many rows, at least one"));
         }
         let rows = amplitude.into_iter().zip(exponent).zip(decay);
         let terms: Vec<Term> = rows.map(|((amplitude, exponent), decay)| Term { amplitude, exponent, decay }).collect();
         if let Some(k) = terms.iter().position(|t| !(t.is_sound() && t.exponent <= 0.99)) {
-            let message =
-                format!("row {} of the terms is no kernel: amplitude 0 or more, exponent above 0 and at most 0.99, decay above 0", k + 1);
+            let message = text!(
+                "row {number} of the terms is no kernel: amplitude 0 or more, exponent above 0 and at most 0.99, decay above 0",
+                number = k + 1
+            );
             return refuse(diagnostics, "terms", message);
         }
         terms
@@ -346,15 +354,16 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
     let field = lists.first().copied().unwrap_or("amplitude");
     let relaxed: f64 = terms.iter().map(Term::relaxed).sum();
     if relaxed >= 1.0 {
-        let help = "lower the amplitude, or raise the decay: a kernel that decays slowly relaxes more";
+        let help = text!("lower the amplitude, or raise the decay: a kernel that decays slowly relaxes more");
         diagnostics.push(Diagnostic::error("shaft_viscoelastic.creep", creeps(relaxed)).at(values.span_of(field)).help(help));
         return None;
     }
     let numbers = terms.iter().all(Term::is_sound);
     let found = if lists.is_empty() { Weak::single(&parameters(&terms[0]), accuracy, band) } else { Weak::several(terms, accuracy, band) };
     if found.is_none() && numbers {
-        let message = format!("more than {} exponentials would be needed for this kernel, accuracy and band in time", kernel::MOST);
-        let help = "request less accuracy, a narrower band, or give a faster decay";
+        let message =
+            text!("more than {most} exponentials would be needed for this kernel, accuracy and band in time", most = kernel::MOST);
+        let help = text!("request less accuracy, a narrower band, or give a faster decay");
         diagnostics.push(Diagnostic::error("shaft_viscoelastic.terms", message).at(values.span_of("accuracy")).help(help));
     }
     found.map(Law::Weak)
@@ -497,7 +506,7 @@ decay = "0.05 1/s"                  # b
         out.push(Observed { name: "deflection", unit: "m", value: at.q[0].hypot(at.q[1]) });
         out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
     }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let mut wrong = Vec::new();
         let (word, needs) = (self.supports.word(), self.supports.needs());
         let sizes =
@@ -505,19 +514,19 @@ decay = "0.05 1/s"                  # b
         for (name, x) in sizes {
             if needs.contains(&name) && x == 0.0 {
                 let why = if self.supports == Supports::Given {
-                    "the shaft has no stiffness: give it, or say with supports how a round shaft is held".to_string()
+                    text!("the shaft has no stiffness: give it, or say with supports how a round shaft is held")
                 } else {
-                    format!("supports = \"{word}\" needs the {name} of the shaft")
+                    text!("supports = \"{word}\" needs the {name} of the shaft", word, name)
                 };
                 wrong.push((name, why));
             } else if !needs.contains(&name) && x != 0.0 {
-                wrong.push((name, format!("{name} has no effect with supports = \"{word}\"")));
+                wrong.push((name, text!("{name} has no effect with supports = \"{word}\"", name, word)));
             }
         }
         let between = matches!(self.supports, Supports::Simple | Supports::Clamped);
         if between && p.position >= p.length && p.length > 0.0 {
             let (x, l) = (format_si(p.position, "m"), format_si(p.length, "m"));
-            wrong.push(("position", format!("the disc at {x} is not between supports at a distance of {l}")));
+            wrong.push(("position", text!("the disc at {x} is not between supports at a distance of {l}", x, l)));
         }
         let (relaxed, field) = self.relaxed(p);
         // what is not a number is not admissible
@@ -531,16 +540,15 @@ decay = "0.05 1/s"                  # b
             if !(error <= w.accuracy) {
                 wrong.push((
                     field,
-                    "the exponentials were chosen for another kernel and miss this one by more than their accuracy: build the machine with it, \
-                     or widen band"
-                        .into(),
+                    text!("the exponentials were chosen for another kernel and miss this one by more than their accuracy: build the machine with it, \
+                     or widen band"),
                 ));
             }
             if !w.own && [p.amplitude, p.exponent, p.decay].iter().any(|x| *x != 0.0) {
-                wrong.push(("terms", "amplitude, exponent and decay have no effect beside several terms".into()));
+                wrong.push(("terms", text!("amplitude, exponent and decay have no effect beside several terms")));
             }
         } else if [p.amplitude, p.exponent, p.decay].iter().any(|x| *x != 0.0) {
-            wrong.push(("exponentials", "amplitude, exponent and decay have no effect beside exponentials".into()));
+            wrong.push(("exponentials", text!("amplitude, exponent and decay have no effect beside exponentials")));
         }
         wrong
     }

@@ -4,6 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::harmonic::balance::terms::Terms;
 use crate::model::part::Words;
 use crate::model::system::System;
+use laval_model::text;
 use laval_num::dense::Singular;
 use laval_num::order::ascending;
 
@@ -47,16 +48,33 @@ pub(super) fn refused(system: &System, terms: &Terms, speed: f64, why: &Singular
     let orders = terms.orders.iter().map(|&k| k as f64 / terms.divisor as f64);
     if let Some(among) = among_waves(system, speed, orders.flat_map(|n| [n, -n])).filter(|a| a.dense) {
         let [a, b] = among.range;
-        let which = if among.orders.len() == 1 { "order" } else { "orders" };
-        let text = format!(
-            "{which} {} of the motion would lie inside the dense range of {} of {}, from {a} to {b} rad/s at {speed} rad/s, where it has no steady response",
-            among.list(),
-            among.words.waves,
-            among.words.name
+        let (orders, waves, name) = (among.list(), text::term(among.words.waves), text::term(among.words.name));
+        let message = match among.orders.len() {
+            1 => text!(
+                "order {orders} of the motion would lie inside the dense range of {waves} of {name}, from {a} to {b} rad/s at {speed} rad/s, where it has no steady response",
+                orders,
+                waves,
+                name,
+                a,
+                b,
+                speed
+            ),
+            _ => text!(
+                "orders {orders} of the motion would lie inside the dense range of {waves} of {name}, from {a} to {b} rad/s at {speed} rad/s, where it has no steady response",
+                orders,
+                waves,
+                name,
+                a,
+                b,
+                speed
+            ),
+        };
+        let help = text!(
+            "{remedy}; with symmetry = \"half\", where the law has it, only odd orders move",
+            remedy = text::term(among.words.remedy)
         );
-        let help = format!("{}; with symmetry = \"half\", where the law has it, only odd orders move", among.words.remedy);
-        return Diagnostic::error("harmonic.dense", text).help(help);
+        return Diagnostic::error("harmonic.dense", message).help(help);
     }
-    Diagnostic::error("harmonic.singular", format!("the machine has no periodic motion at some order: {why}"))
-        .help("a body without any spring drifts; a coordinate without mass, damping and stiffness is undetermined")
+    Diagnostic::error("harmonic.singular", text!("the machine has no periodic motion at some order: {why}", why))
+        .help(text!("a body without any spring drifts; a coordinate without mass, damping and stiffness is undetermined"))
 }

@@ -44,7 +44,7 @@ pub fn check(system: &System, response: &Response, cancel: &AtomicBool) -> Agree
             let (mut balance, x) = match whole_period(system, branch.discretisation, &state.x, state.speed) {
                 Ok(whole) => whole,
                 Err(d) => {
-                    out.failed = Some(d.message);
+                    out.failed = Some(d.message.to_string());
                     continue;
                 }
             };

@@ -290,9 +290,9 @@ fn peaks(system: &System, orbit: &Orbit) -> Vec<f64> {
 /// Peaks of the last of some periods, followed in time from the converged motion.
 fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, String> {
     let law = crate::motion::SpinLaw::Programme(Programme::constant(orbit.speed, 0.0));
-    let mut motion = Motion::new(system, law).map_err(|d| d.message)?;
+    let mut motion = Motion::new(system, law).map_err(|d| d.message.to_string())?;
     if let Some(d) = motion.refuses_explicit() {
-        return Err(d.message);
+        return Err(d.message.to_string());
     }
     let (n, m) = (system.n(), system.m());
     let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);

@@ -12,6 +12,7 @@ use crate::harmonic::branches::unclosed::{Unclosed, unclosed};
 use crate::harmonic::stability::floquet::Unassessed;
 use crate::model::system::System;
 use crate::symmetry::{Broken, Symmetry, probe, probed_speeds};
+use laval_model::text;
 use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
 use serde::{Deserialize, Serialize};
@@ -147,21 +148,26 @@ pub fn symmetry(system: &System, request: &Request) -> Result<(Symmetry, Vec<Bro
     let found = if Nonlinear::of(system).paired { found } else { Symmetry::None };
     match request.symmetry {
         None if found == Symmetry::Circular && request.divisor > 1 => {
-            let message = format!(
-                "the machine is symmetric by any turn: its motion is computed as circular, of order 1 alone, and none of {} turns is among these",
-                request.divisor
+            let message = text!(
+                "the machine is symmetric by any turn: its motion is computed as circular, of order 1 alone, and none of {divisor} turns is among these",
+                divisor = request.divisor
             );
-            let weaker = if request.divisor.is_multiple_of(2) { "symmetry = \"none\"" } else { "symmetry = \"half\" or \"none\"" };
-            Err(Diagnostic::error("response.subharmonic", message)
-                .help(format!("leave subharmonic out, or write {weaker} to keep more orders")))
+            let help = match request.divisor.is_multiple_of(2) {
+                true => text!("leave subharmonic out, or write symmetry = \"none\" to keep more orders"),
+                false => text!("leave subharmonic out, or write symmetry = \"half\" or \"none\" to keep more orders"),
+            };
+            Err(Diagnostic::error("response.subharmonic", message).help(help))
         }
         None => Ok((found, broken)),
         Some(s) if s <= found => Ok((s, broken)),
         Some(s) => {
-            let why =
-                broken.iter().find(|b| b.change > 0.0).map(|b| format!(": part \"{}\" changes when turned", b.part)).unwrap_or_default();
-            Err(Diagnostic::error("response.symmetry", format!("the machine has no symmetry by {}{why}", s.name()))
-                .help(format!("use symmetry = \"auto\"; this machine is symmetric by {}", found.name())))
+            let symmetry = text::term(s.name());
+            let message = match broken.iter().find(|b| b.change > 0.0) {
+                Some(b) => text!("the machine has no symmetry by {symmetry}: part \"{part}\" changes when turned", symmetry, part = b.part),
+                None => text!("the machine has no symmetry by {symmetry}", symmetry),
+            };
+            Err(Diagnostic::error("response.symmetry", message)
+                .help(text!("use symmetry = \"auto\"; this machine is symmetric by {symmetry}", symmetry = text::term(found.name()))))
         }
     }
 }
@@ -255,7 +261,7 @@ fn attempt<'a>(
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
     let settings = settings(request);
     let invalid =
-        |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
+        |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", text!("the response cannot be followed: {e}", e));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
     let mut unstarted = Vec::new();
     let from_lo = starts.at(system, &mut balance, request, lo, cancel)?;
@@ -279,8 +285,8 @@ fn attempt<'a>(
         }
     }
     if branches.is_empty() {
-        return Err(Diagnostic::error("response.start", format!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s"))
-            .help("integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all"));
+        return Err(Diagnostic::error("response.start", text!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s", lo, hi))
+            .help(text!("integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all")));
     }
     let mut assessor = Assessor::new(system, (request.stability, request.determinant), request.work);
     let sampling = sampling_error(system, &mut balance, d, &branches)?;

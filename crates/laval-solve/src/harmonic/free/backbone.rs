@@ -22,6 +22,8 @@ use crate::pencil::{MachineMode, Whirl, modes_about};
 use crate::rest::rest;
 use crate::sectors::Sector;
 use crate::symmetry::{Symmetry, probe};
+use laval_model::text;
+use laval_model::text::{Arg, Argument};
 use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Test, Zero, trace};
 use laval_num::dense::{Mat, dot, max_abs, norm};
@@ -165,9 +167,9 @@ pub fn admit(system: &System, speed: f64) -> Result<(), Diagnostic> {
     if system.slots().iter().all(Slot::is_linear) {
         return Err(Diagnostic::error(
             "free.linear",
-            "all parts of this machine are linear: its free whirls have the same frequency at any amplitude",
+            text!("all parts of this machine are linear: its free whirls have the same frequency at any amplitude"),
         )
-        .help("use modes or campbell for these frequencies"));
+        .help(text!("use modes or campbell for these frequencies")));
     }
     autonomous(system, speed)?;
     rest(system, speed).map(drop)
@@ -350,7 +352,7 @@ fn follow(
         Box::new(move |free: &mut Free, p: &Point| free.quantities(&p.x, p.p)[1] / first - VANISHED),
     ];
     let branch = trace(free, start, at, direction, &settings, &mut tests)
-        .map_err(|e| Diagnostic::error("backbone.settings", format!("the family cannot be followed: {e}")))?;
+        .map_err(|e| Diagnostic::error("backbone.settings", text!("the family cannot be followed: {e}", e)))?;
     out.iterations += branch.counters.work.iterations as u64;
     let cut = branch.of(Kind::User(1)).next().is_none() && branch.end == End::MaxPoints;
     out.stopped |= cut && left < request.max_points;
@@ -427,7 +429,7 @@ pub fn at_amplitude(system: &System, found: &Backbone, family: &Family, speed: f
 /// # Errors
 /// Eigenvalues that cannot be computed.
 fn asymptotes(system: &System, d: Discretisation, speed: f64, fastest: f64) -> Result<Vec<Asymptote>, Diagnostic> {
-    let lost = |e: String| Diagnostic::error("backbone.asymptotes", format!("the asymptotes could not be computed: {e}"));
+    let lost = |why: Arg| Diagnostic::error("backbone.asymptotes", text!("the asymptotes could not be computed: {why}", why));
     let (q, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
     let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
     let (mut t, mut scratch) = (Tangent::default(), TangentScratch::default());
@@ -446,7 +448,7 @@ fn asymptotes(system: &System, d: Discretisation, speed: f64, fastest: f64) -> R
     for m in [&mut t.rate_q, &mut t.rate_v, &mut t.rate_a] {
         *m = m.matmul(&free);
     }
-    let mut a = first_order(&t).ok_or_else(|| lost(Unassessed::Massless.to_string()))?;
+    let mut a = first_order(&t).ok_or_else(|| lost(Unassessed::Massless.argument()))?;
     let directed = matches!(d.symmetry, Symmetry::Circular | Symmetry::Quarter);
     let mut turn = 0.0;
     if directed {
@@ -469,7 +471,7 @@ fn asymptotes(system: &System, d: Discretisation, speed: f64, fastest: f64) -> R
     // a spring of 1e-300 N/m is none, and the iteration for eigenvalues does not end on such numbers
     let none = 1e-60 * a.max_size();
     a.data_mut().iter_mut().filter(|x| x.abs() < none).for_each(|x| *x = 0.0);
-    let values = laval_num::eig::eigenvalues(&a).map_err(|e| lost(e.to_string()))?;
+    let values = laval_num::eig::eigenvalues(&a).map_err(|e| lost(e.argument()))?;
     let signed = values.into_iter().filter(|v| if directed { v.im < 0.0 } else { v.im > 0.0 });
     let mut out: Vec<Asymptote> = signed.map(|v| Asymptote { value: laval_num::complex::c(v.re, v.im + turn) }).collect();
     out.retain(|a| a.value.im.abs() > 1e-6 * fastest && a.value.re.abs() <= LIGHT * a.value.im.abs());

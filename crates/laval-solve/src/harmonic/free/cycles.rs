@@ -17,6 +17,7 @@ use crate::pencil::{MachineMode, Whirl};
 use crate::rest::rest;
 use crate::stability::{Edge, Row, row};
 use crate::symmetry::Symmetry;
+use laval_model::text;
 use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Status, Zero, trace};
 use laval_num::newton::{Options, newton};
@@ -184,9 +185,9 @@ pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
     if system.slots().iter().all(Slot::is_linear) {
         return Err(Diagnostic::error(
             "free.linear",
-            "all parts of this machine are linear: where it is unstable its whirl grows without bound",
+            text!("all parts of this machine are linear: where it is unstable its whirl grows without bound"),
         )
-        .help("use stability_map for the ranges of speed in which it does"));
+        .help(text!("use stability_map for the ranges of speed in which it does")));
     }
     autonomous(system, lo)?;
     let mirrored = |modes: &[MachineMode]| {
@@ -200,9 +201,12 @@ pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
     }
     Err(Diagnostic::error(
         "limit_cycles.undamped",
-        "nothing damps this machine: its free whirls form families of every amplitude, and none of them is a limit cycle",
+        text!("nothing damps this machine: its free whirls form families of every amplitude, and none of them is a limit cycle"),
     )
-    .help(format!("use backbone for the families, or give the machine damping{}", system.damping_of_waves())))
+    .help(match system.damping_of_waves() {
+        Some(by) => text!("use backbone for the families, or give the machine damping ({by})", by = text::term(by)),
+        None => text!("use backbone for the families, or give the machine damping"),
+    }))
 }
 
 /// Computes all families.
@@ -300,7 +304,7 @@ fn attempt<'a>(
         let max_points = request.max_points.min(points);
         let settings = Settings { max_points, max_parameter_step: (hi - lo) / 50.0, ..Settings::new(lo, hi) };
         let branch = trace(&mut free, &x, speed, direction, &settings, &mut [])
-            .map_err(|e| Diagnostic::error("limit_cycles.settings", format!("the cycles cannot be followed: {e}")))?;
+            .map_err(|e| Diagnostic::error("limit_cycles.settings", text!("the cycles cannot be followed: {e}", e)))?;
         out.iterations += branch.counters.work.iterations as u64;
         out.stopped |= branch.end == End::MaxPoints && points < request.max_points;
         let lead = free.lead;

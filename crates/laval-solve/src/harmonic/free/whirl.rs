@@ -22,6 +22,7 @@ use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::balance::terms::Term;
 use crate::model::part::DofKind;
 use crate::model::system::System;
+use laval_model::text;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero};
 use laval_num::dense::{Mat, max_abs};
@@ -349,10 +350,13 @@ pub fn autonomous(system: &System, speed: f64) -> Result<(), Diagnostic> {
             if !(change <= 1e-9 * most) {
                 return Err(Diagnostic::error(
                     "free.turning",
-                    format!("the force of \"{}\" depends on the angle of the rotor or on time: this machine has no free motion", slot.name),
+                    text!(
+                        "the force of \"{name}\" depends on the angle of the rotor or on time: this machine has no free motion",
+                        name = slot.name
+                    ),
                 )
                 .at(slot.span.clone())
-                .help("use nonlinear_response for the motion that is forced, or a transient"));
+                .help(text!("use nonlinear_response for the motion that is forced, or a transient")));
             }
         }
     }

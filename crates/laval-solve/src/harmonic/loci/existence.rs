@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::harmonic::loci::search::Request;
 use crate::model::system::System;
+use laval_model::text;
 
 /// Part of the range kept from a value beyond which the machine does not exist.
 const INSIDE: f64 = 1e-6;
@@ -14,13 +15,16 @@ pub(super) fn existence(system: &System, request: &Request) -> Result<Existence,
     let path = request.parameter.as_str();
     let refusal = |x: f64| match system.with(&[(path, x)]) {
         Ok(_) => None,
-        Err(d) => Some(d.0.into_iter().next().map(|d| d.message).unwrap_or_default()),
+        Err(d) => Some(d.into_error().message),
     };
     let inside: Vec<f64> = request.values.iter().copied().filter(|&x| refusal(x).is_none()).collect();
     let (Some(&first), Some(&last)) = (inside.first(), inside.last()) else {
-        let why = refusal(request.range.0).unwrap_or_default();
-        return Err(Diagnostic::error("loci.parameter", format!("the machine does not exist at any value tried of {path}: {why}"))
-            .help("choose another range of the parameter"));
+        let help = text!("choose another range of the parameter");
+        let message = match refusal(request.range.0) {
+            Some(why) => text!("the machine does not exist at any value tried of {path}: {why}", path, why),
+            None => text!("the machine does not exist at any value tried of {path}", path),
+        };
+        return Err(Diagnostic::error("loci.parameter", message).help(help));
     };
     let wide = request.range.1 - request.range.0;
     let edge = |mut good: f64, end: f64| match refusal(end) {
@@ -37,8 +41,8 @@ pub(super) fn existence(system: &System, request: &Request) -> Result<Existence,
     };
     let ((lo, below), (hi, above)) = (edge(first, request.range.0), edge(last, request.range.1));
     if !(hi > lo) {
-        return Err(Diagnostic::error("loci.parameter", format!("the machine exists at a single value of {path} in this range"))
-            .help("choose another range of the parameter"));
+        return Err(Diagnostic::error("loci.parameter", text!("the machine exists at a single value of {path} in this range", path))
+            .help(text!("choose another range of the parameter")));
     }
-    Ok(((lo, hi), [below, above]))
+    Ok(((lo, hi), [below, above].map(|why| why.map(|w| w.to_string()))))
 }

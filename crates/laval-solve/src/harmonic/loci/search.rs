@@ -4,6 +4,7 @@
 //! meets none of them is not found.
 
 pub use crate::harmonic::loci::locus::{Corner, Locus, LocusKind, LocusPoint};
+use laval_model::text;
 use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
@@ -233,7 +234,7 @@ pub fn loci_from(
                 break;
             }
             Err(d) => {
-                out.failed.push((*value, d.message.clone()));
+                out.failed.push((*value, d.message.to_string()));
                 failed = Some(d);
                 continue;
             }
@@ -415,7 +416,7 @@ impl<'s> Search<'s> {
         speed: usize,
         settings: &Settings,
     ) -> Result<Option<Path>, Diagnostic> {
-        let invalid = |e| Diagnostic::error("loci.settings", format!("the locus cannot be followed: {e}"));
+        let invalid = |e| Diagnostic::error("loci.settings", text!("the locus cannot be followed: {e}", e));
         let path = follow(problem, y, value, speed, self.request.speeds, settings).map_err(invalid)?;
         self.done += path.work;
         (self.tick)(self.done);

@@ -12,6 +12,8 @@
 use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
 use crate::harmonic::balance::nonlinear::Sampled;
 use crate::harmonic::balance::problem::Balance;
+use laval_model::text;
+use laval_model::text::{Arg, Argument};
 use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
@@ -87,17 +89,23 @@ pub enum Unassessed {
     Failed(String),
 }
 
+impl Argument for Unassessed {
+    fn argument(&self) -> Arg {
+        let said = match self {
+            Unassessed::NoTimeForm(part, why) => text!("\"{part}\" has no time-domain form: {why}", part, why = text::term(why)),
+            Unassessed::TooManyStates(n) => text!("the machine has {n} first-order states, more than the map of a period can carry", n),
+            Unassessed::Jumps(part) => {
+                text!("the force of \"{part}\" jumps when it touches, and what such a jump does to a disturbance is not computed", part)
+            }
+            Unassessed::Massless => text!("a coordinate has no mass"),
+            Unassessed::Failed(why) => return why.argument(),
+        };
+        said.argument()
+    }
+}
 impl std::fmt::Display for Unassessed {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Unassessed::NoTimeForm(part, why) => write!(f, "\"{part}\" has no time-domain form: {why}"),
-            Unassessed::TooManyStates(n) => write!(f, "the machine has {n} first-order states, more than the map of a period can carry"),
-            Unassessed::Jumps(part) => {
-                write!(f, "the force of \"{part}\" jumps when it touches, and what such a jump does to a disturbance is not computed")
-            }
-            Unassessed::Massless => f.write_str("a coordinate has no mass"),
-            Unassessed::Failed(why) => f.write_str(why),
-        }
+        self.argument().fmt(f)
     }
 }
 

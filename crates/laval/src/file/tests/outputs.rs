@@ -120,7 +120,7 @@ fn diagnostics_for_tools() {
 fn places_outside_of_the_text_are_shown_somehow() {
     let mut d = Diagnostics::default();
     for span in [0..0, 3..1_000_000, 5_000..6_000, 4..5, 0..1] {
-        d.push(Diagnostic::error("x", "message").at(span).label("l").help("h"));
+        d.push(Diagnostic::error("x", text!("message")).at(span).label(text!("l")).help(text!("h")));
     }
     for text in ["", "ααα", "\n\n", "a\r\nb"] {
         for form in [Form::Lines, Form::Excerpts { width: 0, colour: true }, Form::Excerpts { width: 80, colour: false }] {
@@ -137,7 +137,7 @@ fn nothing_of_a_file_steers_the_terminal() {
     let text = format!("a = 1\r\nb = \"{evil}µ{evil}\" # {evil}\r\n");
     let at = text.find('µ').unwrap();
     let mut d = Diagnostics::default();
-    d.push(Diagnostic::error("x", format!("message {evil}")).at(at..at + 2).label(evil).help(evil));
+    d.push(Diagnostic::error("x", text!("message {evil}", evil)).at(at..at + 2).label(text!("{evil}", evil)).help(text!("{evil}", evil)));
     for form in [Form::Lines, Form::Excerpts { width: 110, colour: true }, Form::Excerpts { width: 110, colour: false }] {
         let shown = render(&d, &text, &format!("f{evil}"), form);
         assert_eq!(crate::plain::painted(&shown), shown);

@@ -1,10 +1,7 @@
 //! Findings in words: sentences of the catalogues with numbers in the units of the reader.
 
-mod catalogue;
-
-pub use catalogue::Language;
-
 use super::units::Units;
+use crate::language::Language;
 use crate::outcome::{Arg, Finding, Message, Outcome, Quantity, Role, quantity_to};
 use fluent_bundle::{FluentArgs, FluentValue};
 use std::fmt;
@@ -66,6 +63,7 @@ impl Style {
             Arg::Word(word) => word.to_string(),
             Arg::Term(text) => self.language.term(text),
             Arg::Phrase(m) => self.message(m),
+            Arg::Said(text) => self.language.said(text),
             Arg::List(all) => self.list(all),
         }
     }

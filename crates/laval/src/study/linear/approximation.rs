@@ -20,6 +20,7 @@ use crate::solve::rest::rest;
 use crate::solve::sweep::{Sweep, sweep};
 use crate::study::Context;
 use crate::study::shared::support::inconsistent;
+use crate::text;
 use laval_num::complex::C64;
 use serde::{Deserialize, Serialize};
 
@@ -48,12 +49,12 @@ pub(in crate::study) fn wanted(values: &Values) -> bool {
 /// A machine without parts that have one, and one whose approximation is refused.
 pub(in crate::study) fn admit(system: &System) -> Result<System, Diagnostic> {
     let made = system.approximation().ok_or_else(|| {
-        Diagnostic::error("study.compare", "no part of this machine has an approximation to be compared with")
-            .help("parts with waves without number have one; leave compare out otherwise")
+        Diagnostic::error("study.compare", text!("no part of this machine has an approximation to be compared with"))
+            .help(text!("parts with waves without number have one; leave compare out otherwise"))
     })?;
     made.map_err(|d| {
-        let why = d.0.first().map_or_else(String::new, |d| d.message.clone());
-        Diagnostic::error("study.compare", format!("the approximation is no machine: {why}")).help("leave compare out")
+        let why = d.into_error().message;
+        Diagnostic::error("study.compare", text!("the approximation is no machine: {why}", why)).help(text!("leave compare out"))
     })
 }
 

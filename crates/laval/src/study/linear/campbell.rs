@@ -29,6 +29,8 @@ use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or};
 use crate::study::{Context, Study};
+use crate::text;
+use crate::text::Text;
 use laval_num::order::ascending;
 use laval_num::work::piece;
 use serde::{Deserialize, Serialize};
@@ -136,9 +138,9 @@ pub struct Campbell {
 pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
     if transcendental(system) {
-        context.announce(total as f64, COUNTS, "speeds at which roots are counted, one after another");
+        context.announce(total as f64, COUNTS, text!("speeds at which roots are counted, one after another"));
     } else {
-        context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+        context.announce(total as f64, 10_000.0, text!("eigenvalue problems to solve"));
     }
     let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
         context.progress.report(k as u64, total);
@@ -182,7 +184,7 @@ orders = [1, 2]
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let one = "; modes shows the modes at one speed";
+        let one: fn(Text) -> Text = |help| text!("{help}; modes shows the modes at one speed", help);
         let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics)?;
         let threshold = values.number("growth_threshold").unwrap_or(0.0);
         Some(Campbell {

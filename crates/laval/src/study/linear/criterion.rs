@@ -13,6 +13,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Finding};
 use crate::solve::pencil::modes_about;
 use crate::study::shared::support::About;
+use crate::text;
 
 const WORDS: &[Word] = &[
     ("growth", "growth above growth_threshold"),
@@ -67,16 +68,16 @@ impl Criterion {
                 }
                 Err(Diagnostic::error(
                     "stability_map.criterion",
-                    "flutter is for machines that nothing damps or drives; this one has damping",
+                    text!("flutter is for machines that nothing damps or drives; this one has damping"),
                 )
-                .help("set all damping to 0, or take criterion = \"growth\" with a growth_threshold"))
+                .help(text!("set all damping to 0, or take criterion = \"growth\" with a growth_threshold")))
             }
             Criterion::Viscous if system.domains(speed).iter().any(lossy) => Ok(()),
             Criterion::Viscous => Err(Diagnostic::error(
                 "stability_map.criterion",
-                "no part of this machine has losses like the viscosity that this criterion is about",
+                text!("no part of this machine has losses like the viscosity that this criterion is about"),
             )
-            .help("give one a viscosity, or take criterion = \"growth\" with a growth_threshold")),
+            .help(text!("give one a viscosity, or take criterion = \"growth\" with a growth_threshold"))),
         }
     }
 

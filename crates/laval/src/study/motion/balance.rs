@@ -67,7 +67,7 @@ pub(in crate::study) fn balancing(motion: &mut Motion, trajectory: &Trajectory) 
 pub(in crate::study) fn report(system: &System, record: &MotionRecord, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     for (slot, text) in system.warnings() {
         let name = &system.slots()[slot].name;
-        let finding = Finding::warning("purpose", "balance-purpose").arg("part", Arg::name(name)).arg("why", Arg::term(text));
+        let finding = Finding::warning("purpose", "balance-purpose").arg("part", Arg::name(name)).arg("why", text);
         outcome = outcome.finding(finding.of(name));
     }
     let Some(balancing) = &record.balancing else { return Ok(outcome) };

@@ -18,6 +18,7 @@ use crate::solve::motion::Motion;
 use crate::solve::motion::envelope::{Peak, Window};
 use crate::solve::motion::trajectory::{Left, Tilting, Trajectory, Use};
 use crate::solve::programme::Spin;
+use crate::text;
 use laval_num::ode::Run;
 use laval_num::text::Text;
 use serde::{Deserialize, Serialize};
@@ -67,12 +68,14 @@ impl MotionState {
     pub(in crate::study) fn write(&self, motion: &Motion, y: &mut [f64]) -> Result<(), Diagnostic> {
         let (n, m) = (motion.system().n(), motion.system().m());
         if (self.coordinates.len(), self.rates.len(), self.states.len()) != (n, n, m) {
-            let message = format!(
-                "a state of {} coordinates and {} internal states is not one of this machine, which has {n} and in time {m}",
-                self.coordinates.len(),
-                self.states.len()
+            let message = text!(
+                "a state of {coordinates} coordinates and {states} internal states is not one of this machine, which has {n} and in time {m}",
+                coordinates = self.coordinates.len(),
+                states = self.states.len(),
+                n,
+                m
             );
-            return Err(Diagnostic::error("transient.start", message).help("continue from a motion of the same machine"));
+            return Err(Diagnostic::error("transient.start", message).help(text!("continue from a motion of the same machine")));
         }
         y[..n].copy_from_slice(&self.coordinates);
         y[n..2 * n].copy_from_slice(&self.rates);

@@ -6,6 +6,8 @@ use crate::model::part::{At, Rows};
 use crate::model::system::{Axis, System, Workspace};
 use crate::outcome::{Arg, Finding};
 use crate::solve::rest::{hanging, rest};
+use crate::text;
+use crate::text::Text;
 use crate::units::check_dimension;
 use laval_num::dense::{Lu, Mat};
 
@@ -37,9 +39,12 @@ impl Start {
         let loaded = system.machine.axis == Axis::Horizontal;
         match rest(system, speed).or_else(|d| if loaded { hanging(system, speed, &places) } else { Err(d) }) {
             Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, places, undeflected: None },
-            Err(d) => {
-                Start { rest: vec![0.0; system.n()], states: vec![0.0; system.m()], places, undeflected: loaded.then_some(d.message) }
-            }
+            Err(d) => Start {
+                rest: vec![0.0; system.n()],
+                states: vec![0.0; system.m()],
+                places,
+                undeflected: loaded.then(|| d.message.to_string()),
+            },
         }
     }
 
@@ -166,9 +171,9 @@ pub(in crate::study) fn state_map(values: &Values, field: &str, system: &System,
     for (k, (name, value, span)) in values.state_map(field).unwrap_or_default().iter().enumerate() {
         let Some(found) = entry(system, name) else {
             diagnostics.push(
-                Diagnostic::error("coordinate.unknown", format!("there is no coordinate or state \"{name}\""))
+                Diagnostic::error("coordinate.unknown", text!("there is no coordinate or state \"{name}\"", name))
                     .at(span.clone())
-                    .label("unknown coordinate")
+                    .label(text!("unknown coordinate"))
                     .about(name)
                     .help(nearest(system, name)),
             );
@@ -178,35 +183,42 @@ pub(in crate::study) fn state_map(values: &Values, field: &str, system: &System,
             && let Err(e) = check_dimension(given, &found.unit(system))
         {
             diagnostics
-                .push(Diagnostic { help: e.help.map(Into::into), ..Diagnostic::error(e.code, e.message).at(span.clone()).about(name) });
+                .push(Diagnostic { help: e.help.map(Box::new), ..Diagnostic::error(e.code, e.message).at(span.clone()).about(name) });
             continue;
         }
         if !(value.abs() <= LARGEST_START) {
-            let message = format!("\"{name}\" is {value:e}; it must lie between {:e} and {LARGEST_START:e} in SI units", -LARGEST_START);
+            let message = text!(
+                "\"{name}\" is {value}; it must lie between {least} and {most} in SI units",
+                name,
+                value = format_args!("{value:e}"),
+                least = format_args!("{:e}", -LARGEST_START),
+                most = format_args!("{LARGEST_START:e}")
+            );
             diagnostics.push(Diagnostic::error("state.bounds", message).at(span.clone()));
         }
         if out.iter().any(|(e, _)| *e == found) {
-            diagnostics.push(Diagnostic::error("state.twice", format!("\"{name}\" is given twice")).at(span.clone()));
+            diagnostics.push(Diagnostic::error("state.twice", text!("\"{name}\" is given twice", name)).at(span.clone()));
         }
         out.push((found, *value));
     }
     out
 }
 
-fn nearest(system: &System, name: &str) -> String {
+fn nearest(system: &System, name: &str) -> Text {
     let all = system.coordinates().iter().chain(system.states()).map(|c| c.name.as_str());
     let (part, rate) = (name.split('.').next().unwrap_or_default(), if name.ends_with('\'') { "'" } else { "" });
     let own: Vec<&str> = all.clone().filter(|n| n.split('.').next() == Some(part)).collect();
     if !own.is_empty() {
-        return format!("\"{part}\" has {}", own.iter().take(12).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", "));
+        let own = own.iter().take(12).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
+        return text!("\"{part}\" has {own}", part, own);
     }
     let plain = name.trim_end_matches('\'');
     match all.map(|n| (distance(n, plain), n)).min() {
-        Some((d, best)) if d <= 3 => format!("did you mean \"{best}{rate}\"?"),
+        Some((d, best)) if d <= 3 => text!("did you mean {near}?", near = format!("\"{best}{rate}\"")),
         _ => {
             let list: Vec<String> =
                 system.coordinates().iter().chain(system.states()).take(12).map(|c| format!("\"{}\"", c.name)).collect();
-            format!("this machine has {}", list.join(", "))
+            text!("this machine has {names}", names = list.join(", "))
         }
     }
 }

@@ -29,6 +29,7 @@ use crate::solve::motion::{Motion, SpinLaw};
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, Study};
+use crate::text;
 use serde::{Deserialize, Serialize};
 
 /// Speeds of a motion that starts at this one.
@@ -114,9 +115,9 @@ kick = { "drum.x'" = "20 mm/s" }
         let speed = values.number("speed").or(system.machine.speed);
         if speed.is_none() {
             diagnostics.push(
-                Diagnostic::error("study.speed", "neither the study nor the machine says the spin speed")
+                Diagnostic::error("study.speed", text!("neither the study nor the machine says the spin speed"))
                     .at(values.span.clone())
-                    .help("add speed = \"3000 rpm\" to [machine] or to the study"),
+                    .help(text!("add speed = \"3000 rpm\" to [machine] or to the study")),
             );
         }
         let initial = start::state_map(values, "initial", system, diagnostics);
@@ -126,16 +127,16 @@ kick = { "drum.x'" = "20 mm/s" }
             match e {
                 Entry::Rate(i) => change[i] = x,
                 _ => diagnostics.push(
-                    Diagnostic::error("transient.kick", "a kick changes rates only")
+                    Diagnostic::error("transient.kick", text!("a kick changes rates only"))
                         .at(values.span_of("kick"))
-                        .help("name rates with ', such as \"drum.x'\""),
+                        .help(text!("name rates with ', such as \"drum.x'\"")),
                 ),
             }
         }
         let at = values.number("kick_time").unwrap_or(0.0);
         if values.state_map("kick").is_some_and(|k| !k.is_empty()) && (at.is_nan() || at >= duration) {
             diagnostics.push(
-                Diagnostic::error("transient.kick_time", format!("the kick at {at} s comes after the end at {duration} s"))
+                Diagnostic::error("transient.kick_time", text!("the kick at {at} s comes after the end at {duration} s", at, duration))
                     .at(values.span_of("kick_time")),
             );
         }
@@ -144,20 +145,24 @@ kick = { "drum.x'" = "20 mm/s" }
             && !(0.0..=1e6).contains(&(duration / step))
         {
             diagnostics.push(
-                Diagnostic::error("transient.output_step", format!("{:.0} outputs are too many", duration / step))
-                    .at(values.span_of("output_step"))
-                    .help("at most 1000000 outputs"),
+                Diagnostic::error(
+                    "transient.output_step",
+                    text!("{step} outputs are too many", step = format_args!("{:.0}", duration / step)),
+                )
+                .at(values.span_of("output_step"))
+                .help(text!("at most 1000000 outputs")),
             );
         }
         if step.is_some() && values.written("points") {
             diagnostics.push(
-                Diagnostic::error("transient.output_step", "both output_step and points are given")
+                Diagnostic::error("transient.output_step", text!("both output_step and points are given"))
                     .at(values.span_of("output_step"))
-                    .help("say one or the other"),
+                    .help(text!("say one or the other")),
             );
         }
         if !(duration > 0.0 && duration.is_finite()) {
-            diagnostics.push(Diagnostic::error("transient.duration", "the duration must be positive").at(values.span_of("duration")));
+            diagnostics
+                .push(Diagnostic::error("transient.duration", text!("the duration must be positive")).at(values.span_of("duration")));
         }
         let spectra = Spectra::read(values, system, (duration, speed.unwrap_or(1.0).abs()), diagnostics);
         if diagnostics.0.len() > before {

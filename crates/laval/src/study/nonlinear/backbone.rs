@@ -25,6 +25,7 @@ use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, largest, speed};
 use crate::study::{Context, Study};
+use crate::text;
 use laval_num::continuation::End;
 use serde::{Deserialize, Serialize};
 
@@ -92,9 +93,9 @@ amplitude = { from = "1 um", to = "1 mm" }
         if let Some(range) = values.range("amplitude") {
             if !(range.from < range.to) {
                 diagnostics.push(
-                    Diagnostic::error("backbone.amplitude", "amplitude must go from a lower to a higher value")
+                    Diagnostic::error("backbone.amplitude", text!("amplitude must go from a lower to a higher value"))
                         .at(values.span_of("amplitude"))
-                        .help("exchange from and to"),
+                        .help(text!("exchange from and to")),
                 );
                 return None;
             }

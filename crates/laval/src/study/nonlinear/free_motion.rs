@@ -13,6 +13,7 @@ use crate::solve::harmonic::free::backbone::MOST_HARMONICS;
 use crate::study::shared::probes;
 use crate::study::shared::support::largest;
 use crate::study::shared::validity::Uses;
+use crate::text;
 use laval_num::continuation::{End, Refusal};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -51,10 +52,13 @@ pub(in crate::study) fn read(values: &Values) -> (Option<usize>, f64, usize) {
 /// A free drive.
 pub(in crate::study) fn constant_speed(system: &System) -> Result<(), Diagnostic> {
     if system.machine.drive == crate::model::system::Drive::Free {
-        return Err(Diagnostic::error("free.drive", "free whirls are sought at constant speed, and the speed of this machine is free")
-            .help(
-                "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study",
-            ));
+        return Err(Diagnostic::error(
+            "free.drive",
+            text!("free whirls are sought at constant speed, and the speed of this machine is free"),
+        )
+        .help(text!(
+            "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"
+        )));
     }
     Ok(())
 }

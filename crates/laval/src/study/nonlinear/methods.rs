@@ -23,6 +23,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{one_or_range, probe_name};
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
+use crate::text;
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
@@ -68,9 +69,9 @@ harmonics = 7
         if system.machine.drive == Drive::Free {
             return Err(Diagnostic::error(
                 "methods.free_drive",
-                "the methods are compared at constant speed, and the speed of this machine is free",
+                text!("the methods are compared at constant speed, and the speed of this machine is free"),
             )
-            .help("prescribe the speed of the machine (leave out its free drive)"));
+            .help(text!("prescribe the speed of the machine (leave out its free drive)")));
         }
         symmetry(system, &self.request()).map(drop)
     }

@@ -70,7 +70,7 @@ impl<R> Known<R> {
     /// Why it is not known.
     fn why(&self) -> Message {
         match self {
-            Known::Refused(d) => Message::new("why-refused").arg("reason", crate::outcome::Arg::term(d.message.clone())),
+            Known::Refused(d) => Message::new("why-refused").arg("reason", d.message.clone()),
             _ => Message::new("why-too-long"),
         }
     }

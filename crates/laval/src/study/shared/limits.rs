@@ -1,9 +1,10 @@
 //! The block `[limits]` of a machine file: what the machine must keep to.
 
-use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
+use crate::text;
 use crate::units::read_quantity;
 
 /// What `[limits]` is.
@@ -152,6 +153,14 @@ impl Limits {
     }
 }
 
+/// What a limit is on.
+#[derive(Clone, Copy)]
+enum Limited {
+    Body,
+    Tilting,
+    Part,
+}
+
 /// Says what is wrong with the limits.
 pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
     read(&extra.values, system, out);
@@ -161,7 +170,7 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
 pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
     let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
     let parts: Vec<String> = system.slots().iter().map(|s| s.name.clone()).collect();
-    let mut list = |field: &str, known: &[String], what: &str| -> Vec<Limit> {
+    let mut list = |field: &str, known: &[String], of: Limited| -> Vec<Limit> {
         let mut found = Vec::new();
         let limit = |name: &str, body: &str, at: Option<f64>, value| Limit { name: name.into(), body: body.into(), at, value };
         for (name, value) in v.named(field) {
@@ -171,26 +180,33 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
                 (Some(n), _) if known.iter().any(|k| k == n) => found.push(limit(n, n, None, value)),
                 (Some(n), Some((body, at))) => found.push(limit(n, body, Some(at), value)),
                 (Some(n), None) => {
-                    let more = if ON_POINTS.contains(&field) { "; a point of a body is written as \"drum at 100 mm\"" } else { "" };
-                    let all = format!("{}{more}", known.join(", "));
-                    let help = match nearest(n, known.iter().map(String::as_str)) {
-                        Some(k) => format!("did you mean \"{k}\"? There are {all}"),
-                        None => format!("there are {all}"),
+                    let all = known.join(", ");
+                    let there = match ON_POINTS.contains(&field) {
+                        true => text!("there are {all}; a point of a body is written as \"drum at 100 mm\"", all),
+                        false => text!("there are {all}", all),
                     };
-                    let message = format!("{field} names \"{n}\", which is no {what} of this machine");
+                    let help = match nearest(n, known.iter().map(String::as_str)) {
+                        Some(near) => meant(text::quoted(&near), there),
+                        None => there,
+                    };
+                    let message = match of {
+                        Limited::Body => text!("{field} names \"{n}\", which is no body of this machine", field, n),
+                        Limited::Tilting => text!("{field} names \"{n}\", which is no body that tilts of this machine", field, n),
+                        Limited::Part => text!("{field} names \"{n}\", which is no part of this machine", field, n),
+                    };
                     out.push(Diagnostic::error("limits.name", message).at(v.span_of(field)).about(n).help(help));
                 }
             }
         }
         found
     };
-    let (displacement, velocity) = (list("displacement", &bodies, "body"), list("velocity", &bodies, "body"));
+    let (displacement, velocity) = (list("displacement", &bodies, Limited::Body), list("velocity", &bodies, Limited::Body));
     let tilting: Vec<String> = system.bodies().into_iter().filter(|b| b.tilt.is_some()).map(|b| b.name).collect();
-    let (tilt, moment) = (list("tilt", &tilting, "body that tilts"), list("moment", &parts, "part"));
-    let (force, passage) = (list("force", &parts, "part"), list("passage_displacement", &bodies, "body"));
+    let (tilt, moment) = (list("tilt", &tilting, Limited::Tilting), list("moment", &parts, Limited::Part));
+    let (force, passage) = (list("force", &parts, Limited::Part), list("passage_displacement", &bodies, Limited::Body));
     if v.number("rated_density").is_some() && v.number("speed").is_none() {
-        let message = "rated_density belongs to a highest speed, which is missing";
-        out.push(Diagnostic::error("limits.speed", message).at(v.span_of("rated_density")).help("add speed"));
+        let message = text!("rated_density belongs to a highest speed, which is missing");
+        out.push(Diagnostic::error("limits.speed", message).at(v.span_of("rated_density")).help(text!("add speed")));
     }
     Limits {
         displacement,

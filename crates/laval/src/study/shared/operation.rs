@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Extra, Field, FieldKind};
 use crate::model::system::System;
+use crate::text;
 use crate::units::format_si;
 
 /// Lines of a typical block.
@@ -88,28 +89,30 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
     let operation = read(extra);
     let Some((from, to)) = operation.speed else {
         if operation.run_up_time.is_some() && system.machine.speed.is_none_or(|w| w == 0.0) {
-            let message = "run_up_time needs an operating speed, which neither [operation] nor [machine] gives";
-            out.push(Diagnostic::error("operation.speed", message).at(extra.values.span_of("run_up_time")).help("add speed"));
+            let message = text!("run_up_time needs an operating speed, which neither [operation] nor [machine] gives");
+            out.push(Diagnostic::error("operation.speed", message).at(extra.values.span_of("run_up_time")).help(text!("add speed")));
         }
         return;
     };
     let place = extra.values.span_of("speed");
     if from * to <= 0.0 {
-        let message = "operating speeds begin above standstill and have one direction of rotation";
-        out.push(Diagnostic::error("operation.speed", message).at(place.clone()).help("give from and to of the same sign"));
+        let message = text!("operating speeds begin above standstill and have one direction of rotation");
+        out.push(Diagnostic::error("operation.speed", message).at(place.clone()).help(text!("give from and to of the same sign")));
     }
     // the speed of [machine] is one of those at which it runs
     let (low, high) = (from.min(to), from.max(to));
     let slack = 1e-9 * high.abs().max(low.abs());
     if let Some(w) = system.machine.speed.filter(|w| !(low - slack..=high + slack).contains(w)) {
-        let message = format!(
-            "the speed of [machine], {}, is not among the operating speeds, {} to {}",
-            format_si(w, "rad/s"),
-            format_si(low, "rad/s"),
-            format_si(high, "rad/s")
+        let message = text!(
+            "the speed of [machine], {w}, is not among the operating speeds, {low} to {high}",
+            w = format_si(w, "rad/s"),
+            low = format_si(low, "rad/s"),
+            high = format_si(high, "rad/s")
         );
         out.push(
-            Diagnostic::error("operation.speed", message).at(place).help("give the speed in one of the two places, or change one of them"),
+            Diagnostic::error("operation.speed", message)
+                .at(place)
+                .help(text!("give the speed in one of the two places, or change one of them")),
         );
     }
 }

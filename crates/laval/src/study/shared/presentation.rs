@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Extra, Field, FieldKind};
 use crate::model::system::System;
+use crate::text;
 use crate::units::parse_unit;
 
 /// Lines of a typical block.
@@ -57,8 +58,8 @@ pub fn check(extra: &Extra, _: &System, out: &mut Diagnostics) {
     let Some(units) = extra.values.text("units").filter(|u| !matches!(*u, "file" | "si")) else { return };
     for unit in listed(units) {
         if let Err(e) = parse_unit(unit) {
-            let help = "write file, si, or units such as \"rpm, mm, kN\"";
-            out.push(Diagnostic::error("report.units", e.to_string()).at(extra.values.span_of("units")).help(help));
+            let help = text!("write file, si, or units such as \"rpm, mm, kN\"");
+            out.push(Diagnostic::error("report.units", e.sentence()).at(extra.values.span_of("units")).help(help));
         }
     }
 }

@@ -3,6 +3,8 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::significant;
+use crate::text;
+use crate::text::Text;
 
 /// Bytes of a number that is kept.
 pub(in crate::study) const KEPT: f64 = 8.0;
@@ -16,9 +18,9 @@ pub struct Size {
     /// Bytes, to a factor of two.
     pub bytes: f64,
     /// What takes them.
-    pub of: String,
+    pub of: Text,
     /// What to change.
-    pub fewer: &'static str,
+    pub fewer: Text,
 }
 
 impl Size {
@@ -27,8 +29,8 @@ impl Size {
         let states = (2 * system.n() + system.m()) as f64;
         Size {
             bytes: speeds as f64 * (2.5 * KEPT * states * states + 7.0 * LISTED * states),
-            of: format!("{speeds} spectra of {states} states"),
-            fewer: "give the range fewer points",
+            of: text!("{speeds} spectra of {states} states", speeds, states),
+            fewer: text!("give the range fewer points"),
         }
     }
 
@@ -39,7 +41,12 @@ impl Size {
             return Ok(());
         }
         let gigabytes = |b: f64| significant(1e-9 * b, 2);
-        let message = format!("{of} take about {} GB of memory, more than the {} GB allowed", gigabytes(bytes), gigabytes(MOST));
+        let message = text!(
+            "{of} take about {needed} GB of memory, more than the {most} GB allowed",
+            of,
+            needed = gigabytes(bytes),
+            most = gigabytes(MOST)
+        );
         Err(Diagnostic::error("request.memory", message).help(fewer))
     }
 }

@@ -7,6 +7,7 @@ use crate::model::part::{Beyond, Tabulated};
 use crate::model::system::System;
 use crate::outcome::{Arg, Finding, Level, Message, Outcome};
 use crate::study::Study;
+use crate::text;
 use crate::units::format_si;
 
 /// Fields of studies that are spin speeds.
@@ -59,13 +60,26 @@ pub(in crate::study) fn known<T: Study>(study: &T, system: &System) -> Result<()
     for (name, t) in refusing {
         if let Some(n) = needed.iter().find(|n| n.leaves(&t)) {
             let speed = |w: f64| format_si(w, "rad/s");
-            let table = format!("from {} to {}", speed(t.from), speed(t.to));
-            let wanted =
-                if n.from == n.to { format!("at {}", speed(n.from)) } else { format!("from {} to {}", speed(n.from), speed(n.to)) };
-            let message = format!("the study needs the coefficients of \"{name}\" {wanted}; its table goes {table}");
-            return Err(Diagnostic::error(BEYOND, message).help(format!(
-                "keep to speeds of the table, add rows to it, or write beyond = \"hold\" or beyond = \"linear\" in \"{name}\": results beyond are then marked"
-            )));
+            let (low, high, from, to) = (speed(t.from), speed(t.to), speed(n.from), speed(n.to));
+            let message = if n.from == n.to {
+                text!(
+                    "the study needs the coefficients of \"{name}\" at {from}; its table goes from {low} to {high}",
+                    name,
+                    from,
+                    low,
+                    high
+                )
+            } else {
+                text!(
+                    "the study needs the coefficients of \"{name}\" from {from} to {to}; its table goes from {low} to {high}",
+                    name,
+                    from,
+                    to,
+                    low,
+                    high
+                )
+            };
+            return Err(Diagnostic::error(BEYOND, message).help(text!("keep to speeds of the table, add rows to it, or write beyond = \"hold\" or beyond = \"linear\" in \"{name}\": results beyond are then marked", name)));
         }
     }
     Ok(())

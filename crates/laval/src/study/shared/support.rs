@@ -10,6 +10,8 @@ use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
 use crate::solve::{rest, turning};
+use crate::text;
+use crate::text::Text;
 use serde::{Deserialize, Serialize};
 
 /// Bounds of a spin speed, rad/s. Coefficients of bearings are given for one sense of turning, that of the axes: a machine that turns the other way is
@@ -157,9 +159,9 @@ pub fn admit_threshold(system: &System, speed: f64, threshold: f64) -> Result<()
     match decay_uncounted(system, speed) {
         Some(name) if threshold < 0.0 => Err(Diagnostic::error(
             "study.growth_threshold",
-            format!("with {name} roots are counted where they grow: whether one decays more slowly than at a growth_threshold below 0 is not known"),
+            text!("with {name} roots are counted where they grow: whether one decays more slowly than at a growth_threshold below 0 is not known", name = text::term(name)),
         )
-        .help("give a growth_threshold of 0 or more; a transient shows how fast a motion dies out")),
+        .help(text!("give a growth_threshold of 0 or more; a transient shows how fast a motion dies out"))),
         _ => Ok(()),
     }
 }
@@ -169,9 +171,9 @@ pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) ->
     let found = values.number("speed").or(system.machine.speed);
     if found.is_none() {
         diagnostics.push(
-            Diagnostic::error("study.speed", "this study needs a spin speed")
+            Diagnostic::error("study.speed", text!("this study needs a spin speed"))
                 .at(values.span_of("speed"))
-                .help("give speed = \"3000 rpm\" here, or once for all studies in [machine]"),
+                .help(text!("give speed = \"3000 rpm\" here, or once for all studies in [machine]")),
         );
     }
     found
@@ -181,8 +183,8 @@ pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) ->
 pub const COUNTS: f64 = 20.0;
 
 /// How to mend a range whose ends do not rise.
-pub fn apart(from: f64, to: f64) -> &'static str {
-    if from == to { "give two values that differ" } else { "exchange from and to" }
+pub fn apart(from: f64, to: f64) -> Text {
+    if from == to { text!("give two values that differ") } else { text!("exchange from and to") }
 }
 
 /// A single value, or a [`range`].
@@ -192,33 +194,39 @@ pub fn one_or_range(field: &str, given: RangeValue, least: usize, values: &Value
 
 /// A range whose ends differ and whose number of points is at least `least`, and not beyond what memory can keep.
 pub fn range(field: &str, given: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
-    let speeds = "; modes, forced_response, stability_map and transient take one speed";
-    range_or(field, (given, if field == "speed" { speeds } else { "" }), least, values, diagnostics)
+    let speeds: fn(Text) -> Text = |help| text!("{help}; modes, forced_response, stability_map and transient take one speed", help);
+    range_or(field, (given, if field == "speed" { speeds } else { |help| help }), least, values, diagnostics)
 }
 
 /// Least width of a range, relative to its larger end: steps inside a narrower one are lost in the rounding of its values.
 pub(in crate::study) const NARROWEST: f64 = 1e-9;
 
-/// The same; what is said besides where it is one value: which study answers then.
+/// The same; what is added to the help where it is one value: which study answers then.
 pub fn range_or(
     field: &str,
-    (range, one): (RangeValue, &str),
+    (range, one): (RangeValue, fn(Text) -> Text),
     least: usize,
     values: &Values,
     diagnostics: &mut Diagnostics,
 ) -> Option<RangeValue> {
     let wrong = if range.is_one() {
-        let message = format!("{field} is one value, and this study needs a range");
-        Some((message, format!("write {field} = {{ from = .., to = .. }}{one}")))
+        let message = text!("{field} is one value, and this study needs a range", field);
+        Some((message, one(text!("write {field} = {{ from = .., to = .. }}", field))))
     } else if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
-        Some((format!("{field} must go from a lower to a higher value"), apart(range.from, range.to).to_string()))
+        Some((text!("{field} must go from a lower to a higher value", field), apart(range.from, range.to)))
     } else if range.to - range.from <= NARROWEST * range.to.abs().max(range.from.abs()) {
-        Some((format!("{field} is too narrow: its ends differ by less than a billionth"), format!("{field} needs ends farther apart{one}")))
+        let help = one(text!("{field} needs ends farther apart", field));
+        Some((text!("{field} is too narrow: its ends differ by less than a billionth", field), help))
     } else if range.points.is_some_and(|p| p < least) {
-        Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))
+        Some((text!("{field} needs at least {least} points", field, least), text!("leave points out for a fitting number")))
     } else {
         let many = range.points.filter(|&p| p > MOST_POINTS);
-        many.map(|p| (format!("{field} requires {p} points, which are too many"), format!("at most {MOST_POINTS} points")))
+        many.map(|p| {
+            (
+                text!("{field} requires {points} points, which are too many", field, points = p),
+                text!("at most {most} points", most = MOST_POINTS),
+            )
+        })
     };
     match wrong {
         Some((message, help)) => {

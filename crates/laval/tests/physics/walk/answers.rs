@@ -39,7 +39,7 @@ impl Answer {
 
     pub fn text(&self) -> String {
         match self {
-            Answer::Refused(d) => d.iter().map(|d| d.message.clone()).collect::<Vec<_>>().join("; "),
+            Answer::Refused(d) => d.iter().map(|d| d.message.to_string()).collect::<Vec<_>>().join("; "),
             Answer::Outcome(o) => o.findings.iter().map(|f| format!("{} {:?}: {}\n", f.id, f.level, f.sentence())).collect(),
         }
     }

@@ -7,7 +7,7 @@ pub mod task;
 pub use carried::{Carried, carried, exchanged, part as cup_part, uncarried};
 pub use fields::{SUSPENSION, SUSPENSION_DOC, SUSPENSION_EXAMPLE, cup_kinds};
 
-use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Attach, Extra, Field, FieldKind, Values};
 use crate::model::system::{GRAVITY, System};
 use crate::outcome::{quantity, significant};
@@ -20,6 +20,8 @@ use crate::separation::machine::{Bowl, Cup, Decanter, Discs, Separator};
 use crate::separation::measures::Cone;
 use crate::separation::particle::{Drag, Medium, drop_factor};
 use crate::separation::tube::Tube;
+use crate::text;
+use crate::text::Text;
 use laval_num::interpolate::Interpolant;
 use std::f64::consts::FRAC_PI_2;
 
@@ -54,7 +56,7 @@ pub fn check_suspension(extra: &Extra, _: &System, out: &mut Diagnostics) {
     suspension(&extra.values, out);
 }
 
-fn wrong(out: &mut Diagnostics, values: &Values, field: &str, code: &'static str, message: String, help: &str) {
+fn wrong(out: &mut Diagnostics, values: &Values, field: &str, code: &'static str, message: Text, help: Text) {
     out.push(Diagnostic::error(code, message).at(values.span_of(field)).help(help));
 }
 
@@ -73,16 +75,16 @@ pub fn vessel(extra: &Extra, system: &System, out: &mut Diagnostics) -> Option<V
                     v,
                     "surface",
                     "cup.empty",
-                    "the tube holds no liquid: its surface lies at the bottom or below".into(),
-                    "measure surface and length from the mouth",
+                    text!("the tube holds no liquid: its surface lies at the bottom or below"),
+                    text!("measure surface and length from the mouth"),
                 );
             }
             if v.number("centre_of_mass").is_some_and(|l| !(l <= THICK * tube.length)) {
-                let message = "the centre of mass lies far below the bottom of the tube".into();
-                wrong(out, v, "centre_of_mass", "cup.centre", message, "measure it from the mouth, with contents");
+                let message = text!("the centre of mass lies far below the bottom of the tube");
+                wrong(out, v, "centre_of_mass", "cup.centre", message, text!("measure it from the mouth, with contents"));
             }
             if tube.mouth - tube.radius * tube.angle.cos() <= 0.0 {
-                wrong(out, v, "mouth_radius", "cup.axis", "the tube reaches across the spin axis".into(), "increase mouth_radius");
+                wrong(out, v, "mouth_radius", "cup.axis", text!("the tube reaches across the spin axis"), text!("increase mouth_radius"));
             } else {
                 apart(v, ("mouth_radius", tube.mouth), (tube.radius, 0.0), &[tube.angle], out);
             }
@@ -97,7 +99,7 @@ pub fn vessel(extra: &Extra, system: &System, out: &mut Diagnostics) -> Option<V
                 spacing: n("spacing"),
             };
             if !(d.inner < d.outer) {
-                wrong(out, v, "inner_radius", "cup.radii", "inner_radius must be smaller than outer_radius".into(), "exchange them");
+                wrong(out, v, "inner_radius", "cup.radii", text!("inner_radius must be smaller than outer_radius"), text!("exchange them"));
             }
             Separator::Discs(d)
         }
@@ -109,8 +111,8 @@ pub fn vessel(extra: &Extra, system: &System, out: &mut Diagnostics) -> Option<V
                     v,
                     "surface_radius",
                     "cup.radii",
-                    "the liquid's surface must lie inside the bowl: surface_radius below bowl_radius".into(),
-                    "the surface is the inner face of the liquid",
+                    text!("the liquid's surface must lie inside the bowl: surface_radius below bowl_radius"),
+                    text!("the surface is the inner face of the liquid"),
                 );
             }
             if kind == "tubular_bowl" {
@@ -138,8 +140,8 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             v,
             "centre_of_mass",
             "cup.centre",
-            "how far the cup swings out depends on its centre of mass, which is missing".into(),
-            "add centre_of_mass = \"60 mm\" (from the hinge, with contents), or hold the cup at a tilt",
+            text!("how far the cup swings out depends on its centre of mass, which is missing"),
+            text!("add centre_of_mass = \"60 mm\" (from the hinge, with contents), or hold the cup at a tilt"),
         );
         return None;
     }
@@ -153,7 +155,7 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
         product: n("moment_product"),
     };
     if v.number("moment_along").is_some() && v.number("mass").is_none() {
-        wrong(out, v, "moment_along", "cup.mass", "a moment of inertia needs the mass it belongs to".into(), "add mass");
+        wrong(out, v, "moment_along", "cup.mass", text!("a moment of inertia needs the mass it belongs to"), text!("add mass"));
     }
     if body.moment_along * body.moment_across < body.product * body.product || body.moment_along < mass * along * along * (1.0 - 1e-9) {
         wrong(
@@ -161,8 +163,10 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             v,
             "moment_along",
             "cup.moments",
-            "no body has these second moments about the hinge".into(),
-            "moment_along is at least mass times centre_of_mass squared; moment_product squared is at most moment_along times moment_across",
+            text!("no body has these second moments about the hinge"),
+            text!(
+                "moment_along is at least mass times centre_of_mass squared; moment_product squared is at most moment_along times moment_across"
+            ),
         );
     }
     let vessel = Cylinder { radius: n("cup_radius"), bottom: n("bottom"), top: n("surface") };
@@ -172,8 +176,8 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             v,
             "surface",
             "cup.empty",
-            "the cup holds no liquid: its surface lies at the bottom or below".into(),
-            "measure surface and bottom from the hinge, outwards",
+            text!("the cup holds no liquid: its surface lies at the bottom or below"),
+            text!("measure surface and bottom from the hinge, outwards"),
         );
     }
     // the bottom has a thickness and a foot
@@ -183,8 +187,12 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             v,
             "centre_of_mass",
             "cup.centre",
-            format!("the centre of mass lies {along} m from the hinge, far below the bottom of the cup at {} m", vessel.bottom),
-            "measure both from the hinge",
+            text!(
+                "the centre of mass lies {along} m from the hinge, far below the bottom of the cup at {bottom} m",
+                along,
+                bottom = vessel.bottom
+            ),
+            text!("measure both from the hinge"),
         );
     }
     if !(body.across.abs() <= THICK * vessel.radius) {
@@ -193,8 +201,8 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             v,
             "centre_of_mass_across",
             "cup.centre",
-            "the centre of mass lies outside the cup".into(),
-            "at most cup_radius to either side of its axis",
+            text!("the centre of mass lies outside the cup"),
+            text!("at most cup_radius to either side of its axis"),
         );
     }
     let hinge = n("hinge_radius");
@@ -204,8 +212,8 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             v,
             "surface",
             "cup.axis",
-            "the surface of the liquid reaches across the spin axis when the cup has swung out".into(),
-            "increase hinge_radius",
+            text!("the surface of the liquid reaches across the spin axis when the cup has swung out"),
+            text!("increase hinge_radius"),
         );
     }
     const STEPS: usize = 90;
@@ -224,11 +232,20 @@ fn apart(v: &Values, (field, given): (&str, f64), (radius, top): (f64, f64), til
     let needed = tilts.iter().map(|&t| (least_hinge_radius(count, radius, top, t), t));
     let Some((least, tilt)) = needed.reduce(|a, b| if b.0 > a.0 { b } else { a }) else { return };
     if !(given >= least - 1e-9 * radius) {
-        let how = if tilt == 0.0 { "as they hang".into() } else { format!("at a tilt of {} deg", significant(tilt.to_degrees(), 3)) };
-        let message = format!("{count} cups with an inner radius of {} reach into each other {how}", quantity(radius, "m"));
-        let help =
-            format!("{field} is at least {} for {count} of them, without their walls; or give fewer with count", quantity(least, "m"));
-        wrong(out, v, field, "cup.overlap", message, &help);
+        let inner = quantity(radius, "m");
+        let message = if tilt == 0.0 {
+            text!("{count} cups with an inner radius of {inner} reach into each other as they hang", count, inner)
+        } else {
+            let tilt = significant(tilt.to_degrees(), 3);
+            text!("{count} cups with an inner radius of {inner} reach into each other at a tilt of {tilt} deg", count, inner, tilt)
+        };
+        let help = text!(
+            "{field} is at least {least} for {count} of them, without their walls; or give fewer with count",
+            field,
+            least = quantity(least, "m"),
+            count
+        );
+        wrong(out, v, field, "cup.overlap", message, help);
     }
 }
 
@@ -241,18 +258,19 @@ fn load(extra: &Extra, separator: &Separator, system: &System, out: &mut Diagnos
     if !bodies().any(|b| b == name) {
         let all = bodies().collect::<Vec<_>>().join(", ");
         let help = match nearest(&name, bodies()) {
-            Some(b) => format!("did you mean \"{b}\"? Bodies of this machine: {all}"),
-            None => format!("bodies of this machine: {all}"),
+            Some(b) => meant(text::quoted(&b), text!("bodies of this machine: {all}", all)),
+            None => text!("bodies of this machine: {all}", all),
         };
-        let message = format!("\"{name}\", which carries it, does not exist");
+        let message = text!("\"{name}\", which carries it, does not exist", name);
         out.push(Diagnostic::error("body.missing", message).at(v.span_of("on")).about(name).help(help));
         return None;
     }
     let parameters = system.slot(&name).and_then(|s| s.part.body()).map(|b| b.parameters()).unwrap_or_default();
-    for (what, parameter) in [("mass", parameters.mass), ("unbalance", parameters.unbalance)] {
+    let mass = text!("\"{name}\" has no mass of its own that cups could add to", name);
+    let unbalance = text!("\"{name}\" has no unbalance of its own that cups could add to", name);
+    for (message, parameter) in [(mass, parameters.mass), (unbalance, parameters.unbalance)] {
         if parameter.is_none() {
-            let message = format!("\"{name}\" has no {what} of its own that cups could add to");
-            wrong(out, v, "on", "cup.body", message, "attach the cups to a disc");
+            wrong(out, v, "on", "cup.body", message, text!("attach the cups to a disc"));
             return None;
         }
     }
@@ -262,8 +280,8 @@ fn load(extra: &Extra, separator: &Separator, system: &System, out: &mut Diagnos
             v,
             "on",
             "cup.mass",
-            "what loads a body needs mass and centre_of_mass".into(),
-            "add both, with contents; or leave on out",
+            text!("what loads a body needs mass and centre_of_mass"),
+            text!("add both, with contents; or leave on out"),
         );
         return None;
     };
@@ -276,19 +294,26 @@ fn load(extra: &Extra, separator: &Separator, system: &System, out: &mut Diagnos
                 v,
                 field,
                 "cup.count",
-                format!("{} values are given for {count} cups", given.len()),
-                "give one for each, 0 for those that fit",
+                text!("{given} values are given for {count} cups", given = given.len(), count),
+                text!("give one for each, 0 for those that fit"),
             );
         }
         given
     };
     let (masses, centres) = (list("mass_differences"), list("centre_differences"));
     if centres.iter().any(|d| !(d.abs() < centre)) {
-        let message = "a centre of mass would lie at the hinge or beyond it".into();
-        wrong(out, v, "centre_differences", "cup.centre", message, "differences are small against centre_of_mass");
+        let message = text!("a centre of mass would lie at the hinge or beyond it");
+        wrong(out, v, "centre_differences", "cup.centre", message, text!("differences are small against centre_of_mass"));
     }
     if masses.iter().any(|d| mass + d < 0.0) {
-        wrong(out, v, "mass_differences", "cup.negative", "a cup would weigh less than nothing".into(), "a missing cup is minus its mass");
+        wrong(
+            out,
+            v,
+            "mass_differences",
+            "cup.negative",
+            text!("a cup would weigh less than nothing"),
+            text!("a missing cup is minus its mass"),
+        );
     }
     let (hinge, held) = match separator {
         Separator::Cup(c) => (c.hanging, c.held),
@@ -338,8 +363,8 @@ fn viscosity(v: &Values, out: &mut Diagnostics) -> Option<f64> {
                     v,
                     "viscosity_table",
                     "suspension.viscosity",
-                    "a viscosity in the table is not positive".into(),
-                    "check the column and its unit",
+                    text!("a viscosity in the table is not positive"),
+                    text!("check the column and its unit"),
                 );
                 return None;
             }
@@ -353,15 +378,22 @@ fn viscosity(v: &Values, out: &mut Diagnostics) -> Option<f64> {
                             v,
                             "temperature",
                             "suspension.temperature",
-                            format!("the viscosity table goes from {low} K to {high} K; at {t} K it says nothing"),
-                            "extend the table: viscosity is not extrapolated",
+                            text!("the viscosity table goes from {low} K to {high} K; at {t} K it says nothing", low, high, t),
+                            text!("extend the table: viscosity is not extrapolated"),
                         );
                         return None;
                     }
                     Some(curve.value(t).exp())
                 }
                 Err(e) => {
-                    wrong(out, v, "viscosity_table", "suspension.viscosity", e.to_string(), "give temperatures in increasing order");
+                    wrong(
+                        out,
+                        v,
+                        "viscosity_table",
+                        "suspension.viscosity",
+                        text!("{why}", why = e),
+                        text!("give temperatures in increasing order"),
+                    );
                     None
                 }
             }
@@ -372,13 +404,20 @@ fn viscosity(v: &Values, out: &mut Diagnostics) -> Option<f64> {
                 v,
                 "temperature",
                 "suspension.temperature",
-                "a viscosity table needs the temperature at which the liquid is separated".into(),
-                "add temperature = \"60 degC\"",
+                text!("a viscosity table needs the temperature at which the liquid is separated"),
+                text!("add temperature = \"60 degC\""),
             );
             None
         }
         (Some(_), Some(_), _) => {
-            wrong(out, v, "viscosity", "suspension.viscosity", "both viscosity and viscosity_table are given".into(), "keep one of them");
+            wrong(
+                out,
+                v,
+                "viscosity",
+                "suspension.viscosity",
+                text!("both viscosity and viscosity_table are given"),
+                text!("keep one of them"),
+            );
             None
         }
         (None, None, _) => {
@@ -387,8 +426,8 @@ fn viscosity(v: &Values, out: &mut Diagnostics) -> Option<f64> {
                 v,
                 "viscosity",
                 "suspension.viscosity",
-                "the viscosity of the liquid is missing".into(),
-                "add viscosity = \"1 mPa s\", or a viscosity_table and a temperature",
+                text!("the viscosity of the liquid is missing"),
+                text!("add viscosity = \"1 mPa s\", or a viscosity_table and a temperature"),
             );
             None
         }
@@ -400,9 +439,9 @@ fn sizes(v: &Values, out: &mut Diagnostics) -> Option<Law> {
     let given: Vec<&str> = WAYS.into_iter().filter(|w| v.get(w).is_some()).collect();
     let [way] = given.as_slice() else {
         let message = if given.is_empty() {
-            "the size of the particles is missing".to_string()
+            text!("the size of the particles is missing")
         } else {
-            format!("the sizes are given in several ways: {}", given.join(", "))
+            text!("the sizes are given in several ways: {given}", given = given.join(", "))
         };
         wrong(
             out,
@@ -410,14 +449,14 @@ fn sizes(v: &Values, out: &mut Diagnostics) -> Option<Law> {
             given.first().copied().unwrap_or(""),
             "suspension.size",
             message,
-            "say one of diameter; median_diameter with geometric_deviation; characteristic_diameter with spread; sizes",
+            text!("say one of diameter; median_diameter with geometric_deviation; characteristic_diameter with spread; sizes"),
         );
         return None;
     };
     let mut need = |field: &str| {
         let x = v.number(field);
         if x.is_none() {
-            wrong(out, v, way, "suspension.size", format!("{way} needs {field} beside it"), &format!("add {field}"));
+            wrong(out, v, way, "suspension.size", text!("{way} needs {field} beside it", way, field), text!("add {field}", field));
         }
         x
     };
@@ -431,10 +470,12 @@ fn sizes(v: &Values, out: &mut Diagnostics) -> Option<Law> {
             let law = match (table.get("undersize"), table.get("share")) {
                 (Some(u), None) => Law::cumulative(d, u),
                 (None, Some(s)) => Law::classes(d, s),
-                _ => Err(Impossible("a powder needs either undersize or share for its diameters".into())),
+                _ => Err(Impossible(text!("a powder needs either undersize or share for its diameters"))),
             };
-            law.map_err(|Impossible(why)| wrong(out, v, "sizes", "suspension.size", why, "sizes = { diameter = [..], undersize = [..] }"))
-                .ok()
+            law.map_err(|Impossible(why)| {
+                wrong(out, v, "sizes", "suspension.size", why, text!("sizes = {{ diameter = [..], undersize = [..] }}"))
+            })
+            .ok()
         }
     }
 }
@@ -448,15 +489,15 @@ fn densities(v: &Values, out: &mut Diagnostics) -> Option<Law> {
                 v,
                 "densities",
                 "suspension.density",
-                "the densities are given in two ways".into(),
-                "keep densities or density_deviation",
+                text!("the densities are given in two ways"),
+                text!("keep densities or density_deviation"),
             );
             None
         }
         (Some(table), None) => {
             let law = Law::classes(table.get("density")?, table.get("share")?);
             law.map_err(|Impossible(why)| {
-                wrong(out, v, "densities", "suspension.density", why, "densities = { density = [..], share = [..] }")
+                wrong(out, v, "densities", "suspension.density", why, text!("densities = {{ density = [..], share = [..] }}"))
             })
             .ok()
         }
@@ -473,20 +514,19 @@ pub fn the_vessel(values: &Values, system: &System, out: &mut Diagnostics) -> Op
         Some(name) => cups
             .iter()
             .find(|c| c.name == name)
-            .ok_or_else(|| (format!("there is no cup named \"{name}\""), format!("cups of this machine: {names}"))),
-        None if cups.len() > 1 => Err(("this machine has several cups".to_string(), format!("add cup = .. with one of {names}"))),
+            .ok_or_else(|| (text!("there is no cup named \"{name}\"", name), text!("cups of this machine: {names}", names))),
+        None if cups.len() > 1 => Err((text!("this machine has several cups"), text!("add cup = .. with one of {names}", names))),
         None => cups.first().ok_or_else(|| {
             (
-                "this machine has nothing that separates".to_string(),
-                "add a block [[cup]] with kind = \"swinging\", \"fixed_angle\", \"tubular_bowl\", \"disc_stack\" or \"decanter\""
-                    .to_string(),
+                text!("this machine has nothing that separates"),
+                text!("add a block [[cup]] with kind = \"swinging\", \"fixed_angle\", \"tubular_bowl\", \"disc_stack\" or \"decanter\""),
             )
         }),
     };
     match found {
         Ok(extra) => vessel(extra, system, &mut Diagnostics::default()),
         Err((message, help)) => {
-            wrong(out, values, "cup", "separation.cup", message, &help);
+            wrong(out, values, "cup", "separation.cup", message, help);
             None
         }
     }
@@ -502,8 +542,8 @@ pub fn the_suspension(values: &Values, system: &System, out: &mut Diagnostics) -
                 values,
                 "",
                 "separation.suspension",
-                "this machine has nothing to separate".into(),
-                "add a block [suspension] with liquid_density, viscosity, particle_density and diameter",
+                text!("this machine has nothing to separate"),
+                text!("add a block [suspension] with liquid_density, viscosity, particle_density and diameter"),
             );
             None
         }

@@ -11,6 +11,7 @@ use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
 use crate::separation::particle::Drag;
 use crate::separation::recovery::{Recovery, Watch};
+use crate::text;
 
 /// A separation that is requested.
 #[derive(Clone, Debug)]
@@ -94,37 +95,48 @@ pub fn task(values: &Values, system: &System, time: Option<f64>, out: &mut Diagn
         (None, None, given) => {
             let time = given.or(time);
             if time.is_none() {
-                let message = "the time in which the cups must have separated is needed".into();
-                wrong(out, values, "time", "separation.time", message, "add time = \"30 min\"");
+                let message = text!("the time in which the cups must have separated is needed");
+                wrong(out, values, "time", "separation.time", message, text!("add time = \"30 min\""));
             }
             time
         }
         (Some(_), ..) => {
-            let message = format!("liquid flows through \"{}\": its throughput is needed, not a time", vessel.name);
-            wrong(out, values, "throughput", "separation.throughput", message, "add throughput = \"500 l/h\", and no time");
+            let message = text!("liquid flows through \"{name}\": its throughput is needed, not a time", name = vessel.name);
+            wrong(out, values, "throughput", "separation.throughput", message, text!("add throughput = \"500 l/h\", and no time"));
             None
         }
         (None, Some(_), _) => {
-            let message = format!("nothing flows through \"{}\"", vessel.name);
-            wrong(out, values, "throughput", "separation.throughput", message, "give time = \"10 min\" instead");
+            let message = text!("nothing flows through \"{name}\"", name = vessel.name);
+            wrong(out, values, "throughput", "separation.throughput", message, text!("give time = \"10 min\" instead"));
             None
         }
     };
     let nonlinear = suspension.medium.drag == Drag::SchillerNaumann;
     if nonlinear && matches!(vessel.separator, Separator::Decanter(_)) {
-        let message = "a decanter is counted by its Sigma, which exists for Stokes' drag alone".into();
-        wrong(out, values, "cup", "separation.drag", message, "use drag = \"stokes\" in [suspension], or a tubular_bowl of the same Sigma");
+        let message = text!("a decanter is counted by its Sigma, which exists for Stokes' drag alone");
+        wrong(
+            out,
+            values,
+            "cup",
+            "separation.drag",
+            message,
+            text!("use drag = \"stokes\" in [suspension], or a tubular_bowl of the same Sigma"),
+        );
     }
     let (powder, liquid) = (&suspension.powder, suspension.medium.density);
     if powder.density.quantile(0.5) == liquid && powder.density.is_single() {
-        let message = "particles and liquid have the same density: nothing separates".into();
-        wrong(out, values, "", "separation.neutral", message, "give particle_density another value than liquid_density");
+        let message = text!("particles and liquid have the same density: nothing separates");
+        wrong(out, values, "", "separation.neutral", message, text!("give particle_density another value than liquid_density"));
     }
     let (wide, middle) = (vessel.separator.width(), powder.size.quantile(0.5));
     if !(middle <= wide) {
-        let message =
-            format!("particles of {} do not fit into \"{}\", which is {} wide", quantity(middle, "m"), vessel.name, quantity(wide, "m"));
-        wrong(out, values, "", "separation.size", message, "check the unit of the diameter in [suspension]");
+        let message = text!(
+            "particles of {size} do not fit into \"{name}\", which is {wide} wide",
+            size = quantity(middle, "m"),
+            name = vessel.name,
+            wide = quantity(wide, "m")
+        );
+        wrong(out, values, "", "separation.size", message, text!("check the unit of the diameter in [suspension]"));
     }
     if out.0.len() > before {
         return None;
@@ -148,8 +160,8 @@ pub fn task(values: &Values, system: &System, time: Option<f64>, out: &mut Diagn
 
 /// A particle whose path could not be computed.
 pub fn lost(Lost(why): Lost) -> Diagnostic {
-    Diagnostic::error("separation.motion", format!("the path of a particle could not be computed: {why}"))
-        .help("a particle that moves much faster than the cup turns needs drag = \"schiller_naumann\"")
+    Diagnostic::error("separation.motion", text!("the path of a particle could not be computed: {why}", why))
+        .help(text!("a particle that moves much faster than the cup turns needs drag = \"schiller_naumann\""))
 }
 
 /// Time a share of a batch takes at a speed, s; `watch` receives every path.

@@ -21,6 +21,7 @@ use crate::separation::exit::Cylinder;
 use crate::separation::machine::Separator;
 use crate::study::centrifuge::cups::task::Task;
 use crate::study::centrifuge::cups::{Carried, exchanged};
+use crate::text;
 
 /// What is different after a separation.
 #[derive(Clone, Debug)]
@@ -75,8 +76,8 @@ fn packed(body: &mut Hanging, v: &Cylinder, excess: f64) {
 pub(super) fn after(system: &System, changed: &Changed) -> Result<System, Diagnostic> {
     let by_path: Vec<(&str, f64)> = changed.overrides.iter().map(|(p, x)| (p.as_str(), *x)).collect();
     system.with(&by_path).and_then(|s| exchanged(&s, &changed.cups)).map_err(|d| {
-        let why = d.0.into_iter().next().map(|d| d.message).unwrap_or_default();
-        Diagnostic::error("operating_window.contents", format!("the machine with what it has separated does not exist: {why}"))
+        let why = d.into_error().message;
+        Diagnostic::error("operating_window.contents", text!("the machine with what it has separated does not exist: {why}", why))
     })
 }
 

@@ -161,7 +161,7 @@ impl Evaluator<'_> {
         let found = needed(&task.batch, point.speed, task.recovery, &|| true);
         let time = found.as_ref().map_or(f64::NAN, |t| *t);
         let value = 1.0 - time / task.time;
-        let detail = found.map_or_else(|d| Detail::Path(d.message), |_| Detail::Time);
+        let detail = found.map_or_else(|d| Detail::Path(d.message.to_string()), |_| Detail::Time);
         point.needed = time;
         point.margins.retain(|m| m.name != 0);
         point.margins.insert(0, margin(0, if value.is_finite() { value } else { f64::NAN }, detail));

@@ -45,6 +45,7 @@ use crate::outcome::{End, Outcome};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::SPEED_RANGE;
 use crate::study::{Context, Study};
+use crate::text;
 pub use detail::Detail;
 use evaluate::Care;
 pub use evaluate::{Counted, Evaluated, Unseen};
@@ -191,7 +192,7 @@ ramp = "60 s"
         let corners = if self.uncertain.is_empty() { 0 } else { 1usize << self.uncertain.len() };
         let others = corners + self.map.as_ref().map_or(0, |m| m.1.points.unwrap_or(MAP_POINTS));
         let speeds = self.speed.points.unwrap_or(SPEEDS) + others * SPEEDS / 2;
-        context.announce(speeds as f64, 1000.0, "speeds to evaluate, and more where something happens");
+        context.announce(speeds as f64, 1000.0, text!("speeds to evaluate, and more where something happens"));
         let Some(main) = self.evaluate(system, context, Care::Full, None, 0)? else {
             return Ok(WindowResult { found: None, end: context.end(false) });
         };

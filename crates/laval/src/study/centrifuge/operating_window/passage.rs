@@ -13,6 +13,7 @@ use crate::study::Context;
 use crate::study::motion::start::Start;
 use crate::study::shared::limits::Limits;
 use crate::study::shared::support::largest;
+use crate::text;
 use laval_num::ode::End;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -58,7 +59,7 @@ const PARTS: f64 = 1e6;
 impl Passage {
     /// Simulates both ways; `duration` is the time to the top speed. `None` when it was stopped, or the work limit ended it.
     pub(super) fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Option<Self>, Diagnostic> {
-        context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in the simulation of the passage");
+        context.announce(duration * top / TAU, 1e5, text!("turns of the rotor to integrate in the simulation of the passage"));
         let reported = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
         let Some((ways, steps)) = both_ways(system, (top, duration), context, &reported)? else { return Ok(None) };
         let points = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference()).cloned().collect();
@@ -156,7 +157,7 @@ fn both_ways(
         let behind = if to < from { 0.5 } else { 0.0 };
         let phase = state.as_ref().map_or(0.0, |s| s.1);
         let programme = Programme::ramp(from, to, duration, Shape::Linear, phase)
-            .map_err(|e| Diagnostic::error("operating_window.ramp", e.0).help("give the ramp another duration"))?;
+            .map_err(|e| Diagnostic::error("operating_window.ramp", e.0).help(text!("give the ramp another duration")))?;
         let mut motion = Motion::new(system, SpinLaw::Programme(programme.clone()))?;
         let start = Start::new(system, from);
         let y = state.take().map_or_else(
@@ -192,9 +193,12 @@ fn both_ways(
         if trajectory.run.end != End::Reached {
             return Err(Diagnostic::error(
                 "operating_window.passage",
-                format!("the passage could not be computed beyond {:.5} rad/s", programme.at(trajectory.run.t).speed),
+                text!(
+                    "the passage could not be computed beyond {speed} rad/s",
+                    speed = format_args!("{:.5}", programme.at(trajectory.run.t).speed)
+                ),
             )
-            .help("shorten the ramp or the range of speeds; a machine that is unstable below the window may move without bound"));
+            .help(text!("shorten the ramp or the range of speeds; a machine that is unstable below the window may move without bound")));
         }
         let dim = trajectory.state.len();
         let mut torques = Vec::new();

@@ -12,12 +12,14 @@ use crate::study::centrifuge::cups;
 use crate::study::centrifuge::cups::task::{self, Task};
 use crate::study::shared::limits::{self, Limits};
 use crate::study::shared::support::range;
+use crate::text;
+use crate::text::Text;
 use std::sync::Arc;
 
 /// Most uncertain parameters: their corners are all evaluated.
 const MOST_UNCERTAIN: usize = 5;
 
-fn wrong(out: &mut Diagnostics, values: &Values, field: &str, code: &'static str, message: impl Into<String>, help: &str) {
+fn wrong(out: &mut Diagnostics, values: &Values, field: &str, code: &'static str, message: Text, help: Text) {
     out.push(Diagnostic::error(code, message).at(values.span_of(field)).help(help));
 }
 
@@ -27,8 +29,8 @@ pub(super) fn read(values: &Values, system: &System, out: &mut Diagnostics) -> O
     let mut own = Diagnostics::default();
     let speed = range("speed", given, 5, values, &mut own);
     if speed.is_some_and(|s| s.from <= 0.0) {
-        let help = "begin at a low speed, such as a tenth of the highest";
-        wrong(&mut own, values, "speed", "operating_window.speed", "the range of speeds must begin above standstill", help);
+        let help = text!("begin at a low speed, such as a tenth of the highest");
+        wrong(&mut own, values, "speed", "operating_window.speed", text!("the range of speeds must begin above standstill"), help);
     }
     let objective = match values.choice("objective") {
         Some("time") => Objective::Time,
@@ -66,8 +68,8 @@ fn uncertain(values: &Values, system: &System, out: &mut Diagnostics) -> Vec<(St
     let mut found = Vec::new();
     for (name, share) in values.named("uncertain") {
         let Some(path) = name else {
-            let help = "write uncertain = { suspension.viscosity = \"20 %\" }";
-            wrong(out, values, "uncertain", "operating_window.uncertain", "which parameters are uncertain is missing", help);
+            let help = text!("write uncertain = {{ suspension.viscosity = \"20 %\" }}");
+            wrong(out, values, "uncertain", "operating_window.uncertain", text!("which parameters are uncertain is missing"), help);
             continue;
         };
         let trial = current(system, path).ok_or_else(|| unknown(system, path)).and_then(|x| varied(system, path, x));
@@ -77,8 +79,8 @@ fn uncertain(values: &Values, system: &System, out: &mut Diagnostics) -> Vec<(St
         found.push((path.to_string(), share));
     }
     if found.len() > MOST_UNCERTAIN {
-        let message = format!("{} uncertain parameters are too many: every corner is evaluated", found.len());
-        wrong(out, values, "uncertain", "operating_window.uncertain", message, "keep at most five");
+        let message = text!("{found} uncertain parameters are too many: every corner is evaluated", found = found.len());
+        wrong(out, values, "uncertain", "operating_window.uncertain", message, text!("keep at most five"));
     }
     found
 }
@@ -98,20 +100,22 @@ fn timed(values: &Values) -> Option<&'static str> {
 fn separated(values: &Values, system: &System, top: f64, out: &mut Diagnostics) -> Option<Task> {
     if !separates(system) {
         if let Some(field) = timed(values) {
-            let message = "a time or throughput needs something to separate, and something that separates it";
-            wrong(out, values, field, "operating_window.separation", message, "add the blocks [[cup]] and [suspension]");
+            let message = text!("a time or throughput needs something to separate, and something that separates it");
+            wrong(out, values, field, "operating_window.separation", message, text!("add the blocks [[cup]] and [suspension]"));
         }
         return None;
     }
     let mut task = task::task(values, system, None, out)?;
     if let Some(t) = values.number("ramp").filter(|_| values.flag("count_ramp").unwrap_or(true)) {
         if task.throughput.is_none() && !(t <= task.time) {
-            let message = format!(
-                "the run-up to the top of the range takes {}, longer than the {} at hand that count from its start",
-                quantity(t, "s"),
-                quantity(task.time, "s")
+            let message = text!(
+                "the run-up to the top of the range takes {ramp}, longer than the {time} at hand that count from its start",
+                ramp = quantity(t, "s"),
+                time = quantity(task.time, "s")
             );
-            let help = "give a shorter ramp, a lower top of the range or more time; with count_ramp = false the time counts from the end of the run-up";
+            let help = text!(
+                "give a shorter ramp, a lower top of the range or more time; with count_ramp = false the time counts from the end of the run-up"
+            );
             wrong(out, values, "ramp", "operating_window.ramp", message, help);
             return None;
         }
@@ -125,12 +129,12 @@ fn run_up(values: &Values, limits: &Limits, out: &mut Diagnostics) {
     if values.number("ramp").is_some() {
         return;
     }
-    let help = "add ramp = \"60 s\": the time to the top of the range of speeds";
+    let help = text!("add ramp = \"60 s\": the time to the top of the range of speeds");
     if policy(values) == Policy::Reached {
-        let message = "the state that a run-up leads to needs the time of the run-up";
+        let message = text!("the state that a run-up leads to needs the time of the run-up");
         wrong(out, values, "branch_policy", "operating_window.separation", message, help);
     } else if !limits.passage.is_empty() || limits.torque.is_some() {
-        let message = "the limits on the passage need the time of the run-up";
+        let message = text!("the limits on the passage need the time of the run-up");
         wrong(out, values, "ramp", "operating_window.separation", message, help);
     }
 }
@@ -139,25 +143,25 @@ fn run_up(values: &Values, limits: &Limits, out: &mut Diagnostics) {
 fn aimed(objective: Objective, values: &Values, system: &System, limits: &Limits, out: &mut Diagnostics) {
     // where a time is given, what separates is missing already
     if objective == Objective::Time && !separates(system) && timed(values).is_none() {
-        let message = "there is no separation whose time could be shortest";
+        let message = text!("there is no separation whose time could be shortest");
         wrong(
             out,
             values,
             "objective",
             "operating_window.objective",
             message,
-            "add [[cup]], [suspension] and time (throughput where liquid flows through)",
+            text!("add [[cup]], [suspension] and time (throughput where liquid flows through)"),
         );
     }
     if objective == Objective::Amplitude && !limits.vibration() {
-        let message = "no limit on vibration is given that amplitudes could be measured against";
+        let message = text!("no limit on vibration is given that amplitudes could be measured against");
         wrong(
             out,
             values,
             "objective",
             "operating_window.objective",
             message,
-            "add displacement, velocity, tilt, force or moment to [limits]",
+            text!("add displacement, velocity, tilt, force or moment to [limits]"),
         );
     }
 }
@@ -182,7 +186,7 @@ pub(super) fn requested(study: &OperatingWindow, system: &System) -> Result<(Opt
     if own.has_errors() {
         return Err(Diagnostic::error(
             "operating_window.separation",
-            "what the study requires of the machine does not fit its cups and suspension",
+            text!("what the study requires of the machine does not fit its cups and suspension"),
         ));
     }
     Ok((task, limits))

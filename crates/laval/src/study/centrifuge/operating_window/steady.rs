@@ -16,6 +16,7 @@ use crate::solve::pencil::wants_polish;
 use crate::solve::pencil::{Spectrum, modes_about};
 use crate::solve::rest::rest;
 use crate::study::shared::support::{growth_error, growth_rounding, larger};
+use crate::text;
 use laval_num::complex::C64;
 use laval_num::newton::{Options, newton};
 use std::collections::BTreeMap;
@@ -214,7 +215,7 @@ impl Branches {
         let d: Discretisation = self.response.discretisation;
         let mut balance = Balance::new(system, d, self.range, None)?;
         let mut stability = Stability::new(system).map_err(|why| {
-            Diagnostic::error("operating_window.stability", format!("the stability of a steady state cannot be assessed: {why}"))
+            Diagnostic::error("operating_window.stability", text!("the stability of a steady state cannot be assessed: {why}", why))
         })?;
         let mut found: Vec<Vec<f64>> = Vec::new();
         for mut x in self.starts(speed) {
@@ -234,7 +235,7 @@ impl Branches {
             let unknown = Growth { rate: f64::NAN, beyond: f64::NAN };
             let growth = exponents.map_or(unknown, |e| Growth { rate: e.growth(), beyond: e.growth() - e.error });
             let orbit = Orbit::of(&mut balance, &x, speed)
-                .map_err(|e| Diagnostic::error("operating_window.orbit", format!("a steady state cannot be evaluated: {e}")))?;
+                .map_err(|e| Diagnostic::error("operating_window.orbit", text!("a steady state cannot be evaluated: {e}", e)))?;
             out.push(shown(system, &orbit, &[], d.divisor, growth));
         }
         Ok(out)

@@ -9,6 +9,7 @@ use crate::model::field::{Extra, FieldKind, RangeValue, Value};
 use crate::model::system::System;
 use crate::outcome::quantity;
 use crate::study::{Context, blocks, with_blocks};
+use crate::text;
 use laval_num::text::Text;
 use laval_num::work::Here;
 use rayon::prelude::*;
@@ -195,12 +196,13 @@ pub(super) fn unknown(system: &System, path: &str) -> Diagnostic {
             own.push(path);
         }
     }
-    if own.is_empty() { plain } else { plain.help(format!("numbers of \"{name}\": {}", own.join(", "))) }
+    if own.is_empty() { plain } else { plain.help(text!("numbers of \"{name}\": {own}", name, own = own.join(", "))) }
 }
 
 /// The machine with a parameter changed.
 pub(super) fn varied(system: &System, path: &str, x: f64) -> Result<System, Diagnostic> {
-    let bounds = || Diagnostic::error("parameter.bounds", format!("{path} cannot be {}", quantity(x, unit_of(system, path))));
+    let bounds =
+        || Diagnostic::error("parameter.bounds", text!("{path} cannot be {value}", path, value = quantity(x, unit_of(system, path))));
     let first = |d: Diagnostics| d.0.into_iter().next().unwrap_or_else(bounds);
     if system.param(path).is_some() {
         return system.with(&[(path, x)]).map_err(first);
@@ -209,8 +211,8 @@ pub(super) fn varied(system: &System, path: &str, x: f64) -> Result<System, Diag
     let mut extras: Vec<Extra> = system.machine.extras.clone();
     let extra = extras.iter_mut().find(|e| e.name == name).ok_or_else(|| unknown(system, path))?;
     if extra.values.number(field).is_none() {
-        return Err(Diagnostic::error("parameter.unknown", format!("\"{name}\" has no number {field} to vary"))
-            .help("give it a value in its block first"));
+        return Err(Diagnostic::error("parameter.unknown", text!("\"{name}\" has no number {field} to vary", name, field))
+            .help(text!("give it a value in its block first")));
     }
     let span = extra.values.span_of(field);
     extra.values.set(field, Value::Number(x), span);

@@ -7,6 +7,7 @@ use crate::separation::ensemble::Model;
 use crate::separation::law::Law;
 use crate::separation::particle::Drag;
 use crate::study::Context;
+use crate::text;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Counts paths, for the display and the work limit.
@@ -40,7 +41,7 @@ impl<'a> Meter<'a> {
         let integrated = spinning.integrated();
         // with Stokes' drag in balance a run-up is a power series, and what follows has a closed form
         if integrated && (study.task.suspension.medium.drag == Drag::SchillerNaumann || study.task.batch.model == Model::Inertial) {
-            context.announce(total as f64, LARGE, "paths of particles to integrate, roughly");
+            context.announce(total as f64, LARGE, text!("paths of particles to integrate, roughly"));
         }
         Meter { context, done: AtomicU64::new(0), total, stride: if integrated { 16 } else { 1024 } }
     }

@@ -35,6 +35,8 @@ use crate::separation::recovery::Watch;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
+use crate::text;
+use crate::text::Text;
 use compute::Ensemble;
 use laval_num::work::Here;
 use meter::Meter;
@@ -132,7 +134,7 @@ ramp = "30 s"
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
         let task = task::task(values, system, Some(3600.0), diagnostics);
-        let mut wrong = |field: &str, code: &'static str, message: String, help: &str| {
+        let mut wrong = |field: &str, code: &'static str, message: Text, help: Text| {
             diagnostics.push(Diagnostic::error(code, message).at(values.span_of(field)).help(help));
         };
         let mut ramp = None;
@@ -143,35 +145,37 @@ ramp = "30 s"
                 wrong(
                     "programme",
                     "separation.programme",
-                    "a programme begins at time 0, turns one way, and ends turning".into(),
-                    "the last speed is held",
+                    text!("a programme begins at time 0, turns one way, and ends turning"),
+                    text!("the last speed is held"),
                 );
             }
             match Ramp::table(t, w) {
                 Ok(r) => (programmed, ramp) = (w.last().copied(), Some(r)),
-                Err(e) => wrong("programme", "separation.programme", e.to_string(), "give times in increasing order"),
+                Err(e) => wrong("programme", "separation.programme", text!("{why}", why = e), text!("give times in increasing order")),
             }
             if values.number("ramp").is_some() {
-                wrong("ramp", "separation.programme", "both a programme and a ramp are given".into(), "keep one of them");
+                wrong("ramp", "separation.programme", text!("both a programme and a ramp are given"), text!("keep one of them"));
             }
         }
-        let mut three = |field: &'static str, what: &str, help: &str| match values.list(field) {
+        let mut three = |field: &'static str, message: fn(usize) -> Text, help: Text| match values.list(field) {
             None => None,
             Some([x, y, z]) => Some([*x, *y, *z]),
             Some(other) => {
-                wrong(field, "separation.release", format!("{what} has three components, not {}", other.len()), help);
+                wrong(field, "separation.release", message(other.len()), help);
                 None
             }
         };
-        let release = three("release", "a place", "release = [\"0 mm\", \"20 mm\", \"0 mm\"]");
-        let thrown = three("release_velocity", "a velocity", "release_velocity = [\"0 m/s\", \"0.1 m/s\", \"0 m/s\"]");
+        let help = text!("release = [\"0 mm\", \"20 mm\", \"0 mm\"]");
+        let release = three("release", |n| text!("a place has three components, not {n}", n), help);
+        let help = text!("release_velocity = [\"0 m/s\", \"0.1 m/s\", \"0 m/s\"]");
+        let thrown = three("release_velocity", |n| text!("a velocity has three components, not {n}", n), help);
         if thrown.is_some() && values.list("release").is_none() {
-            let message = "a velocity belongs to a particle that is released".into();
-            wrong("release_velocity", "separation.release", message, "add release = [\"0 mm\", \"20 mm\", \"0 mm\"]");
+            let message = text!("a velocity belongs to a particle that is released");
+            wrong("release_velocity", "separation.release", message, text!("add release = [\"0 mm\", \"20 mm\", \"0 mm\"]"));
         }
         if thrown.is_some() && values.choice("model") == Some("drifting") {
-            let message = "a particle whose drag balances the field has no velocity of its own to begin with".into();
-            wrong("release_velocity", "separation.release", message, "take it out, or take model = \"exact\"");
+            let message = text!("a particle whose drag balances the field has no velocity of its own to begin with");
+            wrong("release_velocity", "separation.release", message, text!("take it out, or take model = \"exact\""));
         }
         let speed = match programmed {
             Some(w) => Some(w),
@@ -179,9 +183,9 @@ ramp = "30 s"
         };
         if programmed.is_none() && values.number("ramp").is_some() && speed == Some(0.0) {
             diagnostics.push(
-                Diagnostic::error("separation.ramp", "a run-up needs two different speeds; this one begins and ends at standstill")
+                Diagnostic::error("separation.ramp", text!("a run-up needs two different speeds; this one begins and ends at standstill"))
                     .at(values.span_of("ramp"))
-                    .help("give another speed, or leave ramp out"),
+                    .help(text!("give another speed, or leave ramp out")),
             );
         }
         let run_up = match (ramp, values.number("ramp"), speed) {
@@ -199,24 +203,29 @@ ramp = "30 s"
             return None;
         }
         let (mut task, speed) = (task?, speed?);
-        let mut wrong = |field: &str, code: &'static str, message: String, help: &str| {
+        let mut wrong = |field: &str, code: &'static str, message: Text, help: Text| {
             diagnostics.push(Diagnostic::error(code, message).at(values.span_of(field)).help(help));
         };
         if run_up != RunUp::None && task.throughput.is_some() {
             let field = if values.number("ramp").is_some() { "ramp" } else { "programme" };
-            let message = "liquid flows through this machine, which is fed at speed: it has no run-up to count".into();
-            wrong(field, "separation.ramp", message, "leave it out");
+            let message = text!("liquid flows through this machine, which is fed at speed: it has no run-up to count");
+            wrong(field, "separation.ramp", message, text!("leave it out"));
             return None;
         }
         if let Some(ramp) = values.number("ramp").filter(|t| run_up != RunUp::None && !(*t <= task.time)) {
             let (ramp, time) = (quantity(ramp, "s"), quantity(task.time, "s"));
-            let message = format!("the run-up takes {ramp}, longer than the {time} at hand: the speed is never reached");
-            wrong("ramp", "separation.ramp", message, "give a shorter ramp or more time");
+            let message = text!("the run-up takes {ramp}, longer than the {time} at hand: the speed is never reached", ramp, time);
+            wrong("ramp", "separation.ramp", message, text!("give a shorter ramp or more time"));
             return None;
         }
         let in_cup = matches!(task.vessel.separator, Separator::Cup(_) | Separator::Tube(..));
         if release.is_some() && !in_cup {
-            wrong("release", "separation.release", "one particle can be followed in cups and tubes only".into(), "leave release out");
+            wrong(
+                "release",
+                "separation.release",
+                text!("one particle can be followed in cups and tubes only"),
+                text!("leave release out"),
+            );
             return None;
         }
         task.batch.run_up = run_up;
@@ -237,9 +246,8 @@ ramp = "30 s"
     fn compute(&self, _: &System, context: &Context) -> Result<SeparationResult, Diagnostic> {
         let spinning = self.task.batch.at(self.speed);
         if spinning.crowd.is_empty() {
-            return Err(
-                Diagnostic::error("separation.empty", "no particle finds liquid in this tube").help("lower surface, or raise length")
-            );
+            return Err(Diagnostic::error("separation.empty", text!("no particle finds liquid in this tube"))
+                .help(text!("lower surface, or raise length")));
         }
         let meter = Meter::new(self, &spinning, context);
         let (watch, goes_on) = (|| meter.one(), || meter.goes_on());
@@ -289,7 +297,7 @@ fn exits(spinning: &Spinning, watch: Watch) -> Result<Vec<Option<Exit>>, Diagnos
     let exit = |m: &Member| {
         let _counted = here.enter();
         let found = spinning.exit(&spinning.batch.powder.particle(&m.point), m);
-        if watch() { found } else { Err(Lost("stopped".into())) }
+        if watch() { found } else { Err(Lost(text!("stopped"))) }
     };
     spinning.crowd.par_iter().map(exit).collect::<Result<_, Lost>>().map_err(lost)
 }

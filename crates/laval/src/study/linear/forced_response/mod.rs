@@ -29,6 +29,7 @@ use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
 use crate::study::{Context, Study};
+use crate::text;
 use laval_num::order::SortByNumber;
 use observed::observed;
 pub use observed::{Observations, Outside, Shows};
@@ -62,7 +63,7 @@ impl Study for ForcedResponse {
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = one_or_range("speed", values.range("speed")?, 3, values, diagnostics)?;
         if system.bodies().is_empty() {
-            diagnostics.push(Diagnostic::error("forced_response.no_body", "no body of this machine moves across the axis"));
+            diagnostics.push(Diagnostic::error("forced_response.no_body", text!("no body of this machine moves across the axis")));
             return None;
         }
         Some(ForcedResponse { speed })
@@ -78,16 +79,16 @@ impl Study for ForcedResponse {
         let listed = (7 * system.bodies().len() + 3 * system.slots().len()) as f64;
         Some(size::Size {
             bytes: speeds as f64 * (size::KEPT * kept + size::LISTED * listed),
-            of: format!("responses at {speeds} speeds of {} coordinates", system.n()),
-            fewer: "give the range fewer points: where the response bends it is refined without them",
+            of: text!("responses at {speeds} speeds of {n} coordinates", speeds, n = system.n()),
+            fewer: text!("give the range fewer points: where the response bends it is refined without them"),
         })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         let (_, load) = Characteristic::new(system, &rest(system, self.speed.to)?).loads();
         if load.iter().all(|f| f.abs() == 0.0) {
-            return Err(Diagnostic::error("forced_response.no_unbalance", "nothing forces this machine at the spin speed")
-                .help("give a disc an eccentricity, an unbalance or a skew"));
+            return Err(Diagnostic::error("forced_response.no_unbalance", text!("nothing forces this machine at the spin speed"))
+                .help(text!("give a disc an eccentricity, an unbalance or a skew")));
         }
         Ok(())
     }
@@ -96,7 +97,7 @@ impl Study for ForcedResponse {
         self.admit(system)?;
         let state = |w: f64| rest(system, w);
         let mut speeds = self.speed.linspace(POINTS);
-        context.announce(speeds.len() as f64, 10_000.0, "speeds to solve for, and more where the response bends");
+        context.announce(speeds.len() as f64, 10_000.0, text!("speeds to solve for, and more where the response bends"));
         let mut each = |done: u64| {
             context.progress.report(done, 0);
             context.goes_on(done)

@@ -196,7 +196,8 @@ impl Orbits {
             .collect();
         let motions: Vec<&[[C64; 2]]> = whole.iter().map(Vec::as_slice).collect();
         let rows = n + gaps;
-        let numbers = |f: &dyn Fn(usize, usize) -> i64| (0..self.at.len()).flat_map(|i| (0..rows).map(move |k| f(i, k))).collect::<Vec<i64>>();
+        let numbers =
+            |f: &dyn Fn(usize, usize) -> i64| (0..self.at.len()).flat_map(|i| (0..rows).map(move |k| f(i, k))).collect::<Vec<i64>>();
         let speeds = self.at.iter().flat_map(|a| std::iter::repeat_n(a.speed, rows)).collect();
         let table = Table::new("orbits", "Motion of all points at the speeds of the figures")
             .float("speed", "rad/s", "spin speed", speeds)

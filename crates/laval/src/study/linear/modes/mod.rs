@@ -26,6 +26,7 @@ use crate::study::shared::region;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{ABOUT, About, SPEED, admit_roots, admit_threshold, speed};
 use crate::study::{Context, Study};
+use crate::text;
 use serde::{Deserialize, Serialize};
 pub use shapes::Shapes;
 
@@ -106,7 +107,7 @@ impl Study for Modes {
         let about = self.about.find(system, self.speed, None)?;
         let roots = if transcendental(system) {
             let terms: usize = system.domains(self.speed).iter().map(|d| d.terms).sum();
-            context.announce(terms as f64, SERIES, "terms of series in every evaluation of the function whose roots are counted");
+            context.announce(terms as f64, SERIES, text!("terms of series in every evaluation of the function whose roots are counted"));
             let request = Request { margin: self.threshold, frequency: self.frequency, cancel: Some(context.cancel), ..Request::default() };
             Some(roots(system, &about, &request)?)
         } else {

@@ -28,6 +28,7 @@ use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{ABOUT, About, COUNTS, EndStates, SPEED_RANGE, admit_roots, admit_threshold, one_or_range, range};
 use crate::study::{Context, Study};
+use crate::text;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -90,8 +91,8 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         if let (Some(s), Some((_, p))) = (&speed, &parameter)
             && count(s, 200).saturating_mul(count(p, 40)) > MOST_CELLS
         {
-            let message = format!("a map of {} by {} points is too large", count(s, 200), count(p, 40));
-            let help = format!("at most {MOST_CELLS} points in all");
+            let message = text!("a map of {speeds} by {values} points is too large", speeds = count(s, 200), values = count(p, 40));
+            let help = text!("at most {most} points in all", most = MOST_CELLS);
             diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("parameter")).help(help));
             return None;
         }
@@ -133,9 +134,9 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         let values = self.values();
         let total = (values.len() * speeds.len()) as u64;
         if transcendental(system) {
-            context.announce(total as f64, COUNTS, "speeds at which roots are counted, one after another");
+            context.announce(total as f64, COUNTS, text!("speeds at which roots are counted, one after another"));
         } else {
-            context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+            context.announce(total as f64, 10_000.0, text!("eigenvalue problems to solve"));
         }
         let done = AtomicU64::new(0);
         // rows that the limit cannot reach are not begun
@@ -212,7 +213,7 @@ impl StabilityMap {
 fn refused(system: &System, path: &str, x: f64, d: Diagnostics) -> Diagnostic {
     let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit);
     let x = quantity(x, unit);
-    let why = d.0.into_iter().next().map(|d| d.message).unwrap_or_default();
-    Diagnostic::error("stability_map.parameter", format!("the machine does not exist at {path} = {x}: {why}"))
-        .help("narrow the range of the parameter")
+    let why = d.into_error().message;
+    Diagnostic::error("stability_map.parameter", text!("the machine does not exist at {path} = {x}: {why}", path, x, why))
+        .help(text!("narrow the range of the parameter"))
 }

@@ -7,6 +7,8 @@ use crate::model::part::DofKind;
 use crate::model::system::System;
 use crate::outcome::Arg;
 use crate::study::shared::support::{apart, range};
+use crate::text;
+use crate::text::Joint;
 
 /// Points along an axis that says none.
 pub(super) const DEFAULT_POINTS: usize = 50;
@@ -58,15 +60,17 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
             start::state_map(values, field, system, diagnostics).into_iter().map(|(e, x): (Entry, f64)| (e.index(system), x)).collect();
         let given = values.state_map(field).map_or(0, <[_]>::len);
         if given != wanted {
-            let number = if wanted == 1 { "one initial value beside the run-up" } else { "two initial values" };
-            let message = format!("{field} must name {number}; it names {given}");
+            let message = match wanted {
+                1 => text!("{field} must name one initial value beside the run-up; it names {given}", field, given),
+                _ => text!("{field} must name two initial values; it names {given}", field, given),
+            };
             // names of this machine
             let masses = system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
             let body = system.bodies().into_iter().next().map_or_else(|| "rotor".to_string(), |b| b.name);
             let help = match masses.map(|c| &c.name).next() {
-                Some(mass) if wanted == 1 => format!("write {field} = {{ \"{mass}\" = \"1 rad\" }}"),
-                _ if wanted == 1 => format!("write {field} = {{ \"{body}.x\" = \"1 mm\" }}"),
-                _ => format!("write {field} = {{ \"{body}.x\" = \"1 mm\", \"{body}.y\" = \"1 mm\" }}"),
+                Some(mass) if wanted == 1 => text!("write {field} = {{ \"{mass}\" = \"1 rad\" }}", field, mass),
+                _ if wanted == 1 => text!("write {field} = {{ \"{body}.x\" = \"1 mm\" }}", field, body),
+                _ => text!("write {field} = {{ \"{body}.x\" = \"1 mm\", \"{body}.y\" = \"1 mm\" }}", field, body),
             };
             diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of(field)).help(help));
         }
@@ -79,9 +83,9 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
     let (to, from) = (std::mem::take(&mut ends[1]), std::mem::take(&mut ends[0]));
     let names = state_names(system);
     if !from.iter().map(|f| f.0).eq(to.iter().map(|t| t.0)) {
-        let list = |ends: &[(usize, f64)]| ends.iter().map(|e| format!("\"{}\"", names[e.0].0)).collect::<Vec<_>>().join(" and ");
-        let message = format!("to names {}, but from names {}", list(&to), list(&from));
-        diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of("to")).help("both name the same"));
+        let list = |ends: &[(usize, f64)]| text::list(ends.iter().map(|e| format!("\"{}\"", names[e.0].0)), Joint::Ands);
+        let message = text!("to names {to}, but from names {from}", to = list(&to), from = list(&from));
+        diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of("to")).help(text!("both name the same")));
         return None;
     }
     let points = points(values, &from.iter().map(|f| names[f.0].0.as_str()).collect::<Vec<_>>(), diagnostics);
@@ -89,7 +93,7 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
     for (k, ((index, from), (_, to))) in from.into_iter().zip(to).enumerate() {
         let (name, unit) = names[index].clone();
         if !(from < to) {
-            let message = format!("\"{name}\" must go from a lower to a higher value");
+            let message = text!("\"{name}\" must go from a lower to a higher value", name);
             diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("to")).help(apart(from, to)));
         }
         axes.push(InitialValueAxis { name, unit, index: Some(index), range: RangeValue { from, to, points: Some(points[k]) } });
@@ -106,8 +110,8 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
     let points: Vec<usize> = axes.iter().filter_map(|a| a.range.points).collect();
     let cells = points.iter().fold(1usize, |n, p| n.saturating_mul(*p));
     if cells > most {
-        let message = format!("a grid of {} by {} points is too large", points[0], points[1]);
-        let help = format!("at most {most} points in all");
+        let message = text!("a grid of {first} by {second} points is too large", first = points[0], second = points[1]);
+        let help = text!("at most {most} points in all", most);
         diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("points")).help(help));
     }
     if diagnostics.0.len() > before { None } else { axes.try_into().ok() }
@@ -119,7 +123,7 @@ fn points(values: &Values, names: &[&str], diagnostics: &mut Diagnostics) -> [us
     for (name, x) in values.named("points") {
         let whole = x.fract() == 0.0 && (2.0..=MOST_POINTS).contains(&x);
         if !whole {
-            let message = format!("points must be whole numbers from 2 to {MOST_POINTS}, not {x}");
+            let message = text!("points must be whole numbers from 2 to {most}, not {x}", most = MOST_POINTS, x);
             diagnostics.push(Diagnostic::error("basins.points", message).at(values.span_of("points")));
         }
         let count = if whole { x as usize } else { DEFAULT_POINTS };
@@ -127,8 +131,8 @@ fn points(values: &Values, names: &[&str], diagnostics: &mut Diagnostics) -> [us
             None => out = [count; 2],
             Some((_, Some(k))) => out[k] = count,
             Some((n, None)) => {
-                let message = format!("points names \"{n}\", which is not varied");
-                let help = format!("varied are {}", names.iter().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(" and "));
+                let message = text!("points names \"{n}\", which is not varied", n);
+                let help = text!("varied are {names}", names = text::list(names.iter().map(|n| format!("\"{n}\"")), Joint::Ands));
                 diagnostics.push(Diagnostic::error("basins.points", message).at(values.span_of("points")).about(n).help(help));
             }
         }

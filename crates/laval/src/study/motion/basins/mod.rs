@@ -39,6 +39,7 @@ use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
+use crate::text;
 use attractors::Ruler;
 use axes::{InitialValueAxis, MOST_POINTS};
 use std::ops::Range;
@@ -136,11 +137,11 @@ points = 50
         if let Some(w) = speed
             && !(w >= SLOWEST)
         {
-            let message = "basins need a speed above 1e-6 rad/s: there is no period at rest";
+            let message = text!("basins need a speed above 1e-6 rad/s: there is no period at rest");
             diagnostics.push(Diagnostic::error("basins.speed", message).at(values.span_of("speed")));
         }
         if system.bodies().is_empty() {
-            diagnostics.push(Diagnostic::error("basins.no_body", "no body of this machine moves across the axis"));
+            diagnostics.push(Diagnostic::error("basins.no_body", text!("no body of this machine moves across the axis")));
         }
         let movable = speed.is_some_and(|w| w >= SLOWEST && masses::has(system, w));
         let axes = axes::read(values, system, if movable { masses::MOST_CELLS } else { MOST_CELLS }, diagnostics);
@@ -149,11 +150,11 @@ points = 50
             && !movable
             && values.get("run_up").is_some()
         {
-            let message = format!(
-                "a run-up makes no difference at {}: this machine has no masses that move round in axes that turn with it",
-                quantity(w, "rad/s")
+            let message = text!(
+                "a run-up makes no difference at {speed}: this machine has no masses that move round in axes that turn with it",
+                speed = quantity(w, "rad/s")
             );
-            diagnostics.push(Diagnostic::error("basins.run_up", message).at(values.span_of("run_up")).help("leave run_up out"));
+            diagnostics.push(Diagnostic::error("basins.run_up", message).at(values.span_of("run_up")).help(text!("leave run_up out")));
         }
         if diagnostics.0.len() > before {
             return None;
@@ -182,8 +183,11 @@ points = 50
 
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
         if system.machine.drive == Drive::Free {
-            return Err(Diagnostic::error("basins.free_spin", "the spin of this machine is free: it has no speed at which motions settle")
-                .help("leave drive = \"free\" out, or follow its motion with transient"));
+            return Err(Diagnostic::error(
+                "basins.free_spin",
+                text!("the spin of this machine is free: it has no speed at which motions settle"),
+            )
+            .help(text!("leave drive = \"free\" out, or follow its motion with transient")));
         }
         let Some(timed) = context.timed(system, Speeds::One(self.speed))? else { return Ok(()) };
         if matches!(timed, Timed::Fitted(_)) && masses::has(system, self.speed) {
@@ -235,15 +239,16 @@ points = 50
         };
         match members.modes.undecaying() {
             Some(what) => {
-                let whole = format!(
-                    "{} motions to follow ({} cells and the undisturbed start), each for up to {} turns: {what}, so that nothing says how long settling takes",
+                let whole = text!(
+                    "{count} motions to follow ({cells} cells and the undisturbed start), each for up to {turns} turns: {what}, so that nothing says how long settling takes",
                     count,
-                    count - 1,
-                    self.rules.most_periods
+                    cells = count - 1,
+                    turns = self.rules.most_periods,
+                    what
                 );
                 context.progress.job(&whole);
             }
-            None => context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat"),
+            None => context.announce(plan.rows as f64, 1000.0, text!("motions to follow until they repeat")),
         }
         let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
         let motions = Collected::of(&results)?;
@@ -285,12 +290,12 @@ struct Members<'a> {
 
 impl ModesAtRest {
     /// Which mode at rest does not decay.
-    fn undecaying(&self) -> Option<String> {
+    fn undecaying(&self) -> Option<text::Text> {
         match (self.decay, self.growth) {
             (Some(_), _) => None,
-            (None, Some(growth)) => Some(format!("at rest a mode of this machine grows by {}", quantity(growth, "1/s"))),
-            (None, None) if self.neutral => Some("at rest a mode of this machine neither decays nor grows".into()),
-            (None, None) => Some("the modes of this machine at rest are not known".into()),
+            (None, Some(growth)) => Some(text!("at rest a mode of this machine grows by {growth}", growth = quantity(growth, "1/s"))),
+            (None, None) if self.neutral => Some(text!("at rest a mode of this machine neither decays nor grows")),
+            (None, None) => Some(text!("the modes of this machine at rest are not known")),
         }
     }
 }

@@ -13,6 +13,7 @@ use crate::outcome::{Arg, Axis, End, Figure, Finding, Heat, Message, Outcome, Pa
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
+use crate::text;
 use std::collections::BTreeMap;
 
 /// Attractors of which a finding speaks.
@@ -47,7 +48,7 @@ impl<'a> Map<'a> {
         stored::check(results, own.into_iter().chain(probes.iter().map(probes::column)).chain(means.iter().cloned()))?;
         let motions = rows::motions(study, results, &data.states, &probes, &data.modes)?;
         if data.attractors.of.len() != motions.len() {
-            return Err(Diagnostic::error("basins.rows", "the attractors are not those of these motions"));
+            return Err(Diagnostic::error("basins.rows", text!("the attractors are not those of these motions")));
         }
         Ok(Map {
             study,

@@ -17,6 +17,7 @@ use crate::solve::motion::trajectory::{Choice, Plan, Trajectory, simulate};
 use crate::study::Context;
 use crate::study::shared::size::{KEPT, LISTED, Size};
 use crate::study::shared::watch;
+use crate::text;
 use std::f64::consts::TAU;
 
 /// `method`.
@@ -91,14 +92,14 @@ pub(in crate::study) fn size(system: &System, outputs: usize, velocities: bool, 
     let listed = n * if velocities { 2 } else { 1 } + if observables { 3 * parts } else { 0 } + 8;
     Size {
         bytes: outputs as f64 * (KEPT * (2 * n + m + 6) as f64 + LISTED * listed as f64),
-        of: format!("{outputs} output times of {n} coordinates"),
-        fewer: "give fewer points (a longer output_step), or leave out velocities and observables",
+        of: text!("{outputs} output times of {n} coordinates", outputs, n),
+        fewer: text!("give fewer points (a longer output_step), or leave out velocities and observables"),
     }
 }
 
 /// That a study was stopped while the time form of its machine was made.
 pub(in crate::study) fn stopped() -> Diagnostic {
-    Diagnostic::error(watch::STOPPED, "the study was stopped before its machine in time was there")
+    Diagnostic::error(watch::STOPPED, text!("the study was stopped before its machine in time was there"))
 }
 
 /// The motion of this machine can be integrated in the way requested.
@@ -158,7 +159,7 @@ pub(in crate::study) fn per_second(unit: &str) -> String {
 /// Says how much there is to integrate: turns of the rotor at the mean speed, rad/s.
 pub(in crate::study) fn announce(context: &Context, duration: f64, speed: f64) {
     let turns = duration * speed.abs() / TAU;
-    context.announce(turns, 1e5, &format!("turns of the rotor to integrate, {}", quantity(duration, "s")));
+    context.announce(turns, 1e5, text!("turns of the rotor to integrate, {duration}", duration = quantity(duration, "s")));
 }
 
 /// Parts of the time that are distinguished: a motion over years moves on by few thousandths an hour.

@@ -28,6 +28,8 @@ use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range, range_or};
 use crate::study::{Context, Study};
+use crate::text;
+use crate::text::Text;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -109,8 +111,8 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         let y = parameter("y", values, system, diagnostics);
         let x = match values.get("x") {
             Some(_) if values.range("speed").is_some_and(|r| !r.is_one()) => {
-                let message = "both a range of speeds and a parameter along x are given";
-                diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("x")).help("say one or the other"));
+                let message = text!("both a range of speeds and a parameter along x are given");
+                diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("x")).help(text!("say one or the other")));
                 None
             }
             Some(_) => parameter("x", values, system, diagnostics),
@@ -119,24 +121,24 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         let one = values.range("speed").filter(RangeValue::is_one).map(|r| r.from);
         let speed = one.or(system.machine.speed).unwrap_or(f64::NAN);
         if x.as_ref().is_some_and(|x| x.path.is_some()) && !(speed >= SLOWEST) {
-            let message = "a map of two parameters needs a speed above zero";
-            let help = "add speed = \"3000 rpm\" here or to [machine]";
+            let message = text!("a map of two parameters needs a speed above zero");
+            let help = text!("add speed = \"3000 rpm\" here or to [machine]");
             let place = if one.is_some() { values.span_of("speed") } else { values.span.clone() };
             diagnostics.push(Diagnostic::error("motion_map.speed", message).at(place).help(help));
         }
         if system.bodies().is_empty() {
-            diagnostics.push(Diagnostic::error("motion_map.no_body", "no body of this machine moves across the axis"));
+            diagnostics.push(Diagnostic::error("motion_map.no_body", text!("no body of this machine moves across the axis")));
         }
         if let (Some(x), Some(y)) = (&x, &y) {
             let indices = |a: &GridAxis| a.path.as_deref().and_then(|p| system.param(p)).unwrap_or_default();
             if indices(x).iter().any(|i| indices(y).contains(i)) {
-                let message = format!("\"{}\" and \"{}\" are the same parameter", x.name(), y.name());
-                diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("y")).help("vary two parameters"));
+                let message = text!("\"{first}\" and \"{second}\" are the same parameter", first = x.name(), second = y.name());
+                diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("y")).help(text!("vary two parameters")));
             }
             let [a, b] = [x, y].map(|a| a.range.points.unwrap_or(DEFAULT_POINTS));
             if a.saturating_mul(b) > MOST_CELLS {
-                let message = format!("a map of {a} by {b} motions is too large");
-                let help = format!("at most {MOST_CELLS} motions in all");
+                let message = text!("a map of {a} by {b} motions is too large", a, b);
+                let help = text!("at most {most} motions in all", most = MOST_CELLS);
                 diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("y")).help(help));
             }
         }
@@ -156,9 +158,9 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         if system.machine.drive == Drive::Free {
             return Err(Diagnostic::error(
                 "motion_map.free_spin",
-                "the spin of this machine is free: it has no speed at which motions settle",
+                text!("the spin of this machine is free: it has no speed at which motions settle"),
             )
-            .help("leave drive = \"free\" out, or follow its motion with transient"));
+            .help(text!("leave drive = \"free\" out, or follow its motion with transient")));
         }
         let timed = system.timed(Speeds::Several)?;
         ensemble::admit(&timed, self.method(&timed))
@@ -184,7 +186,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             rows: count,
             chunk: count.div_ceil(50).clamp(64, 1024),
         };
-        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
+        context.announce(plan.rows as f64, 1000.0, text!("motions to follow until they repeat"));
         let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
         let motions = Collected::of(&results)?;
         let end = context.end(motions.end == End::Reached);
@@ -234,16 +236,16 @@ fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Op
     let about = |speed: f64| RangeValue { from: ABOUT.0 * speed, to: ABOUT.1 * speed, points: None };
     let Some(given) = values.range("speed").or(system.machine.speed.map(f64::abs).map(about)) else {
         diagnostics.push(
-            Diagnostic::error("motion_map.speed", "this study needs a range of speeds")
+            Diagnostic::error("motion_map.speed", text!("this study needs a range of speeds"))
                 .at(values.span.clone())
-                .help("add speed = { from = \"1000 rpm\", to = \"5000 rpm\" }, or a speed to [machine]"),
+                .help(text!("add speed = {{ from = \"1000 rpm\", to = \"5000 rpm\" }}, or a speed to [machine]")),
         );
         return None;
     };
-    let one = ", or give x a second parameter: the speed is then the same everywhere";
+    let one: fn(Text) -> Text = |help| text!("{help}, or give x a second parameter: the speed is then the same everywhere", help);
     let range = range_or("speed", (given, one), 2, values, diagnostics)?;
     if !(range.from >= SLOWEST) {
-        let message = "a map needs speeds above 1e-6 rad/s: there is no period at rest";
+        let message = text!("a map needs speeds above 1e-6 rad/s: there is no period at rest");
         diagnostics.push(Diagnostic::error("motion_map.speed", message).at(values.span_of("speed")));
         return None;
     }
@@ -281,7 +283,7 @@ impl MotionMap {
     /// The machine of a point, or why there is none.
     fn machine(&self, system: &System, at: [f64; 2]) -> Result<System, String> {
         let changes: Vec<(&str, f64)> = self.axes.iter().zip(at).filter_map(|(a, x)| Some((a.path.as_deref()?, x))).collect();
-        let machine = system.with(&changes).map_err(|d| d.into_error().message)?;
+        let machine = system.with(&changes).map_err(|d| d.into_error().message.to_string())?;
         if (machine.n(), machine.m()) == (system.n(), system.m()) { Ok(machine) } else { Err("it has other states".into()) }
     }
 }

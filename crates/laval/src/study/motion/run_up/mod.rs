@@ -37,6 +37,7 @@ use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::NARROWEST;
 use crate::study::{Context, Study};
+use crate::text;
 use crate::units::format_si;
 use linear::LinearResponse;
 use serde::{Deserialize, Serialize};
@@ -170,8 +171,8 @@ hold = "2 s"
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         if system.machine.drive == Drive::Free {
-            return Err(Diagnostic::error("run_up.drive", "the spin of this machine is free and cannot follow a programme")
-                .help("use a transient study, or take the free drive away"));
+            return Err(Diagnostic::error("run_up.drive", text!("the spin of this machine is free and cannot follow a programme"))
+                .help(text!("use a transient study, or take the free drive away")));
         }
         let timed = system.timed(Speeds::Changing)?;
         let motion = Motion::new(&timed, SpinLaw::Programme(self.programme.clone()))?;
@@ -256,14 +257,14 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
     if let Some(columns) = values.columns("programme") {
         let (times, speeds) = (columns.get("time")?, columns.get("speed")?);
         if times.first() != Some(&0.0) {
-            diagnostics.push(Diagnostic::error("run_up.programme", "the times must begin at 0").at(values.span_of("programme")));
+            diagnostics.push(Diagnostic::error("run_up.programme", text!("the times must begin at 0")).at(values.span_of("programme")));
         }
         for given in ["to", "duration", "polynomial"] {
             if values.get(given).is_some() {
                 diagnostics.push(
-                    Diagnostic::error("run_up.programme", format!("both a programme and {given} are given"))
+                    Diagnostic::error("run_up.programme", text!("both a programme and {given} are given", given))
                         .at(values.span_of(given))
-                        .help("say one or the other"),
+                        .help(text!("say one or the other")),
                 );
             }
         }
@@ -277,18 +278,18 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
     }
     let Some(duration) = values.number("duration") else {
         diagnostics.push(
-            Diagnostic::error("run_up.duration", "how long the change of speed takes is missing")
+            Diagnostic::error("run_up.duration", text!("how long the change of speed takes is missing"))
                 .at(values.span.clone())
-                .help("add duration = \"10 s\", or a programme of times and speeds"),
+                .help(text!("add duration = \"10 s\", or a programme of times and speeds")),
         );
         return None;
     };
     if let Some(coefficients) = values.list("polynomial") {
         if values.number("to").is_some() {
             diagnostics.push(
-                Diagnostic::error("run_up.programme", "both a polynomial and to are given")
+                Diagnostic::error("run_up.programme", text!("both a polynomial and to are given"))
                     .at(values.span_of("to"))
-                    .help("say one or the other"),
+                    .help(text!("say one or the other")),
             );
         }
         return match Programme::polynomial(coefficients, duration, phase) {
@@ -301,9 +302,9 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
     }
     let Some(to) = values.number("to").or(system.machine.speed) else {
         diagnostics.push(
-            Diagnostic::error("study.speed", "neither the study nor the machine says which speed to reach")
+            Diagnostic::error("study.speed", text!("neither the study nor the machine says which speed to reach"))
                 .at(values.span.clone())
-                .help("add to = \"3000 rpm\""),
+                .help(text!("add to = \"3000 rpm\"")),
         );
         return None;
     };
@@ -330,12 +331,12 @@ fn changes(programme: &Programme, values: &Values, diagnostics: &mut Diagnostics
     let speed = format_si(low, "rad/s");
     let given = |field: &&str| values.get(field).is_some();
     let (said, field) = match ["programme", "polynomial", "to"].into_iter().find(given) {
-        Some("to") => (format!("from and to are both {speed}"), "to"),
-        Some(field) => (format!("this {field} stays at {speed}"), field),
-        None => (format!("from and the speed of the machine are both {speed}"), "from"),
+        Some("to") => (text!("from and to are both {speed}", speed), "to"),
+        Some(field) => (text!("this {field} stays at {speed}", field, speed), field),
+        None => (text!("from and the speed of the machine are both {speed}", speed), "from"),
     };
-    let message = format!("a run-up needs two different speeds; {said}");
-    let help = "give another speed, or take a transient study for a constant speed";
+    let message = text!("a run-up needs two different speeds; {said}", said);
+    let help = text!("give another speed, or take a transient study for a constant speed");
     diagnostics.push(Diagnostic::error("run_up.speed", message).at(values.span_of(field)).help(help));
     false
 }

@@ -27,6 +27,7 @@ use crate::model::system::{Body, System};
 use crate::outcome::Outcome;
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
+use crate::text;
 use analyse::Record;
 pub use analyse::{Part, Window};
 pub use natural::NaturalFrequency;
@@ -95,8 +96,9 @@ impl Spectra {
         let bodies = system.bodies();
         let Some(body) = bodies.iter().find(|b| b.name == name) else {
             let known = bodies.iter().map(|b| format!("\"{}\"", b.name)).collect::<Vec<_>>().join(", ");
-            let help = if known.is_empty() { "no body of this machine moves across the axis".into() } else { format!("there is {known}") };
-            let message = format!("there is no body \"{name}\"");
+            let help =
+                if known.is_empty() { text!("no body of this machine moves across the axis") } else { text!("there is {known}", known) };
+            let message = text!("there is no body \"{name}\"", name);
             diagnostics.push(Diagnostic::error("spectra.body", message).at(values.span_of("waterfall")).about(name).help(help));
             return None;
         };
@@ -106,8 +108,12 @@ impl Spectra {
         let wanted = OVERSAMPLING * highest * fastest / TAU * length;
         let total = 0.5 * wanted * (count + 1) as f64;
         if !(total <= MOST as f64) {
-            let message = format!("spectra up to order {highest} of this record need {total:.3e} samples, which are too many");
-            let help = format!("at most {MOST}: lower highest_order, or follow a shorter motion");
+            let message = text!(
+                "spectra up to order {highest} of this record need {total} samples, which are too many",
+                highest,
+                total = format_args!("{total:.3e}")
+            );
+            let help = text!("at most {most}: lower highest_order, or follow a shorter motion", most = MOST);
             diagnostics.push(Diagnostic::error("spectra.samples", message).at(values.span_of("waterfall")).help(help));
             return None;
         }

@@ -43,12 +43,8 @@ pub(in crate::study) fn natural(system: &System, windows: &[Window]) -> Vec<Natu
             let own = spectrum.modes.iter().filter(|m| m.whirl != Whirl::None && m.whirl != not && m.frequency() > 0.0);
             let mut all: Vec<f64> = own.map(|m| m.frequency()).collect();
             all.sort_by(f64::total_cmp);
-            let line = |(i, f): (usize, f64)| NaturalFrequency {
-                t: w.t,
-                speed: w.speed,
-                line: side * (i as i64 + 1),
-                frequency: side as f64 * f,
-            };
+            let line =
+                |(i, f): (usize, f64)| NaturalFrequency { t: w.t, speed: w.speed, line: side * (i as i64 + 1), frequency: side as f64 * f };
             out.extend(all.into_iter().take(LINES).enumerate().map(line));
         }
     }

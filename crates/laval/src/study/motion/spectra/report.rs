@@ -80,7 +80,12 @@ struct Seen {
     at: usize,
 }
 
-pub(super) fn report(spectra: &Spectra, windows: &[Window], natural: &[NaturalFrequency], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+pub(super) fn report(
+    spectra: &Spectra,
+    windows: &[Window],
+    natural: &[NaturalFrequency],
+    mut outcome: Outcome,
+) -> Result<Outcome, Diagnostic> {
     if windows.is_empty() {
         return Ok(outcome.finding(Finding::info("no_spectra", "spectra-none")));
     }

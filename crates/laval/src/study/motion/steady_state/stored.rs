@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, Finding, Outcome};
 use crate::store::Collected;
+use crate::text;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -62,7 +63,7 @@ pub fn settled(results: &Collected) -> Vec<SettledMotion> {
 /// A column that is not.
 pub fn check(results: &Collected, mut columns: impl Iterator<Item = String>) -> Result<(), Diagnostic> {
     let missing = columns.find(|name| !results.columns.iter().any(|c| c.0.name == *name));
-    missing.map_or(Ok(()), |name| Err(Diagnostic::error("store.columns", format!("there is no column \"{name}\""))))
+    missing.map_or(Ok(()), |name| Err(Diagnostic::error("store.columns", text!("there is no column \"{name}\"", name))))
 }
 
 /// Parts outside their validity, with the worst use. `at` says where a row lies.

@@ -38,6 +38,8 @@ use crate::study::shared::size::{KEPT, LISTED, Size};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range_or};
 use crate::study::{Context, Study};
+use crate::text;
+use crate::text::Text;
 use laval_num::work::Here;
 use lyapunov::Pairs;
 use rayon::prelude::*;
@@ -140,17 +142,19 @@ start = "up_and_down"
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
-        let one = "; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads";
+        let one: fn(Text) -> Text = |help| {
+            text!("{help}; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads", help)
+        };
         let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics);
         if let Some(s) = speed
             && !(s.from >= SLOWEST)
         {
-            let message = "a sweep needs speeds above 1e-6 rad/s: there is no period at rest";
+            let message = text!("a sweep needs speeds above 1e-6 rad/s: there is no period at rest");
             diagnostics.push(Diagnostic::error("sweep.speed", message).at(values.span_of("speed")));
         }
         let bodies = system.bodies();
         if bodies.is_empty() {
-            diagnostics.push(Diagnostic::error("sweep.no_body", "no body of this machine moves across the axis"));
+            diagnostics.push(Diagnostic::error("sweep.no_body", text!("no body of this machine moves across the axis")));
         }
         let initial = start::state_map(values, "initial", system, diagnostics);
         let section = section(values, system, diagnostics);
@@ -158,9 +162,12 @@ start = "up_and_down"
         let waterfall = named.and_then(|n| bodies.iter().position(|b| b.name == n));
         if let (Some(name), None) = (named, waterfall) {
             let known = bodies.iter().map(|b| format!("\"{}\"", b.name)).collect::<Vec<_>>().join(", ");
-            let message = format!("there is no body \"{name}\"");
+            let message = text!("there is no body \"{name}\"", name);
             diagnostics.push(
-                Diagnostic::error("sweep.waterfall", message).at(values.span_of("waterfall")).about(name).help(format!("there is {known}")),
+                Diagnostic::error("sweep.waterfall", message)
+                    .at(values.span_of("waterfall"))
+                    .about(name)
+                    .help(text!("there is {known}", known)),
             );
         }
         if diagnostics.0.len() > before {
@@ -197,15 +204,18 @@ start = "up_and_down"
         let columns = 16 + 11 * system.bodies().len() + system.probes().len() + KEPT_POINTS + spectrum + 2 * system.n() + system.m();
         Some(Size {
             bytes: rows as f64 * columns as f64 * (KEPT + LISTED),
-            of: format!("{rows} motions with {columns} numbers each"),
-            fewer: "give the range fewer points, or leave out the waterfall",
+            of: text!("{rows} motions with {columns} numbers each", rows, columns),
+            fewer: text!("give the range fewer points, or leave out the waterfall"),
         })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         if system.machine.drive == Drive::Free {
-            return Err(Diagnostic::error("sweep.free_spin", "the spin of this machine is free: it has no speed of its own to be swept")
-                .help("leave drive = \"free\" out, or follow its motion with transient"));
+            return Err(Diagnostic::error(
+                "sweep.free_spin",
+                text!("the spin of this machine is free: it has no speed of its own to be swept"),
+            )
+            .help(text!("leave drive = \"free\" out, or follow its motion with transient")));
         }
         let timed = system.timed(Speeds::Several)?;
         ensemble::admit(&timed, method(&timed, self.rules.method, self.fastest()))
@@ -236,7 +246,7 @@ start = "up_and_down"
             rows: steps * ways,
             chunk: chunk * ways,
         };
-        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
+        context.announce(plan.rows as f64, 1000.0, text!("motions to follow until they repeat"));
         let results = store::run_on(plan, context, |range, counter, before| {
             let carried = before()?.map(|cells| rows::states(&rows, &cells, (ways, &members.probes)));
             let computed = members.rows(range.start / ways..range.end / ways, carried, counter);
@@ -338,8 +348,8 @@ fn section(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> O
     let found = system.coordinate(name).and_then(find);
     if found.is_none() {
         let known: Vec<String> = system.bodies().iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
-        let message = format!("\"{name}\" is no displacement or tilt of a body");
-        let help = format!("name one such as {}", known.join(", "));
+        let message = text!("\"{name}\" is no displacement or tilt of a body", name);
+        let help = text!("name one such as {known}", known = known.join(", "));
         diagnostics.push(Diagnostic::error("sweep.section", message).at(values.span_of("section")).about(name).help(help));
     }
     found

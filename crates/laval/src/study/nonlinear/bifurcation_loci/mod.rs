@@ -24,6 +24,7 @@ use crate::solve::harmonic::stability::floquet::Stability;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
+use crate::text;
 use laval_num::order::ascending;
 use serde::{Deserialize, Serialize};
 
@@ -140,9 +141,12 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
         let speeds = values.range("speed").and_then(|r| range("speed", r, 0, values, diagnostics)).map(|s| (s.from, s.to));
         if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
             diagnostics.push(
-                Diagnostic::error("loci.standstill", "the range of speeds comes too near to standstill, where no unbalance acts")
+                Diagnostic::error("loci.standstill", text!("the range of speeds comes too near to standstill, where no unbalance acts"))
                     .at(values.span_of("speed"))
-                    .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
+                    .help(text!(
+                        "keep both ends above {slowest} rad/s, or both below -{slowest} rad/s for rotation the other way round",
+                        slowest = SLOWEST
+                    )),
             );
         }
         let mut parameter = None;
@@ -153,9 +157,9 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
             }
             if let Some(points) = given.and_then(|g| g.points).filter(|&p| p > MOST_VALUES) {
                 diagnostics.push(
-                    Diagnostic::error("study.range", format!("the response at {points} values is too much"))
+                    Diagnostic::error("study.range", text!("the response at {points} values is too much", points))
                         .at(values.span_of("parameter"))
-                        .help(format!("points is the number of values at which loci are started: at most {MOST_VALUES}")),
+                        .help(text!("points is the number of values at which loci are started: at most {most}", most = MOST_VALUES)),
                 );
             }
             parameter = given.map(|g| (path.to_string(), g));
@@ -191,22 +195,31 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
         if system.machine.drive == Drive::Free {
             return Err(Diagnostic::error(
                 "loci.free_drive",
-                "a steady response is computed at constant speed, and the speed of this machine is free",
+                text!("a steady response is computed at constant speed, and the speed of this machine is free"),
             )
-            .help("prescribe the speed of the machine: leave out its free drive"));
+            .help(text!("prescribe the speed of the machine: leave out its free drive")));
         }
         let path = &self.request.parameter;
         if self.request.values.iter().all(|&x| system.with(&[(path, x)]).is_err()) {
             let x = self.request.range.0;
-            let why = system.with(&[(path, x)]).err().and_then(|d| d.0.into_iter().next()).map(|d| d.message).unwrap_or_default();
-            let message = format!("the machine does not exist at any value tried of {path}; at {}: {why}", quantity(x, unit(system, path)));
-            return Err(Diagnostic::error("loci.parameter", message).help("choose another range of the parameter"));
+            let at = quantity(x, unit(system, path));
+            let message = match system.with(&[(path, x)]) {
+                Err(d) => {
+                    let why = d.into_error().message;
+                    text!("the machine does not exist at any value tried of {path}; at {at}: {why}", path, at, why)
+                }
+                Ok(_) => text!("the machine does not exist at any value tried of {path}", path),
+            };
+            return Err(Diagnostic::error("loci.parameter", message).help(text!("choose another range of the parameter")));
         }
         if !self.request.folds
             && let Err(why) = Stability::new(system)
         {
-            return Err(Diagnostic::error("loci.stability", format!("the stability of this machine's motions cannot be assessed: {why}"))
-                .help("kinds = \"folds\" needs no stability"));
+            return Err(Diagnostic::error(
+                "loci.stability",
+                text!("the stability of this machine's motions cannot be assessed: {why}", why),
+            )
+            .help(text!("kinds = \"folds\" needs no stability")));
         }
         Ok(())
     }

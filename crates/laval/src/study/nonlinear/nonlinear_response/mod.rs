@@ -37,6 +37,7 @@ use crate::solve::symmetry::Symmetry;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
+use crate::text;
 use measuring::Measuring;
 pub(in crate::study) use one::around;
 pub use result::{Measured, NonlinearResponseResult};
@@ -230,7 +231,7 @@ harmonics = "auto"
             return one::outcome(Self::KIND, system, response, (speed, motions), name, *end);
         }
         let Some(measured) = measured else {
-            return Err(Diagnostic::error("response.result", "the stored response is of one speed, and this study is over a range"));
+            return Err(Diagnostic::error("response.result", text!("the stored response is of one speed, and this study is over a range")));
         };
         let shown = Shown::new(system, response, measured);
         let mut outcome = shown.outcome(&self.request, name, *end)?;
@@ -247,9 +248,12 @@ pub(in crate::study) fn request(values: &Values, diagnostics: &mut Diagnostics) 
     let speeds = range("speed", values.range("speed")?, 0, values, diagnostics).map(|s| (s.from, s.to));
     if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
         diagnostics.push(
-            Diagnostic::error("response.standstill", "the range of speeds comes too near to standstill, where no unbalance acts")
+            Diagnostic::error("response.standstill", text!("the range of speeds comes too near to standstill, where no unbalance acts"))
                 .at(values.span_of("speed"))
-                .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
+                .help(text!(
+                    "keep both ends above {slowest} rad/s, or both below -{slowest} rad/s for rotation the other way round",
+                    slowest = SLOWEST
+                )),
         );
     }
     let harmonics = match values.get("harmonics") {
@@ -268,19 +272,22 @@ pub(in crate::study) fn request(values: &Values, diagnostics: &mut Diagnostics) 
         diagnostics.push(
             Diagnostic::error(
                 "response.harmonics",
-                format!("order {h} of the base frequency does not reach the unbalance, which has order {divisor}"),
+                text!("order {h} of the base frequency does not reach the unbalance, which has order {divisor}", h, divisor),
             )
             .at(values.span_of("harmonics"))
-            .help("with subharmonic = n, orders count in steps of speed / n: keep at least n of them"),
+            .help(text!("with subharmonic = n, orders count in steps of speed / n: keep at least n of them")),
         );
     }
     if let Some(by) = symmetry.filter(|s| *s != Symmetry::None && divisor.is_multiple_of(2)) {
-        let message =
-            format!("motions of {divisor} turns of the rotor have no symmetry by a {}: only those of an odd number of turns do", by.name());
+        let message = text!(
+            "motions of {divisor} turns of the rotor have no symmetry by a {symmetry}: only those of an odd number of turns do",
+            divisor,
+            symmetry = text::term(by.name())
+        );
         diagnostics.push(
             Diagnostic::error("response.symmetry", message)
                 .at(values.span_of("symmetry"))
-                .help("write symmetry = \"none\", or an odd number for subharmonic"),
+                .help(text!("write symmetry = \"none\", or an odd number for subharmonic")),
         );
     }
     if diagnostics.0.len() > before {
@@ -308,9 +315,11 @@ pub(in crate::study) fn admit(system: &System, request: &Request) -> Result<(), 
     if system.machine.drive == Drive::Free {
         return Err(Diagnostic::error(
             "response.free_drive",
-            "a steady response is computed at constant speed, and the speed of this machine is free",
+            text!("a steady response is computed at constant speed, and the speed of this machine is free"),
         )
-        .help("prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"));
+        .help(text!(
+            "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"
+        )));
     }
     if request.states == States::All && request.time_starts > 0 {
         ensemble::admit(system, time_starts::method(system))?;

@@ -26,6 +26,7 @@ use crate::store::{self, Collected};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
+use crate::text;
 use cells::Cell;
 use laval_num::work::Here;
 use rayon::prelude::*;
@@ -114,14 +115,14 @@ speed = { from = "100 rpm", to = "12000 rpm" }
         let [Some(x), Some(y)] = axes else { return None };
         let (mine, other) = (system.param(&x.path).unwrap_or_default(), system.param(&y.path).unwrap_or_default());
         if mine.iter().any(|i| other.contains(i)) {
-            let message = format!("\"{}\" and \"{}\" are the same parameter", x.path, y.path);
-            let help = "vary two parameters; for one, see nonlinear_response with uncertainty, or give y another";
+            let message = text!("\"{first}\" and \"{second}\" are the same parameter", first = x.path, second = y.path);
+            let help = text!("vary two parameters; for one, see nonlinear_response with uncertainty, or give y another");
             diagnostics.push(Diagnostic::error("response_map.parameter", message).at(values.span_of("y")).help(help));
         }
         let count = |a: &ParameterAxis| a.range.points.unwrap_or(DEFAULT_POINTS);
         if count(&x).saturating_mul(count(&y)) > MOST_CELLS {
-            let message = format!("a map of {} by {} machines is too large", count(&x), count(&y));
-            let help = format!("at most {MOST_CELLS} machines in all");
+            let message = text!("a map of {x} by {y} machines is too large", x = count(&x), y = count(&y));
+            let help = text!("at most {most} machines in all", most = MOST_CELLS);
             diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("y")).help(help));
         }
         if diagnostics.0.len() > before { None } else { Some(ResponseMap { axes: [x, y], request: request? }) }
@@ -147,7 +148,7 @@ speed = { from = "100 rpm", to = "12000 rpm" }
             // settled by the request alone, so that a resumed study finds its chunks; small, because a row may take seconds
             chunk: rows.div_ceil(50).clamp(4, 16),
         };
-        context.announce(rows as f64, 400.0, "responses to compute");
+        context.announce(rows as f64, 400.0, text!("responses to compute"));
         let spent = AtomicU64::new(0);
         let results = store::run(plan, context, |range, counter| {
             // The limit counts points of responses. It never shortens a response, which would then be kept as if it were complete: a chunk
@@ -197,8 +198,8 @@ fn axis(field: &str, spacing: &str, values: &Values, system: &System, diagnostic
     }
     let logarithmic = values.choice(spacing) == Some("logarithmic");
     if logarithmic && !(given.from > 0.0) {
-        let message = format!("{field} is spaced in equal ratios, but does not begin above 0");
-        let help = format!("begin above 0, or leave {spacing} out");
+        let message = text!("{field} is spaced in equal ratios, but does not begin above 0", field);
+        let help = text!("begin above 0, or leave {spacing} out", spacing);
         diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of(field)).help(help));
         return None;
     }

@@ -9,6 +9,7 @@ use crate::model::field::RangeValue;
 use crate::model::system::System;
 use crate::solve::stationary::{Change, Found, Request, Search, State};
 use crate::study::shared::support::larger;
+use crate::text;
 use laval_num::order::SortByNumber;
 use laval_num::work::Here;
 use rayon::prelude::*;
@@ -255,7 +256,7 @@ pub fn chart(
     spent: u64,
 ) -> Result<Chart, Diagnostic> {
     let values = spread(range, super::POINTS);
-    context.announce((values.len() * speeds.len()) as f64, 2_000.0, "cells of the chart");
+    context.announce((values.len() * speeds.len()) as f64, 2_000.0, text!("cells of the chart"));
     // every row has its share of the work, so that none depends on the number of threads
     let work = context.work_limit.saturating_sub(spent) / values.len() as u64;
     let skip = request.seeds.len().div_ceil(SEEDS);

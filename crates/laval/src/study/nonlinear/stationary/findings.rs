@@ -48,7 +48,7 @@ impl Report<'_> {
         for (slot, reason) in self.system.warnings() {
             let name = &self.system.slots()[slot].name;
             let finding = Finding::warning("hindered", "stationary-hindered").of(name);
-            out.push(finding.arg("part", Arg::name(name)).arg("reason", Arg::term(reason)));
+            out.push(finding.arg("part", Arg::name(name)).arg("reason", reason));
         }
         let movable = !self.found.images.angles.is_empty();
         if !movable {

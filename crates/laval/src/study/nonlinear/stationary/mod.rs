@@ -35,6 +35,7 @@ use crate::solve::turning::isotropic;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, SPEED_RANGE, one_or_range, range};
 use crate::study::{Context, Study};
+use crate::text;
 use chart::Chart;
 use classify::{Class, Scale, Seen};
 use continua::Continua;
@@ -192,18 +193,18 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             && s.points.unwrap_or(POINTS).saturating_mul(c.points.unwrap_or(POINTS)) > MOST_CELLS
         {
             diagnostics.push(
-                Diagnostic::error("study.range", "the chart has too many cells")
+                Diagnostic::error("study.range", text!("the chart has too many cells"))
                     .at(values.span_of("chart"))
-                    .help(format!("at most {MOST_CELLS} speeds times values")),
+                    .help(text!("at most {most} speeds times values", most = MOST_CELLS)),
             );
         }
         for field in ["stabilise", "errors"] {
             let requested = if field == "errors" { !lists.is_empty() } else { stabilise.is_some() };
             if requested && at.is_none() {
                 diagnostics.push(
-                    Diagnostic::error("stationary.speed", format!("{field} needs the speed of the state that is meant"))
+                    Diagnostic::error("stationary.speed", text!("{field} needs the speed of the state that is meant", field))
                         .at(values.span_of(field))
-                        .help("give stabilise_at = \"3000 rpm\", or a speed in [machine]"),
+                        .help(text!("give stabilise_at = \"3000 rpm\", or a speed in [machine]")),
                 );
             }
         }
@@ -229,9 +230,9 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
         if system.machine.drive == Drive::Free {
             return Err(Diagnostic::error(
                 "stationary.drive",
-                "stationary states are sought at given speeds, and the speed of this machine is free",
+                text!("stationary states are sought at given speeds, and the speed of this machine is free"),
             )
-            .help("prescribe the speed of the machine, or follow the free machine in time with a transient study"));
+            .help(text!("prescribe the speed of the machine, or follow the free machine in time with a transient study")));
         }
         let probed = probed_speeds((self.speed.from, self.speed.to));
         for w in probed.iter().copied().chain(self.stabilise.iter().chain(&self.errors).map(|s| s.speed)) {
@@ -243,7 +244,7 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
         for (path, range, speed) in varied.chain(self.chart.iter().map(|(path, range)| (path, *range, middle))) {
             for x in [range.from, range.to] {
                 isotropic(&changed(system, path, x)?, speed).map_err(|d| {
-                    let message = format!("at {path} = {x}: {}", d.message);
+                    let message = text!("at {path} = {x}: {message}", path, x, message = d.message);
                     Diagnostic { message, ..d }
                 })?;
             }
@@ -254,7 +255,7 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
     fn compute(&self, system: &System, context: &Context) -> Result<StationaryResult, Diagnostic> {
         Study::admit(self, system)?;
         let request = self.request(context.work_limit);
-        context.announce((request.seeds.len() * request.starts) as f64, 5_000.0, "starts to follow");
+        context.announce((request.seeds.len() * request.starts) as f64, 5_000.0, text!("starts to follow"));
         let mut search = Search::new(system, &request, context.cancel);
         let mut each = |p: Progress| {
             context.progress.report(p.done, p.total);
@@ -274,7 +275,7 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
         let again = within(ranges::without_stable(&found, &continua.spans, request.range, NARROW * width));
         if !again.is_empty() && goes_on(0) {
             let (work, loose) = (found.work, found.loose.len());
-            context.announce((again.len() * request.starts) as f64, 5_000.0, "starts to follow where no state is stable");
+            context.announce((again.len() * request.starts) as f64, 5_000.0, text!("starts to follow where no state is stable"));
             search.seek(&mut found, &again, &mut each)?;
             goes_on(found.work - work);
             if found.loose.len() > loose {
@@ -390,9 +391,9 @@ fn within(mut gaps: Vec<(f64, f64)>) -> Vec<f64> {
 /// The machine with another value of a parameter.
 fn changed(system: &System, path: &str, x: f64) -> Result<System, Diagnostic> {
     system.with(&[(path, x)]).map_err(|d| {
-        let why = d.0.into_iter().next().map(|d| d.message).unwrap_or_default();
-        Diagnostic::error("stationary.parameter", format!("the machine does not exist at {path} = {x}: {why}"))
-            .help("narrow the range of the parameter")
+        let why = d.into_error().message;
+        Diagnostic::error("stationary.parameter", text!("the machine does not exist at {path} = {x}: {why}", path, x, why))
+            .help(text!("narrow the range of the parameter"))
     })
 }
 

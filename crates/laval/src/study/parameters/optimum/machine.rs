@@ -4,6 +4,7 @@ use super::request::few_enough;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{RangeValue, Values};
 use crate::model::system::System;
+use crate::text;
 
 /// A parameter and its bounds.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,8 +55,8 @@ pub(super) fn vary(values: &Values, system: &System, out: &mut Diagnostics) -> O
             Err(d) => out.push(d.at(span.clone())),
             Ok((v, indices)) => {
                 if let Some(o) = found.iter().find(|o| o.1.iter().any(|i| indices.contains(i))) {
-                    let message = format!("\"{path}\" and \"{}\" are the same parameter", o.0.path);
-                    out.push(Diagnostic::error("optimum.parameters", message).at(span.clone()).help("name each once"));
+                    let message = text!("\"{first}\" and \"{second}\" are the same parameter", first = path, second = o.0.path);
+                    out.push(Diagnostic::error("optimum.parameters", message).at(span.clone()).help(text!("name each once")));
                 }
                 found.push((v, indices));
             }
@@ -71,11 +72,11 @@ fn one(path: &str, range: &RangeValue, system: &System) -> Result<(Vary, Vec<usi
     let (slot, now) = (&system.param_slots()[first], system.params()[first]);
     let (from, to) = (range.from, range.to);
     if !(from < to) {
-        let d = Diagnostic::error("optimum.bounds", format!("{path}: the bounds must go from a lower to a higher value"));
-        return Err(d.help("exchange from and to"));
+        let d = Diagnostic::error("optimum.bounds", text!("{path}: the bounds must go from a lower to a higher value", path));
+        return Err(d.help(text!("exchange from and to")));
     }
     if let Some(x) = [from, to].into_iter().find(|x| !slot.bounds.contains(*x)) {
-        return Err(Diagnostic::error("optimum.bounds", format!("{path}: {x} {} is not admissible", slot.unit)));
+        return Err(Diagnostic::error("optimum.bounds", text!("{path}: {x} {unit} is not admissible", path, x, unit = slot.unit)));
     }
     Ok((Vary { path: path.to_string(), unit: slot.unit, from, to, now }, indices))
 }

@@ -32,6 +32,7 @@ use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, ErasedStudy, Study};
+use crate::text;
 pub use machine::Vary;
 pub use request::{Aim, Limit};
 pub use result::{Along, Found, OptimumResult, Run, Slope, Stray, Trail};
@@ -135,7 +136,7 @@ maximise = "least_damped_mode damping ratio"
         }
         let now = with_sizes(&nominal);
         self.known(&now)?;
-        context.announce((self.starts * self.runs) as f64, 1000.0, &format!("runs of the study {} at most", self.study.kind()));
+        context.announce((self.starts * self.runs) as f64, 1000.0, text!("runs of the study {kind} at most", kind = self.study.kind()));
         let found = search::search(self, system, &now, &inner, context);
         Ok(OptimumResult { end: context.end(found.complete), found: Some(found) })
     }

@@ -1,9 +1,10 @@
 //! What is made small or large, and what has limits.
 
 use super::{MOST_PARAMETERS, Optimum};
-use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Span, meant, nearest};
 use crate::model::field::{Value, Values};
 use crate::study::parameters::uncertainty::collect::Quantity;
+use crate::text;
 use crate::units::check_dimension;
 
 /// The number that is made small or large.
@@ -43,18 +44,20 @@ pub(super) fn aim(values: &Values, out: &mut Diagnostics) -> Option<Aim> {
     // a name that only stands by default gives way
     match (word("minimise").filter(|_| values.written("minimise") || word("maximise").is_none()), word("maximise")) {
         (Some(_), Some(_)) => {
-            let d = Diagnostic::error("optimum.aim", "one number can be made small or large, not two at once");
+            let d = Diagnostic::error("optimum.aim", text!("one number can be made small or large, not two at once"));
             out.push(
                 d.at(values.span_of("maximise"))
-                    .help("leave out minimise or maximise, and give the other number a limit by at_most or at_least"),
+                    .help(text!("leave out minimise or maximise, and give the other number a limit by at_most or at_least")),
             );
             None
         }
         (_, Some(name)) => Some(Aim { name: name.into(), large: true, span: values.span_of("maximise") }),
         (Some(name), None) => Some(Aim { name: name.into(), large: false, span: values.span_of("minimise") }),
         (None, None) => {
-            let d = Diagnostic::error("optimum.aim", "nothing is named that should become small or large");
-            out.push(d.at(values.span_of("minimise")).help("write minimise = \"largest_displacement\", or maximise = \"widest_window\""));
+            let d = Diagnostic::error("optimum.aim", text!("nothing is named that should become small or large"));
+            out.push(
+                d.at(values.span_of("minimise")).help(text!("write minimise = \"largest_displacement\", or maximise = \"widest_window\"")),
+            );
             None
         }
     }
@@ -68,8 +71,8 @@ pub(super) fn limits(values: &Values, out: &mut Diagnostics) -> Option<Vec<Limit
         let units = values.units_of(field);
         for (k, (name, value, span)) in entries.iter().enumerate() {
             if *value == 0.0 || !value.is_finite() {
-                let message = format!("the limit on \"{name}\" is {value}: how far it is kept is measured by its size");
-                out.push(Diagnostic::error("optimum.limit", message).at(span.clone()).help("give a number other than zero"));
+                let message = text!("the limit on \"{name}\" is {value}: how far it is kept is measured by its size", name, value);
+                out.push(Diagnostic::error("optimum.limit", message).at(span.clone()).help(text!("give a number other than zero")));
                 fine = false;
                 continue;
             }
@@ -92,17 +95,18 @@ impl Optimum {
                 all.dedup();
                 let all = all.join(", ");
                 let help = match nearest(name, names()) {
-                    Some(near) => format!("did you mean \"{near}\"? It finds: {all}"),
-                    None => format!("it finds: {all}"),
+                    Some(near) => meant(text::quoted(&near), text!("it finds: {all}", all)),
+                    None => text!("it finds: {all}", all),
                 };
-                let message = format!("the study {} finds no number \"{name}\" of this machine", self.study.kind());
+                let message = text!("the study {kind} finds no number \"{name}\" of this machine", kind = self.study.kind(), name);
                 return Err(Diagnostic::error("optimum.number", message).at(span.clone()).help(help));
             };
             if let Some(given) = unit
                 && let Err(e) = check_dimension(given, &q.unit)
             {
-                let d = Diagnostic::error("optimum.unit", format!("the limit on \"{name}\": {}", e.message)).at(span.clone());
-                return Err(Diagnostic { help: e.help.map(Into::into), ..d });
+                let d = Diagnostic::error("optimum.unit", text!("the limit on \"{name}\": {message}", name, message = e.message))
+                    .at(span.clone());
+                return Err(Diagnostic { help: e.help.map(Box::new), ..d });
             }
         }
         Ok(())
@@ -112,8 +116,12 @@ impl Optimum {
 /// Says so when there are too many parameters.
 pub(super) fn few_enough(count: usize, values: &Values, out: &mut Diagnostics) -> bool {
     if count > MOST_PARAMETERS {
-        let message = format!("{count} parameters are too many to search");
-        out.push(Diagnostic::error("optimum.parameters", message).at(values.span_of("vary")).help(format!("at most {MOST_PARAMETERS}")));
+        let message = text!("{count} parameters are too many to search", count);
+        out.push(
+            Diagnostic::error("optimum.parameters", message)
+                .at(values.span_of("vary"))
+                .help(text!("at most {most}", most = MOST_PARAMETERS)),
+        );
     }
     count <= MOST_PARAMETERS
 }

@@ -25,6 +25,7 @@ use crate::outcome::{End, Outcome};
 use crate::store::{self, Cells, Column};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, ErasedStudy, Study};
+use crate::text;
 pub use collect::Quantity;
 pub(in crate::study) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
@@ -159,7 +160,7 @@ samples = 256
             // settled by the request alone, so that a resumed study finds its chunks
             chunk: rows.div_ceil(50).clamp(16, 4096),
         };
-        context.announce(rows as f64, 1000.0, &format!("runs of the study {}", self.study.kind()));
+        context.announce(rows as f64, 1000.0, text!("runs of the study {kind}", kind = self.study.kind()));
         let results = store::run(plan, context, |range, counter| {
             let here = Here::now();
             let one = |row: usize| {
@@ -207,13 +208,15 @@ impl Uncertainty {
         let k = self.parameters.len();
         let dimensions = if matches!(self.design, Design::Sobol(_)) { 2 * k } else { k };
         if runs > MOST_RUNS {
-            let message = format!("{} samples of {k} parameters require {runs} runs, which are too many", self.samples);
-            let help = format!("at most {MOST_RUNS} runs in all");
+            let message =
+                text!("{samples} samples of {k} parameters require {runs} runs, which are too many", samples = self.samples, k, runs);
+            let help = text!("at most {most} runs in all", most = MOST_RUNS);
             diagnostics.push(Diagnostic::error("uncertainty.runs", message).at(values.span_of("samples")).help(help));
         }
         if dimensions > MOST_DIMENSIONS as usize && matches!(self.design, Design::Plain(Points::Sobol) | Design::Sobol(Points::Sobol)) {
-            let message = format!("{k} parameters need {dimensions} dimensions; the Sobol sequence has {MOST_DIMENSIONS}");
-            let help = "use method = \"monte_carlo\"";
+            let message =
+                text!("{k} parameters need {dimensions} dimensions; the Sobol sequence has {most}", k, dimensions, most = MOST_DIMENSIONS);
+            let help = text!("use method = \"monte_carlo\"");
             diagnostics.push(Diagnostic::error("uncertainty.dimensions", message).at(values.span_of("parameters")).help(help));
         }
         diagnostics.0.len() == before

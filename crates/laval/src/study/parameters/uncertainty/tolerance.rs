@@ -4,6 +4,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::Tolerance;
 use crate::model::system::System;
 use crate::outcome::quantity;
+use crate::text;
+use crate::text::Text;
 use laval_num::sampling::distribution::Distribution;
 
 /// One uncertain parameter.
@@ -34,8 +36,8 @@ pub fn read(list: &[Tolerance], system: &System, diagnostics: &mut Diagnostics) 
         let indices = system.param(&t.parameter).unwrap_or_default();
         let twice = list[..i].iter().find(|o| system.param(&o.parameter).unwrap_or_default().iter().any(|k| indices.contains(k)));
         if let Some(o) = twice {
-            let message = format!("\"{}\" and \"{}\" are the same parameter", o.parameter, t.parameter);
-            diagnostics.push(Diagnostic::error("uncertainty.parameter", message).at(t.span.clone()).help("name each once"));
+            let message = text!("\"{first}\" and \"{second}\" are the same parameter", first = o.parameter, second = t.parameter);
+            diagnostics.push(Diagnostic::error("uncertainty.parameter", message).at(t.span.clone()).help(text!("name each once")));
             return None;
         }
     }
@@ -45,13 +47,13 @@ pub fn read(list: &[Tolerance], system: &System, diagnostics: &mut Diagnostics) 
 fn one(t: &Tolerance, system: &System) -> Result<Uncertain, Diagnostic> {
     let path = &t.parameter;
     let wrong =
-        |message: String, help: &str| Diagnostic::error("uncertainty.parameter", format!("{path}: {message}")).help(help.to_string());
+        |message: Text, help: Text| Diagnostic::error("uncertainty.parameter", text!("{path}: {message}", path, message)).help(help);
     let indices = system.param(path).ok_or_else(|| system.unknown_param(path))?;
     let (value, slot) =
         indices.first().map(|&i| (system.params()[i], &system.param_slots()[i])).ok_or_else(|| system.unknown_param(path))?;
     if indices.iter().any(|&i| system.params()[i] != value) {
-        let halves = format!("name {path}.x or {path}.y");
-        return Err(wrong("its values in x and y differ, so that there is no single one to be uncertain".into(), &halves));
+        let halves = text!("name {path}.x or {path}.y", path);
+        return Err(wrong(text!("its values in x and y differ, so that there is no single one to be uncertain"), halves));
     }
     let unit = slot.unit;
     let say = |x: f64| quantity(x, unit);
@@ -63,17 +65,18 @@ fn one(t: &Tolerance, system: &System) -> Result<Uncertain, Diagnostic> {
     if let Some((other, _)) = t.amounts.iter().find(|a| !allowed.contains(&a.0)) {
         let help = match (t.distribution, *other) {
             ("normal" | "log_normal", "tolerance") => {
-                "give its standard deviation: a tolerance that 99.7 % of the parts keep is three of them".to_string()
+                text!("give its standard deviation: a tolerance that 99.7 % of the parts keep is three of them")
             }
-            _ => format!("it takes {}", allowed.join(", ")),
+            _ => text!("it takes {allowed}", allowed = allowed.join(", ")),
         };
-        return Err(wrong(format!("a distribution \"{}\" has no {other}", t.distribution), &help));
+        return Err(wrong(text!("a distribution \"{distribution}\" has no {other}", distribution = t.distribution, other), help));
     }
     let get = |name| t.amount(name, value);
     let distribution = match t.distribution {
         "normal" | "log_normal" => {
             let mean = get("mean").unwrap_or(value);
-            let deviation = get("deviation").ok_or_else(|| wrong("the standard deviation is missing".into(), "add deviation = \"2 %\""))?;
+            let deviation =
+                get("deviation").ok_or_else(|| wrong(text!("the standard deviation is missing"), text!("add deviation = \"2 %\"")))?;
             // a share of a negative value is a deviation too
             let deviation =
                 if t.amounts.iter().any(|a| a.0 == "deviation" && matches!(a.1, crate::model::field::Amount::Percent(x) if x > 0.0)) {
@@ -83,11 +86,11 @@ fn one(t: &Tolerance, system: &System) -> Result<Uncertain, Diagnostic> {
                 };
             if !(deviation > 0.0) {
                 let help = if value == 0.0 {
-                    "the machine's value is 0, of which every share is 0: give a number with a unit"
+                    text!("the machine's value is 0, of which every share is 0: give a number with a unit")
                 } else {
-                    "it must be above 0"
+                    text!("it must be above 0")
                 };
-                return Err(wrong(format!("a standard deviation of {} leaves nothing uncertain", say(deviation)), help));
+                return Err(wrong(text!("a standard deviation of {deviation} leaves nothing uncertain", deviation = say(deviation)), help));
             }
             if t.distribution == "normal" {
                 Distribution::Normal { mean, deviation }
@@ -95,8 +98,8 @@ fn one(t: &Tolerance, system: &System) -> Result<Uncertain, Diagnostic> {
                 Distribution::LogNormal { mean, deviation }
             } else {
                 return Err(wrong(
-                    format!("a log-normal number is positive, its mean cannot be {}", say(mean)),
-                    "use \"normal\", or give a mean",
+                    text!("a log-normal number is positive, its mean cannot be {mean}", mean = say(mean)),
+                    text!("use \"normal\", or give a mean"),
                 ));
             }
         }
@@ -106,22 +109,25 @@ fn one(t: &Tolerance, system: &System) -> Result<Uncertain, Diagnostic> {
                 (None, None, Some(d)) => (value - d.abs(), value + d.abs()),
                 _ => {
                     return Err(wrong(
-                        "either from and to, or tolerance, is needed".into(),
-                        "write tolerance = \"5 %\", or from = .., to = ..",
+                        text!("either from and to, or tolerance, is needed"),
+                        text!("write tolerance = \"5 %\", or from = .., to = .."),
                     ));
                 }
             };
             if !(from < to) {
                 let help = if value == 0.0 {
-                    "the machine's value is 0, of which every share is 0: give numbers with a unit"
+                    text!("the machine's value is 0, of which every share is 0: give numbers with a unit")
                 } else {
-                    "from must lie below to"
+                    text!("from must lie below to")
                 };
-                return Err(wrong(format!("there is nothing between {} and {}", say(from), say(to)), help));
+                return Err(wrong(text!("there is nothing between {from} and {to}", from = say(from), to = say(to)), help));
             }
             for end in [from, to] {
                 if !slot.bounds.contains(end) {
-                    return Err(wrong(format!("{} is not admissible for this parameter", say(end)), "narrow the interval"));
+                    return Err(wrong(
+                        text!("{value} is not admissible for this parameter", value = say(end)),
+                        text!("narrow the interval"),
+                    ));
                 }
             }
             if t.distribution == "uniform" {
@@ -129,8 +135,13 @@ fn one(t: &Tolerance, system: &System) -> Result<Uncertain, Diagnostic> {
             } else {
                 let mode = get("mode").unwrap_or(value);
                 if !(from..=to).contains(&mode) {
-                    let message = format!("its most probable value, {}, lies outside {} to {}", say(mode), say(from), say(to));
-                    return Err(wrong(message, "give mode, or other ends"));
+                    let message = text!(
+                        "its most probable value, {mode}, lies outside {from} to {to}",
+                        mode = say(mode),
+                        from = say(from),
+                        to = say(to)
+                    );
+                    return Err(wrong(message, text!("give mode, or other ends")));
                 }
                 Distribution::Triangular { from, mode, to }
             }

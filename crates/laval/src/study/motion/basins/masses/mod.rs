@@ -32,6 +32,7 @@ use crate::study::motion::steady_state::{Budget, method};
 pub use crate::study::nonlinear::stationary::classify::Class;
 use crate::study::nonlinear::stationary::classify::{Scale, Seen};
 use crate::study::nonlinear::stationary::states_at;
+use crate::text;
 pub use check::{Checked, Differs};
 use follow::{Begin, Course, Follow, Goal};
 use known::{Attractor, KnownAttractors};
@@ -168,7 +169,7 @@ impl Members<'_> {
         let (learned, witnessed) = ((cells / 8).clamp(16, 256), (cells / 10).clamp(400, 1024));
         let total = learned + if self.early { witnessed + witnessed / 2 } else { 0 };
         let (context, begun) = (self.context, AtomicU64::new(0));
-        context.announce(total as f64, ANNOUNCED, "starts followed beforehand, then those of the map");
+        context.announce(total as f64, ANNOUNCED, text!("starts followed beforehand, then those of the map"));
         // one is never done: the map is still to come
         let done = || context.progress.report(begun.fetch_add(1, Ordering::Relaxed), total as u64);
         let mut seen = Rehearsal { learned, ..Rehearsal::default() };
@@ -294,7 +295,7 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
         context,
         system: Arc::new(own),
     };
-    context.announce(count as f64, 1000.0, "motions to follow until their masses rest or go on moving alike");
+    context.announce(count as f64, 1000.0, text!("motions to follow until their masses rest or go on moving alike"));
     let Some(seen) = members.rehearse(count) else {
         return Ok(BasinsResult { found: None, undeflected: members.start.undeflected, end: context.end(false) });
     };

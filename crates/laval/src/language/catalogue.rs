@@ -33,19 +33,24 @@ impl Language {
     }
 
     /// The language has this sentence, or English has.
-    pub(super) fn has(self, key: &str) -> bool {
+    pub(crate) fn has(self, key: &str) -> bool {
         self.bundle().has_message(key) || Language::English.bundle().has_message(key)
     }
 
+    /// The language itself has this sentence.
+    pub(crate) fn own(self, key: &str) -> bool {
+        self.bundle().has_message(key)
+    }
+
     /// A sentence, in English where the language does not have it. An argument that is missing stays visible as `{$name}`.
-    pub(super) fn format(self, key: &str, args: &FluentArgs) -> String {
+    pub(crate) fn format(self, key: &str, args: &FluentArgs) -> String {
         let bundle = if self.bundle().has_message(key) { self.bundle() } else { Language::English.bundle() };
         let Some(pattern) = bundle.get_message(key).and_then(|m| m.value()) else { return key.into() };
         bundle.format_pattern(pattern, Some(args), &mut Vec::new()).replace('\n', " ")
     }
 
     /// A fixed phrase of a part: the language may have it under a name made of its letters.
-    pub(super) fn term(self, text: &str) -> String {
+    pub(crate) fn term(self, text: &str) -> String {
         let key = format!("term-{}", slug(text));
         match self.bundle().has_message(&key) {
             true => self.format(&key, &FluentArgs::new()),
@@ -99,13 +104,13 @@ impl FromStr for Language {
 }
 
 /// Letters and digits of a text, joined by hyphens.
-pub(super) fn slug(text: &str) -> String {
+pub(crate) fn slug(text: &str) -> String {
     let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|w| !w.is_empty());
     words.collect::<Vec<_>>().join("-").to_ascii_lowercase()
 }
 
 /// Files of one language: names and texts.
-pub(super) fn files(language: Language) -> impl Iterator<Item = (&'static str, &'static str)> {
+pub(crate) fn files(language: Language) -> impl Iterator<Item = (&'static str, &'static str)> {
     CATALOGUES.iter().filter(move |c| c.0 == language.code()).map(|c| (c.1, c.2))
 }
 
