@@ -44,14 +44,14 @@ mod words;
 mod write;
 
 pub use csv::csv;
-pub use html::html;
+pub use html::{html, page_one};
 pub use json::{RESULTS_SCHEMA, SCHEMA, json};
 pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
 pub use renew::{outdated, prepare, renew};
 pub use summary::summary;
-pub use svg::draw;
+pub use svg::{draw, draw_in};
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
 pub use units::{Rung, Units};

@@ -1,0 +1,73 @@
+"""Dynamics of rotating machines, from a text file or from Python to findings, tables and figures.
+
+    >>> import laval
+    >>> machine = laval.load("machine.toml")
+    >>> results = machine.run()
+    >>> print(results)
+
+A machine is also built from :mod:`laval.parts` and :mod:`laval.studies`. Values with a unit are texts (``"3000 rpm"``) or pint quantities; a
+bare number is in SI units. Results are in SI units.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from laval._blocks import Block, Extra, Part, Study
+from laval._errors import Diagnostic, Interrupted, MachineError, MachineWarning
+from laval._machine import Machine, Parameter, load, loads
+from laval._native import __version__
+from laval._quantities import si, span
+from laval._results import Check, Evidence, Finding, Results, SpecialPoint, StudyResults, Value
+from laval._tables import Table
+
+if TYPE_CHECKING:
+    from laval import blocks as blocks, parts as parts, studies as studies
+    from laval._figures import Figure as Figure
+
+__all__ = [
+    "Block",
+    "Check",
+    "Diagnostic",
+    "Evidence",
+    "Extra",
+    "Figure",
+    "Finding",
+    "Interrupted",
+    "Machine",
+    "MachineError",
+    "MachineWarning",
+    "Parameter",
+    "Part",
+    "Results",
+    "SpecialPoint",
+    "Study",
+    "StudyResults",
+    "Table",
+    "Value",
+    "__version__",
+    "blocks",
+    "load",
+    "loads",
+    "parts",
+    "si",
+    "span",
+    "studies",
+]
+
+_LAZY = {"blocks": None, "parts": None, "studies": None, "Figure": "laval._figures"}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LAZY:
+        raise AttributeError(f"module 'laval' has no attribute {name!r}")
+    from importlib import import_module
+
+    home = _LAZY[name]
+    found = import_module(f"laval.{name}") if home is None else getattr(import_module(home), name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
