@@ -98,7 +98,7 @@ fn metadata(entries: &[(&str, &str)]) -> Vec<u8> {
     if entries.is_empty() {
         return out;
     }
-    let mut number = |out: &mut Vec<u8>, n: usize| out.extend((n as i32).to_ne_bytes());
+    let number = |out: &mut Vec<u8>, n: usize| out.extend((n as i32).to_ne_bytes());
     number(&mut out, entries.len());
     for (key, value) in entries {
         for text in [key, value] {

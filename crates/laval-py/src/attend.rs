@@ -56,6 +56,13 @@ impl Progress for Watch {
     }
 }
 
+/// Waits for nothing: what attending to a run costs.
+#[pyfunction]
+pub fn idle(py: Python<'_>) -> PyResult<()> {
+    let run = attended(py, &Cancel::default(), &Watch::default(), None, || ())?;
+    run.stopped_by.map_or(Ok(()), Err)
+}
+
 /// What a computation gave, or with what it panicked; and the exception that asked it to stop.
 pub struct Attended<R> {
     pub result: Result<R, Box<dyn Any + Send>>,

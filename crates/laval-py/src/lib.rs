@@ -3,6 +3,7 @@
 mod arrow;
 mod attend;
 mod catalog;
+mod derivative;
 mod errors;
 mod figure;
 mod machine;
@@ -24,7 +25,11 @@ fn _native(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<table::Table>()?;
     m.add_class::<table::Column>()?;
     m.add_function(wrap_pyfunction!(machine::read, m)?)?;
+    m.add_function(wrap_pyfunction!(attend::idle, m)?)?;
     m.add_function(wrap_pyfunction!(catalog::catalog, m)?)?;
     m.add_function(wrap_pyfunction!(catalog::si, m)?)?;
+    m.add_function(wrap_pyfunction!(derivative::bounds, m)?)?;
+    m.add_function(wrap_pyfunction!(derivative::mode, m)?)?;
+    m.add_function(wrap_pyfunction!(derivative::places, m)?)?;
     Ok(())
 }

@@ -66,7 +66,7 @@ impl Session<'_> {
             match refusals.iter().find(|r| r.studies.contains(&i)) {
                 // the reason names all studies and stands once
                 Some(r) if ran.refusals.contains(&r.diagnostic) => {
-                    let first = r.studies.iter().find(|k| self.chosen.contains(k)).map_or("", |&k| &self.loaded.studies[k].name);
+                    let first = r.studies.iter().find(|k| self.chosen.contains(*k)).map_or("", |&k| self.loaded.studies[k].name.as_str());
                     ran.refused(named, Finding::info("refused_alike", "run-refused-alike").arg("study", Arg::name(first)));
                 }
                 Some(r) => ran.refuse(named, r.diagnostic.clone()),

@@ -23,22 +23,28 @@ from laval._tables import Table
 
 if TYPE_CHECKING:
     from laval import blocks as blocks, parts as parts, studies as studies
+    from laval._derivatives import Derivatives as Derivatives, Function as Function, Jump as Jump, Mode as Mode, Peak as Peak
     from laval._figures import Figure as Figure
 
 __all__ = [
     "Block",
     "Check",
+    "Derivatives",
     "Diagnostic",
     "Evidence",
     "Extra",
     "Figure",
     "Finding",
+    "Function",
     "Interrupted",
+    "Jump",
     "Machine",
     "MachineError",
     "MachineWarning",
+    "Mode",
     "Parameter",
     "Part",
+    "Peak",
     "Results",
     "SpecialPoint",
     "Study",
@@ -55,7 +61,11 @@ __all__ = [
     "studies",
 ]
 
-_LAZY = {"blocks": None, "parts": None, "studies": None, "Figure": "laval._figures"}
+_LAZY = {
+    **dict.fromkeys(("blocks", "parts", "studies")),
+    **dict.fromkeys(("Derivatives", "Function", "Jump", "Mode", "Peak"), "laval._derivatives"),
+    "Figure": "laval._figures",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from laval import _changes, _native, _toml
@@ -15,6 +15,7 @@ from laval._results import Results
 
 if TYPE_CHECKING:
     from laval._blocks import Extra, Part, Study
+    from laval._derivatives import Derivatives, Function, Mode, Peak
     from laval._progress import Progress
     from laval._quantities import Quantity
 
@@ -218,6 +219,28 @@ class Machine:
         if stopped is not None:
             raise stopped
         return results
+
+    def derivatives(self, result: Mode | Peak, parameters: Iterable[str] | None = None) -> Derivatives:
+        """A result and how it moves with parameters, exactly.
+
+        Args:
+            result: :class:`laval.Mode`, :class:`laval.Peak` or :class:`laval.Jump`.
+            parameters: paths; all that may vary unless given, lateral pairs together.
+
+        Raises:
+            ValueError: the machine has no such result.
+        """
+        return result.evaluate(self, {}, None if parameters is None else list(parameters))
+
+    def function(self, result: Mode | Peak, parameters: Sequence[str]) -> Function:
+        """A result as a function of parameters, for ``scipy.optimize``: ``f(x)`` is its value and its exact gradient.
+
+        >>> f = machine.function(laval.Mode(1), ["shaft.stiffness"])
+        >>> scipy.optimize.minimize(f, f.x0, jac=True, bounds=f.bounds)
+        """
+        from laval._derivatives import Function
+
+        return Function(self, result, parameters)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return loads, (self.text, self._native.origin)

@@ -92,6 +92,19 @@ class Table(Mapping[str, Any]):
 
         return pandas.DataFrame(dict(self), copy=False)
 
+    def __eq__(self, other: object) -> bool:
+        """The same columns with the same values, NaN being equal to NaN."""
+        if not isinstance(other, Table):
+            return NotImplemented
+        import numpy as np
+
+        if (self.name, self.units) != (other.name, other.units):
+            return False
+        pairs = ((self[name], other[name]) for name in self)
+        return all(np.array_equal(a, b, equal_nan=a.dtype.kind == "f" == b.dtype.kind) for a, b in pairs)
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __reduce__(self) -> tuple[Any, ...]:
         columns = []
         for name in self._native.names:
