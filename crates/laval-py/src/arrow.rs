@@ -156,8 +156,8 @@ pub fn array_of(held: &Arc<Held>, column: usize) -> Array {
             (vec![valid, bits.as_ptr().cast()], vec![bits])
         }
         Data::Text(v) => {
-            let mut offsets = Vec::with_capacity(8 * (v.len() + 1));
-            let mut text = Vec::new();
+            let mut offsets: Vec<u8> = Vec::with_capacity(8 * (v.len() + 1));
+            let mut text: Vec<u8> = Vec::new();
             offsets.extend(0i64.to_ne_bytes());
             for s in v {
                 text.extend(s.as_bytes());

@@ -18,7 +18,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::sectors::Sector;
 use laval_num::complex::C64;
-use laval_num::dense::Mat;
+use laval_num::dense::{Field, Mat};
 
 /// An eigenvalue and its slopes.
 #[derive(Clone, Debug)]
