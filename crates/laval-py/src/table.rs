@@ -95,7 +95,7 @@ impl Table {
 }
 
 /// A column of a table.
-#[pyclass(frozen, module = "laval._native")]
+#[pyclass(frozen, sequence, module = "laval._native")]
 pub struct Column {
     held: Arc<Held>,
     at: usize,

@@ -83,6 +83,6 @@ def test_the_machine_has_the_keys_of_the_file() -> None:
 def test_types_agree_with_the_package() -> None:
     pytest.importorskip("mypy")
     allowed = HERE / "tests" / "stubtest-allowed.txt"
-    run = [sys.executable, "-m", "mypy.stubtest", "laval", "--allowlist", str(allowed)]
+    run = [sys.executable, "-m", "mypy.stubtest", "laval", "--allowlist", str(allowed), "--mypy-config-file", "pyproject.toml"]
     done = subprocess.run(run, capture_output=True, text=True, cwd=HERE)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -71,12 +71,12 @@ def test_arrow_takes_numbers_where_they_lie() -> None:
     assert pa.schema(big(3)).names == ["x", "n", "odd", "word"]
     assert arrow.validate(full=True) is None
     # a column by itself
-    column = big(5)._native.column("x")
+    column = big(5)._core.column("x")
     assert pa.array(column).to_pylist() == column.to_list()
     # an empty table, and a capsule that nobody takes
     assert big(0).pyarrow().num_rows == 0
     big(5).__arrow_c_stream__()
-    big(5)._native.column("word").__arrow_c_array__()
+    big(5)._core.column("word").__arrow_c_array__()
 
 
 def test_polars_and_pandas() -> None:
@@ -99,7 +99,7 @@ def test_tables_travel(table: laval.Table) -> None:
 
 
 def test_columns_are_sequences() -> None:
-    column = big(4)._native.column("word")
+    column = big(4)._core.column("word")
     assert (len(column), column[0], column[-1], column.kind) == (4, "wört 0", "wört 3", "text")
     with pytest.raises(IndexError):
         column[4]

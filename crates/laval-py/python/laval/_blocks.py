@@ -14,6 +14,7 @@ class Block:
 
     __slots__ = ("_values", "kind", "name", "word")
 
+    _values: dict[str, Any]
     kind: str
     """The word of its kind."""
     name: str | None

@@ -60,7 +60,7 @@ class Mode:
         """Its value and its derivatives for a machine with other values of parameters."""
         fields, items = json.dumps(self._fields), list(changes.items())
         names = None if paths is None else list(paths)
-        growth, frequency, slopes = _native.mode(machine._native, fields, self.number, self.whirl, items, names)
+        growth, frequency, slopes = _native.mode(machine._core, fields, self.number, self.whirl, items, names)
         if self.quantity == "frequency":
             return Derivatives(frequency, "rad/s", {path: f for path, _, f in slopes})
         if self.quantity == "growth":
@@ -109,7 +109,7 @@ class Peak:
             ValueError: there is no such place in the range.
         """
         names = None if paths is None else list(paths)
-        found = _native.places(machine._native, json.dumps(self._fields), list(changes.items()), names)
+        found = _native.places(machine._core, json.dumps(self._fields), list(changes.items()), names)
         own = [place for place in found if place[0] in self._kinds and self.of in (None, place[1])]
         if not own:
             raise ValueError(self._missing)
@@ -169,7 +169,7 @@ class Function:
         unknown = [path for path, half in zip(self.parameters, pair) if half not in values]
         if unknown:
             # the library says which are near
-            _native.bounds(machine._native, unknown[0])
+            _native.bounds(machine._core, unknown[0])
         self._x0 = [values[path].value for path in pair]
 
     @property
@@ -182,7 +182,7 @@ class Function:
     @property
     def bounds(self) -> list[tuple[float, float]]:
         """What each parameter admits, SI."""
-        return [_native.bounds(self.machine._native, path) for path in self.parameters]
+        return [_native.bounds(self.machine._core, path) for path in self.parameters]
 
     def derivatives(self, x: Sequence[float]) -> Derivatives:
         """Value and derivatives with their names and units."""

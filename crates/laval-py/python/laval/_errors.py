@@ -41,9 +41,9 @@ def diagnostics(text: str) -> tuple[Diagnostic, ...]:
 
     def one(d: dict[str, Any]) -> Diagnostic:
         place = d["place"] or {}
+        line, column, end_line, end_column = (place.get(key) for key in ("line", "column", "end_line", "end_column"))
         also = tuple((p["line"], p["column"]) for p in d["also"])
-        where = (place.get(key) for key in ("line", "column", "end_line", "end_column"))
-        return Diagnostic(d["code"], d["severity"], d["message"], *where, d["label"], d["help"], also)
+        return Diagnostic(d["code"], d["severity"], d["message"], line, column, end_line, end_column, d["label"], d["help"], also)
 
     return tuple(one(d) for d in json.loads(text))
 

@@ -19,14 +19,14 @@ class Figure:
     """A figure: panels, one below the other, with marks over columns of the tables of its study."""
 
     def __init__(self, native: _native.Results, study: int, number: int, owner: StudyResults) -> None:
-        self._native = native
+        self._core = native
         self._place = (study, number)
         self._owner = owner
 
     @cached_property
     def data(self) -> dict[str, Any]:
         """Axes, panels and marks. Columns are in SI units; an axis multiplies them by its ``factor``."""
-        found: dict[str, Any] = json.loads(self._native.figure(*self._place, None))
+        found: dict[str, Any] = json.loads(self._core.figure(*self._place, None))
         return found
 
     @property
@@ -51,7 +51,7 @@ class Figure:
 
     def svg(self, language: str | None = None) -> str:
         """The figure as the report draws it."""
-        return self._native.svg(*self._place, language)
+        return self._core.svg(*self._place, language)
 
     def matplotlib(self) -> matplotlib.figure.Figure:
         """The figure drawn by matplotlib."""

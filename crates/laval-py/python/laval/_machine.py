@@ -45,9 +45,9 @@ class Machine:
         MachineError: all mistakes, each at its place in the text of the machine (:attr:`source`).
     """
 
-    __slots__ = ("_canonical", "_native", "_tree")
+    __slots__ = ("_canonical", "_core", "_tree")
 
-    _native: _native.Machine
+    _core: _native.Machine
     _canonical: str | None
     _tree: str | None
 
@@ -68,7 +68,7 @@ class Machine:
         self._adopt(_native.read(_toml.document(tree).encode(), name or "machine"))
 
     def _adopt(self, native: _native.Machine) -> None:
-        self._native = native
+        self._core = native
         self._canonical = self._tree = None
 
     @classmethod
@@ -80,29 +80,29 @@ class Machine:
     @property
     def name(self) -> str:
         """Name for titles."""
-        return self._native.name
+        return self._core.name
 
     @property
     def speed(self) -> float | None:
         """Speed for studies that name none, rad/s."""
-        return self._native.speed
+        return self._core.speed
 
     @property
     def source(self) -> str:
         """The machine as the text of a machine file, as it was given."""
-        return self._native.source
+        return self._core.source
 
     @property
     def text(self) -> str:
-        """The machine file in canonical form: complete, exact, and the same for equal machines."""
+        """The machine as a file in canonical form: in the order of the registry, exact; what stands by default is left out."""
         if self._canonical is None:
-            self._canonical = self._native.canonical()
+            self._canonical = self._core.canonical()
         return self._canonical
 
     @property
     def values(self) -> dict[str, Any]:
         """All values in SI units, defaults filled in: lists ``part`` and ``study``, and the blocks beside them."""
-        found: dict[str, Any] = json.loads(self._native.values())
+        found: dict[str, Any] = json.loads(self._core.values())
         return found
 
     @property
@@ -113,27 +113,27 @@ class Machine:
     @property
     def studies(self) -> dict[str, str]:
         """Names of the studies, and their kinds."""
-        return dict(self._native.studies())
+        return dict(self._core.studies())
 
     @property
     def coordinates(self) -> tuple[str, ...]:
         """Names of the coordinates, such as ``drum.x``."""
-        return tuple(self._native.coordinates()[0])
+        return tuple(self._core.coordinates()[0])
 
     @property
     def states(self) -> tuple[str, ...]:
         """Names of the internal states of parts."""
-        return tuple(self._native.coordinates()[1])
+        return tuple(self._core.coordinates()[1])
 
     @property
     def parameters(self) -> dict[str, Parameter]:
         """The numbers that may be varied, by path: ``bearing.stiffness.x``."""
-        return {path: Parameter(value, unit) for path, unit, value in self._native.parameters()}
+        return {path: Parameter(value, unit) for path, unit, value in self._core.parameters()}
 
     @property
     def warnings(self) -> tuple[Diagnostic, ...]:
         """Remarks on the machine that stop nothing."""
-        return diagnostics(self._native.warnings())
+        return diagnostics(self._core.warnings())
 
     def with_(
         self,
@@ -158,7 +158,7 @@ class Machine:
             MachineError: all mistakes of the changed machine.
         """
         if self._tree is None:
-            self._tree = self._native.tree()
+            self._tree = self._core.tree()
         tree = json.loads(self._tree)
         if studies is not None:
             tree["study"] = []
@@ -166,7 +166,7 @@ class Machine:
         _changes.add(tree, [*parts, *blocks])
         for path, value in (changes or {}).items():
             _changes.set_value(tree, path, None if value is None else written(value))
-        return Machine._of(_toml.document(tree).encode(), self._native.origin)
+        return Machine._of(_toml.document(tree).encode(), self._core.origin)
 
     def run(
         self,
@@ -195,16 +195,13 @@ class Machine:
             Interrupted: the run was stopped.
             ValueError: a study that the machine does not have.
         """
-        if studies:
-            return self.with_(studies=studies).run(
-                only=only, out=out, fresh=fresh, work_limit=work_limit, progress=progress, interrupted=interrupted
-            )
         from laval._progress import shown
 
+        core = self.with_(studies=studies)._core if studies else self._core
         names = [only] if isinstance(only, str) else list(only)
         folder = None if out is None else os.fspath(out)
         with shown(progress) as follow:
-            native, refusals, stopped = self._native.run(names, folder, fresh, work_limit, follow)
+            native, refusals, stopped = core.run(names, folder, fresh, work_limit, follow)
         results = Results(native)
         for refused in diagnostics(refusals):
             warnings.warn(str(refused), MachineWarning, stacklevel=2)
@@ -243,7 +240,7 @@ class Machine:
         return Function(self, result, parameters)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return loads, (self.text, self._native.origin)
+        return loads, (self.text, self._core.origin)
 
     def __copy__(self) -> Machine:
         return self
@@ -252,10 +249,10 @@ class Machine:
         return self
 
     def __eq__(self, other: object) -> bool:
-        return self.text == other.text if isinstance(other, Machine) else NotImplemented
+        return self._core.values() == other._core.values() if isinstance(other, Machine) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash(self.text)
+        return hash(self._core.values())
 
     def __repr__(self) -> str:
         studies = ", ".join(self.studies) or "no studies"

@@ -41,8 +41,7 @@ def draw(figure: Figure) -> Drawn:
 
 
 def _axis(axes: Axes, axis: dict[str, Any], which: str) -> None:
-    put = {"x": (axes.set_xlabel, axes.set_xscale, axes.set_xlim, axes.set_xticks), "y": (axes.set_ylabel, axes.set_yscale, axes.set_ylim, axes.set_yticks)}
-    text, scale, limits, ticks = put[which]
+    text, scale, limits, ticks = (getattr(axes, f"set_{which}{what}") for what in ("label", "scale", "lim", "ticks"))
     text(_series.label(axis))
     if axis["knee"]:
         scale("symlog", linthresh=axis["knee"])

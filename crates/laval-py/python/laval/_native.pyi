@@ -2,6 +2,24 @@ from collections.abc import Callable
 from os import PathLike
 from typing import Any, Final, final
 
+__all__ = [
+    "__version__",
+    "BUILD",
+    "LANGUAGES",
+    "FORMATS",
+    "Machine",
+    "Results",
+    "Table",
+    "Column",
+    "read",
+    "idle",
+    "catalog",
+    "si",
+    "bounds",
+    "mode",
+    "places",
+]
+
 __version__: Final[str]
 BUILD: Final[str]
 LANGUAGES: Final[list[str]]

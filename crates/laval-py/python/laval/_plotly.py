@@ -74,7 +74,7 @@ def _mark(drawn: Any, row: int, mark: dict[str, Any], figure: Figure, fx: float,
             marker = {"color": _colour(s.colour), "symbol": "circle-open" if s.dashed else "circle", "size": 4 if mark["small"] else 8}
             drawn.add_scatter(x=s.x, y=s.y, mode="markers", marker=marker, row=row, col=1, **legend(s.name))
     elif kind == "rule":
-        style = {"line": {"color": _GREY, "width": 1}, "annotation_text": mark["label"], "row": row, "col": 1}
+        style: dict[str, Any] = {"line": {"color": _GREY, "width": 1}, "annotation_text": mark["label"], "row": row, "col": 1}
         if mark["vertical"]:
             drawn.add_vline(x=mark["at"] * fx, **style)
         else:
@@ -89,10 +89,10 @@ def _mark(drawn: Any, row: int, mark: dict[str, Any], figure: Figure, fx: float,
             drawn.add_hrect(y0=place["from"] * fy, y1=place["to"] * fy, **style)
         else:
             table = tables[place["table"]]
-            x, line = table[place["x"]] * fx, {"width": 0}
-            drawn.add_scatter(x=x, y=table[place["low"]] * fy, mode="lines", line=line, showlegend=False, row=row, col=1)
-            fill = {"fill": "tonexty", "fillcolor": colour, "opacity": 0.25}
-            drawn.add_scatter(x=x, y=table[place["high"]] * fy, mode="lines", line=line, row=row, col=1, **fill, **legend(mark["name"]))
+            x, edge = table[place["x"]] * fx, {"width": 0}
+            drawn.add_scatter(x=x, y=table[place["low"]] * fy, mode="lines", line=edge, showlegend=False, row=row, col=1)
+            fill: dict[str, Any] = {"fill": "tonexty", "fillcolor": colour, "opacity": 0.25}
+            drawn.add_scatter(x=x, y=table[place["high"]] * fy, mode="lines", line=edge, row=row, col=1, **fill, **legend(mark["name"]))
     elif kind == "heat":
         heat = _series.grid(mark, tables, fx, fy)
         bar: dict[str, Any] = {"title": heat.label}

@@ -162,7 +162,7 @@ class StudyResults:
     """What one study found out."""
 
     def __init__(self, native: _native.Results, number: int, data: dict[str, Any]) -> None:
-        self._native = native
+        self._core = native
         self._number = number
         self._data = data
         self.name: str = data["name"]
@@ -182,28 +182,28 @@ class StudyResults:
     @property
     def end_text(self) -> str:
         """How it ended, as a sentence."""
-        return self._native.ending(self._number, None)
+        return self._core.ending(self._number, None)
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
         """What was found out, most important first."""
 
         def sentence(k: int) -> Callable[[str | None], str]:
-            return lambda language: self._native.sentence(self._number, k, language)
+            return lambda language: self._core.sentence(self._number, k, language)
 
         return tuple(Finding(self.name, data, sentence(k)) for k, data in enumerate(self._data["findings"]))
 
     @cached_property
     def tables(self) -> dict[str, Table]:
         """The numbers, by name of the table."""
-        return {data["name"]: Table(self._native.table(self._number, k)) for k, data in enumerate(self._data["tables"])}
+        return {data["name"]: Table(self._core.table(self._number, k)) for k, data in enumerate(self._data["tables"])}
 
     @cached_property
     def figures(self) -> dict[str, Figure]:
         """The pictures, by name."""
         from laval._figures import Figure
 
-        return {data["name"]: Figure(self._native, self._number, k, self) for k, data in enumerate(self._data["figures"])}
+        return {data["name"]: Figure(self._core, self._number, k, self) for k, data in enumerate(self._data["figures"])}
 
     @cached_property
     def special_points(self) -> tuple[SpecialPoint, ...]:
@@ -223,13 +223,13 @@ class Results(Sequence[StudyResults]):
     """What a run found out: a sequence of the results of its studies, which are also found by name: ``results["modes"]``."""
 
     def __init__(self, native: _native.Results) -> None:
-        self._native = native
+        self._core = native
 
     @cached_property
     def studies(self) -> tuple[StudyResults, ...]:
         """The studies that were run, in the order of the file."""
-        data = json.loads(self._native.json(False))
-        return tuple(StudyResults(self._native, k, study) for k, study in enumerate(data["studies"]))
+        data = json.loads(self._core.json(False))
+        return tuple(StudyResults(self._core, k, study) for k, study in enumerate(data["studies"]))
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -253,7 +253,7 @@ class Results(Sequence[StudyResults]):
 
     def overview(self, language: str | None = None) -> dict[str, Any]:
         """The first page as data: verdict, headline, checks and suggestions in words. It is computed when it is first needed; empty after a stop."""
-        found: dict[str, Any] | None = json.loads(self._native.overview(language))
+        found: dict[str, Any] | None = json.loads(self._core.overview(language))
         return found or {}
 
     @property
@@ -275,16 +275,16 @@ class Results(Sequence[StudyResults]):
 
     def data(self) -> dict[str, Any]:
         """The content of ``results.json``: all but the numbers of the tables, with the provenance."""
-        found: dict[str, Any] = json.loads(self._native.json(True))
+        found: dict[str, Any] = json.loads(self._core.json(True))
         return found
 
     def report_html(self, language: str | None = None) -> str:
         """The report as one page of HTML that opens offline."""
-        return self._native.html(language)
+        return self._core.html(language)
 
     def summary(self, language: str | None = None, width: int = 80) -> str:
         """Verdict, checks and remarks as the terminal shows them."""
-        return self._native.summary(language, width)
+        return self._core.summary(language, width)
 
     def write(
         self, folder: str | os.PathLike[str], formats: Iterable[str] | None = None, language: str | None = None
@@ -301,7 +301,7 @@ class Results(Sequence[StudyResults]):
         """
         from os import fspath
 
-        return [fspath(path) for path in self._native.write(fspath(folder), None if formats is None else list(formats), language)]
+        return [fspath(path) for path in self._core.write(fspath(folder), None if formats is None else list(formats), language)]
 
     @overload
     def __getitem__(self, study: str | int) -> StudyResults: ...
@@ -334,6 +334,6 @@ class Results(Sequence[StudyResults]):
         """Page one of the report, for notebooks."""
         from html import escape
 
-        page = escape(self._native.first_page(None), quote=True)
+        page = escape(self._core.first_page(None), quote=True)
         # a frame of its own: neither style sheet changes the other page
         return f'<iframe srcdoc="{page}" style="width:100%;height:70em;border:0" sandbox="allow-scripts"></iframe>'

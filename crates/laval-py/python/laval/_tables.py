@@ -21,40 +21,40 @@ class Table(Mapping[str, Any]):
     Arrow C interface, which polars, pandas, pyarrow, DuckDB and others take: ``polars.DataFrame(table)``.
     """
 
-    __slots__ = ("_native",)
+    __slots__ = ("_core",)
 
     def __init__(self, native: _native.Table) -> None:
-        self._native = native
+        self._core = native
 
     @property
     def name(self) -> str:
         """Name of the table."""
-        return self._native.name
+        return self._core.name
 
     @property
     def doc(self) -> str:
         """What it holds."""
-        return self._native.doc
+        return self._core.doc
 
     @property
     def rows(self) -> int:
         """Number of rows."""
-        return self._native.rows
+        return self._core.rows
 
     @property
     def units(self) -> dict[str, str]:
         """SI units of the columns; empty for pure numbers, texts and flags."""
-        return {name: self._native.column(name).unit for name in self._native.names}
+        return {name: self._core.column(name).unit for name in self._core.names}
 
     @property
     def docs(self) -> dict[str, str]:
         """What the columns hold."""
-        return {name: self._native.column(name).doc for name in self._native.names}
+        return {name: self._core.column(name).doc for name in self._core.names}
 
     def __getitem__(self, name: str) -> np.ndarray[Any, Any]:
         import numpy as np
 
-        column = self._native.column(name)
+        column = self._core.column(name)
         if column.kind == "text":
             out = np.empty(len(column), dtype=object)
             out[:] = column.to_list()
@@ -62,17 +62,17 @@ class Table(Mapping[str, Any]):
         return np.asarray(column)
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._native.names)
+        return iter(self._core.names)
 
     def __len__(self) -> int:
         """Number of columns."""
-        return len(self._native.names)
+        return len(self._core.names)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
-        return self._native.__arrow_c_stream__(requested_schema)
+        return self._core.__arrow_c_stream__(requested_schema)
 
     def __arrow_c_schema__(self) -> object:
-        return self._native.__arrow_c_schema__()
+        return self._core.__arrow_c_schema__()
 
     def polars(self) -> polars.DataFrame:
         """The table as a data frame of polars, over the same memory."""
@@ -107,8 +107,8 @@ class Table(Mapping[str, Any]):
 
     def __reduce__(self) -> tuple[Any, ...]:
         columns = []
-        for name in self._native.names:
-            column = self._native.column(name)
+        for name in self._core.names:
+            column = self._core.column(name)
             columns.append((name, column.unit, column.doc, column.kind, column.to_list()))
         return _table, (self.name, self.doc, columns)
 
@@ -122,7 +122,7 @@ class Table(Mapping[str, Any]):
 
         most = 10
         heads = "".join(f"<th>{escape(name)}<br><small>{escape(unit)}</small></th>" for name, unit in self.units.items())
-        columns = [self._native.column(name) for name in self._native.names]
+        columns = [self._core.column(name) for name in self._core.names]
         shown = range(min(most, self.rows))
         rows = "".join("<tr>" + "".join(f"<td>{_cell(column[k])}</td>" for column in columns) + "</tr>" for k in shown)
         more = f"<p>{self.rows - most} more rows</p>" if self.rows > most else ""
