@@ -3,7 +3,7 @@
 use crate::attend::{Watch, attended};
 use crate::errors;
 use crate::results::Results;
-use crate::session::{Ran, Session, chosen};
+use crate::session::{Ran, Session};
 use laval::file::{self, Loaded, catalog, diagnostics_json};
 use laval::hash::sha256;
 use laval::outcome::Arg;
@@ -110,7 +110,7 @@ impl Machine {
         work_limit: Option<u64>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<(Results, String, Stopped)> {
-        let chosen = chosen(&self.loaded.studies, &only).map_err(|d| errors::request(&d))?;
+        let chosen = self.loaded.chosen(&only).map_err(|d| errors::request(&d))?;
         let names: Vec<&str> = self.loaded.spec.studies.iter().map(|b| b.name.as_str()).collect();
         // held until the end: the files of two runs at once would be mixed
         let held = folder.as_ref().map(|dir| report::prepare(dir, &names)).transpose().map_err(|d| errors::folder(&d))?;

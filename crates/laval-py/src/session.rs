@@ -1,7 +1,7 @@
 //! The studies of a machine, one after another, as `laval run` runs them.
 
 use crate::attend::Watch;
-use laval::diagnostic::{Diagnostic, nearest};
+use laval::diagnostic::Diagnostic;
 use laval::file::{self, Loaded, NamedStudy};
 use laval::outcome::{Arg, End, Finding, Outcome, Overview};
 use laval::report;
@@ -29,25 +29,6 @@ pub struct Ran {
     pub refusals: Vec<Diagnostic>,
     /// Studies without a result, by a defect of the library.
     pub defects: Vec<String>,
-}
-
-/// The studies with these names, or of these kinds where no name fits; all where none is named.
-pub fn chosen(studies: &[NamedStudy], only: &[String]) -> Result<Vec<usize>, Diagnostic> {
-    let mut wanted = vec![only.is_empty(); studies.len()];
-    for word in only {
-        let named = studies.iter().any(|s| &s.name == word);
-        let fits = |s: &NamedStudy| if named { &s.name == word } else { s.study.kind() == word };
-        if !studies.iter().any(fits) {
-            let all = studies.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ");
-            let near = nearest(word, studies.iter().flat_map(|s| [s.name.as_str(), s.study.kind()]));
-            let help = near.map_or_else(|| format!("its studies: {all}"), |n| format!("did you mean \"{n}\"? Its studies: {all}"));
-            return Err(Diagnostic::error("request.study", format!("the machine has no study \"{word}\"")).help(help));
-        }
-        for (w, s) in wanted.iter_mut().zip(studies) {
-            *w |= fits(s);
-        }
-    }
-    Ok((0..studies.len()).filter(|&i| wanted[i]).collect())
 }
 
 impl Session<'_> {
