@@ -61,14 +61,18 @@ def set_value(tree: dict[str, Any], path: str, value: Any) -> None:
 
 def _set(block: dict[str, Any], keys: list[str], value: Any, kind: str) -> None:
     for key in keys[:-1]:
-        inner = block.get(key)
-        if kind == "lateral" and inner is not None and not isinstance(inner, dict):
-            inner = {"x": inner, "y": inner}
-        if kind == "one_of" or not isinstance(inner, dict):
-            inner = inner if isinstance(inner, dict) and kind != "one_of" else {}
-        block[key] = inner
+        inner = block[key] = _inner(block.get(key), kind)
         block = inner
     if value is None:
         block.pop(keys[-1], None)
     else:
         block[keys[-1]] = value
+
+
+def _inner(there: Any, kind: str) -> dict[str, Any]:
+    """What a key holds, as a table in which another key can be set."""
+    if kind == "one_of":
+        return {}
+    if isinstance(there, dict):
+        return there
+    return {"x": there, "y": there} if kind == "lateral" and there is not None else {}
