@@ -63,7 +63,7 @@ pub fn idle(py: Python<'_>) -> PyResult<()> {
     run.stopped_by.map_or(Ok(()), Err)
 }
 
-/// What a computation gave, or with what it panicked; and the exception that asked it to stop.
+/// What a computation gave, or with what it panicked; and the exception that stops it.
 pub struct Attended<R> {
     pub result: Result<R, Box<dyn Any + Send>>,
     pub stopped_by: Option<PyErr>,

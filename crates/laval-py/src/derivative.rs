@@ -104,7 +104,7 @@ pub fn places(
     let machine = machine.get();
     whole(py, |context| {
         let system = changed(machine, &changes)?;
-        // a path that does not exist is told before anything is computed
+        // a path that does not exist is a mistake before anything is computed
         indices(&system, paths.as_deref().unwrap_or_default())?;
         let study: Sensitivity = construct(&system, &fields(study)?)?;
         let found = study.result(&system, context).map_err(one)?.found;

@@ -71,7 +71,7 @@ impl Results {
     }
 
     /// In this language.
-    fn told(&self, report: Arc<Report>, language: Option<&str>) -> PyResult<Arc<Report>> {
+    fn in_language(&self, report: Arc<Report>, language: Option<&str>) -> PyResult<Arc<Report>> {
         let style = self.style(language)?;
         if style == report.style { Ok(report) } else { Ok(Arc::new(Report { style, ..Report::clone(&report) })) }
     }
@@ -109,19 +109,19 @@ impl Results {
 
     /// The report as one page of HTML.
     fn html(&self, py: Python<'_>, language: Option<&str>) -> PyResult<String> {
-        let report = self.told(self.whole(py)?, language)?;
+        let report = self.in_language(self.whole(py)?, language)?;
         py.detach(|| report::html(&report)).map_err(errors::defect)
     }
 
     /// The first page of the report as HTML.
     fn first_page(&self, py: Python<'_>, language: Option<&str>) -> PyResult<String> {
-        let report = self.told(self.whole(py)?, language)?;
+        let report = self.in_language(self.whole(py)?, language)?;
         Ok(py.detach(|| report::page_one(&report)))
     }
 
     /// The first page as the terminal shows it.
     fn summary(&self, py: Python<'_>, language: Option<&str>, width: usize) -> PyResult<String> {
-        let report = self.told(self.whole(py)?, language)?;
+        let report = self.in_language(self.whole(py)?, language)?;
         Ok(report::summary(&report, Terminal { width, colour: false }))
     }
 
@@ -166,7 +166,7 @@ impl Results {
             None => Format::ALL.to_vec(),
             Some(words) => words.iter().map(|w| w.parse().map_err(PyValueError::new_err)).collect::<PyResult<_>>()?,
         };
-        let report = self.told(self.whole(py)?, language)?;
+        let report = self.in_language(self.whole(py)?, language)?;
         let names: Vec<&str> = report.studies.iter().map(String::as_str).collect();
         let held = report::prepare(&folder, &names).map_err(|d| errors::folder(&d))?;
         let written = py.detach(|| report::renew(&folder, &report, &formats));

@@ -21,11 +21,11 @@ def test_findings_are_data(rotor: laval.Machine) -> None:
     assert finding.evidence and all(isinstance(e.value, float) for e in finding.evidence)
     # in the units of the file, and in other languages
     assert "rpm" in finding.text
-    assert len({finding.text, *(finding.told(code) for code in ("ru", "kk", "uz"))}) == 4
+    assert len({finding.text, *(finding.in_language(code) for code in ("ru", "kk", "uz"))}) == 4
     again = pickle.loads(pickle.dumps(finding))
-    assert again == finding and again.text == finding.text and again.told("ru") == finding.told("ru")
+    assert again == finding and again.text == finding.text and again.in_language("ru") == finding.in_language("ru")
     with pytest.raises(ValueError, match="unknown language"):
-        finding.told("la")
+        finding.in_language("la")
 
 
 def test_verdict_and_checks(rotor: laval.Machine) -> None:

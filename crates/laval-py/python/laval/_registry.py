@@ -79,7 +79,7 @@ def function(module: str, name: str) -> Callable[..., Block]:
     own_name = named(module, word)
 
     def make(**values: Any) -> Block:
-        # a wrong or missing argument is told as Python tells it
+        # a wrong or missing argument is a TypeError as of any function
         given = signature().bind(**values).arguments
         label = given.pop("name", None)
         return made(word, kind["kind"], label, {keys[key]: value for key, value in given.items() if value is not None})

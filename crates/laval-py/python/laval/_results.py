@@ -110,7 +110,7 @@ class Finding:
         """The finding as sentences, in the language and the units of the machine file."""
         return self._sentence(None)
 
-    def told(self, language: str) -> str:
+    def in_language(self, language: str) -> str:
         """The finding as sentences in another language: ``en``, ``ru``, ``kk`` or ``uz``."""
         return self._sentence(language)
 
