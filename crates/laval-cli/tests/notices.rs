@@ -34,7 +34,8 @@ fn linked(all: &Value) -> BTreeMap<(String, String), &Value> {
         let kinds = packages[id]["targets"].as_array().unwrap().iter().flat_map(|t| t["kind"].as_array().unwrap());
         kinds.into_iter().any(|k| k == "proc-macro")
     };
-    let mut open: Vec<&str> = packages.values().filter(|p| p["name"] == "laval-cli" || p["name"] == "laval-py").map(|p| text(p, "id")).collect();
+    let mut open: Vec<&str> =
+        packages.values().filter(|p| p["name"] == "laval-cli" || p["name"] == "laval-py").map(|p| text(p, "id")).collect();
     let mut seen = BTreeSet::new();
     while let Some(id) = open.pop() {
         // macros run while building and are no part of the program

@@ -12,11 +12,8 @@ use serde_json::{Value, json};
 pub fn catalog() -> String {
     let all = file::catalog();
     let kinds = |word: &str, list: &[KindInfo]| list.iter().map(|k| kind(word, k)).collect::<Vec<_>>();
-    let blocks: Vec<Value> = all
-        .blocks
-        .iter()
-        .map(|b| json!({ "word": b.word, "several": b.several, "kinds": kinds(b.word, &b.kinds) }))
-        .collect();
+    let blocks: Vec<Value> =
+        all.blocks.iter().map(|b| json!({ "word": b.word, "several": b.several, "kinds": kinds(b.word, &b.kinds) })).collect();
     json!({
         "machine": kind("machine", &docs::machine()),
         "parts": kinds("part", &all.parts),
