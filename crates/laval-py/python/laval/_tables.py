@@ -106,11 +106,11 @@ class Table(Mapping[str, Any]):
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        columns = []
-        for name in self._core.names:
-            column = self._core.column(name)
-            columns.append((name, column.unit, column.doc, column.kind, column.to_list()))
-        return _table, (self.name, self.doc, columns)
+        def values(column: _native.Column) -> Any:
+            return column.to_list() if column.kind == "text" else self[column.name]
+
+        columns = [self._core.column(name) for name in self._core.names]
+        return _table, (self.name, self.doc, [(c.name, c.unit, c.doc, c.kind, values(c)) for c in columns])
 
     def __repr__(self) -> str:
         columns = ", ".join(f"{name} [{unit}]" if unit else name for name, unit in self.units.items())
@@ -135,5 +135,5 @@ def _cell(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else escape(str(value))
 
 
-def _table(name: str, doc: str, columns: list[tuple[str, str, str, str, list[Any]]]) -> Table:
+def _table(name: str, doc: str, columns: list[tuple[str, str, str, str, Any]]) -> Table:
     return Table(_native.Table(name, doc, columns))
