@@ -6,7 +6,7 @@ use crate::pieces;
 use crate::progress::Bar;
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, language, terminal};
 use laval::build;
-use laval::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
+use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{self, Loaded, NamedStudy};
 use laval::hash::sha256;
 use laval::outcome::{Arg, End, Finding, Outcome};
@@ -160,31 +160,10 @@ pub fn prepare(args: &Request) -> Result<(Input, Loaded), u8> {
         let d = Diagnostic::error("request.studies", text!("{file} contains no study", file = args.file.display()));
         return Err(wrong(d.help(text!("add a [[study]] block; laval studies lists the kinds"))));
     }
-    if !args.only.is_empty() {
-        loaded.studies = chosen(loaded.studies, &args.only).map_err(wrong)?;
-    }
+    let chosen = loaded.chosen(&args.only).map_err(wrong)?;
+    let mut number = 0..;
+    loaded.studies.retain(|_| number.next().is_some_and(|k| chosen.contains(&k)));
     Ok((input, loaded))
-}
-
-/// The studies with these names, or of these kinds where no name fits.
-fn chosen(mut studies: Vec<NamedStudy>, only: &[String]) -> Result<Vec<NamedStudy>, Diagnostic> {
-    let mut wanted = vec![false; studies.len()];
-    for word in only {
-        let named = studies.iter().any(|s| &s.name == word);
-        let fits = |s: &NamedStudy| if named { &s.name == word } else { s.study.kind() == word };
-        if !studies.iter().any(fits) {
-            let all = studies.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ");
-            let near = nearest(word, studies.iter().flat_map(|s| [s.name.as_str(), s.study.kind()]));
-            let help = near.map_or_else(|| text!("its studies: {all}", all), |n| meant(text::quoted(&n), text!("its studies: {all}", all)));
-            return Err(Diagnostic::error("request.study", text!("the file has no study \"{word}\"", word)).help(help));
-        }
-        for (w, s) in wanted.iter_mut().zip(&studies) {
-            *w |= fits(s);
-        }
-    }
-    let mut wanted = wanted.into_iter();
-    studies.retain(|_| wanted.next().unwrap_or(false));
-    Ok(studies)
 }
 
 /// First Ctrl-C: stop at the next step. Second: at once.

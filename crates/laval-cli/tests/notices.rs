@@ -1,4 +1,4 @@
-//! `THIRD-PARTY-NOTICES.md` names every library that is linked into the program, on any system, with its licence.
+//! `THIRD-PARTY-NOTICES.md` names every library that is linked into the program or the Python package, on any system, with its licence.
 //! `LAVAL_WRITE_NOTICES=1 cargo test -p laval-cli --test notices` writes it anew.
 
 use serde_json::Value;
@@ -25,7 +25,7 @@ fn text<'a>(v: &'a Value, key: &str) -> &'a str {
     v[key].as_str().unwrap_or_default()
 }
 
-/// The packages that `laval-cli` needs when it runs, by name and version, without those of this workspace.
+/// The packages that `laval-cli` and `laval-py` need when they run, by name and version, without those of this workspace.
 fn linked(all: &Value) -> BTreeMap<(String, String), &Value> {
     let list = |v: &'static str| all[v].as_array().unwrap();
     let packages: BTreeMap<&str, &Value> = list("packages").iter().map(|p| (text(p, "id"), p)).collect();
@@ -34,7 +34,8 @@ fn linked(all: &Value) -> BTreeMap<(String, String), &Value> {
         let kinds = packages[id]["targets"].as_array().unwrap().iter().flat_map(|t| t["kind"].as_array().unwrap());
         kinds.into_iter().any(|k| k == "proc-macro")
     };
-    let mut open: Vec<&str> = packages.values().filter(|p| p["name"] == "laval-cli").map(|p| text(p, "id")).collect();
+    let mut open: Vec<&str> =
+        packages.values().filter(|p| p["name"] == "laval-cli" || p["name"] == "laval-py").map(|p| text(p, "id")).collect();
     let mut seen = BTreeSet::new();
     while let Some(id) = open.pop() {
         // macros run while building and are no part of the program
@@ -68,7 +69,7 @@ fn terms(package: &Value) -> Vec<String> {
 
 fn notices(all: &Value) -> String {
     let mut out = String::from(
-        "# Notices of third parties\n\nThe program `laval` contains the libraries below. Each is under the licence named with it; numbers in brackets lead to the \
+        "# Notices of third parties\n\nThe program `laval` and its Python package contain the libraries below. Each is under the licence named with it; numbers in brackets lead to the \
          texts behind the list. Where a library may be had under one of several licences, laval takes MIT when that is one of them. A package without a \
          number brings no file with its terms.\n\n",
     );

@@ -184,6 +184,20 @@ impl<'a> Characteristic<'a> {
         slope
     }
 
+    /// Derivative of the share of linear and frequency-domain parts over parameters (by index) that move together, exact.
+    pub fn linear_by_parameters(&mut self, s: C64, moving: &[usize]) -> Mat<C64> {
+        let seed = |params: &mut [D1], rate: f64| moving.iter().for_each(|&i| params[i].eps = [rate]);
+        seed(&mut self.params, 1.0);
+        let mut seeded = LinearModel::default();
+        self.system.linear(&self.params, Dual::lift(self.speed), Form::Frequency, &mut seeded, &mut self.scratch);
+        std::mem::swap(&mut self.model, &mut seeded);
+        let (mut value, mut slope) = (Mat::default(), Mat::default());
+        self.differentiated(s, (0.0, 0.0), &mut value, &mut slope);
+        self.model = seeded;
+        seed(&mut self.params, 0.0);
+        slope
+    }
+
     /// The share of linear and frequency-domain parts and its derivative in a direction (of s, of the speed), which the blocks know of the speed.
     fn differentiated(&mut self, s: C64, (along, speed): (f64, f64), value: &mut Mat<C64>, slope: &mut Mat<C64>) {
         let size = self.sectors.len();

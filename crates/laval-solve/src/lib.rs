@@ -15,6 +15,7 @@ pub mod harmonic;
 pub mod linear_response;
 pub mod locate;
 pub mod matrices;
+pub mod mode_slopes;
 pub mod motion;
 pub mod pencil;
 pub mod programme;

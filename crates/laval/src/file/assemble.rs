@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::{Block, Catalog, MachineBlock, RotorAxis, Spec, examine, held, joints, read_bytes, reader, stages};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Extra, Value};
 use crate::model::part::{At, Rows};
 use crate::model::system::{self, Machine, System, Workspace};
@@ -51,6 +51,30 @@ impl Loaded {
     /// The same before a run in such a context: one that is cancelled skips what takes long.
     pub fn refusals_in(&self, context: &Context) -> Vec<Refusal> {
         self.refusals_by(|study| study.prepare(&self.system, context))
+    }
+
+    /// Numbers of the studies with these names, or of these kinds where no name fits; all where none is named.
+    ///
+    /// # Errors
+    /// A name that fits no study.
+    pub fn chosen(&self, only: &[String]) -> Result<Vec<usize>, Diagnostic> {
+        let studies = &self.studies;
+        let mut wanted = vec![only.is_empty(); studies.len()];
+        for word in only {
+            let named = studies.iter().any(|s| &s.name == word);
+            let fits = |s: &NamedStudy| if named { &s.name == word } else { s.study.kind() == word };
+            if !studies.iter().any(fits) {
+                let all = studies.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ");
+                let near = nearest(word, studies.iter().flat_map(|s| [s.name.as_str(), s.study.kind()]));
+                let help =
+                    near.map_or_else(|| text!("its studies: {all}", all), |n| meant(text::quoted(&n), text!("its studies: {all}", all)));
+                return Err(Diagnostic::error("request.study", text!("the machine has no study \"{word}\"", word)).help(help));
+            }
+            for (w, s) in wanted.iter_mut().zip(studies) {
+                *w |= fits(s);
+            }
+        }
+        Ok((0..studies.len()).filter(|&i| wanted[i]).collect())
     }
 
     fn refusals_by(&self, admit: impl Fn(&dyn ErasedStudy) -> Result<(), Diagnostic>) -> Vec<Refusal> {

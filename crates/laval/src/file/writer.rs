@@ -1,5 +1,5 @@
-//! From [`Spec`] back to a file: complete (defaults written out), in the order of the declarations, with readable units, and
-//! exact: reading it gives the same spec.
+//! From [`Spec`] back to a file: in the order of the declarations, with readable units, and exact: reading it gives the same spec. What was left out stays
+//! so: some keys are refused beside others even with the value that they stand for.
 
 use super::{Block, Catalog, Drive, RotorAxis, Spec, parameter_in};
 use crate::diagnostic::Span;
@@ -152,7 +152,7 @@ impl Writer<'_> {
 
     fn fields(&self, out: &mut String, b: &Block, info: Option<&KindInfo>) {
         let fields: &[Field] = info.map_or(&[], |k| &k.fields);
-        for f in fields {
+        for f in fields.iter().filter(|f| b.values.written(f.name)) {
             if let Some(v) = b.values.get(f.name) {
                 let _ = writeln!(out, "{} = {}", f.name, self.value(Some(f), f.name, v, &b.values));
             }

@@ -13,7 +13,7 @@ use super::units::Rung;
 use super::words::Style;
 use super::write::Names;
 use crate::outcome::{
-    Arg, Column, Data, Finding, Level, Message, Outcome, OutcomeError, SpecialPoint, Status, Table, significant, unit_text,
+    Arg, Column, Data, Finding, Level, Message, Outcome, OutcomeError, Overview, SpecialPoint, Status, Table, significant, unit_text,
 };
 use std::fmt::Write;
 
@@ -50,43 +50,14 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         scenes.push(own.map_err(|e| (o.name.clone(), e))?);
     }
     let style = &report.style;
-    let over = report.overview.as_ref().and_then(|page| {
-        let over = page.over_speed.as_ref()?;
-        Scene::new(&first_page::over_speed(page, over), &first_page::tables(over), style).ok()
-    });
+    let over = over_speed(report);
     let column = column_for(&scenes.iter().flatten().chain(&over).collect::<Vec<_>>());
     let names = Names::new(report);
-    let machine = if report.machine.is_empty() { say(style, "page-nameless") } else { escape(&report.machine) };
-    let mut s = format!(
-        "<!doctype html>\n<html lang=\"{}\">\n<head data-decimal=\"{}\" data-lengths=\"{}\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
-         <title>{machine} · {}</title>\n<style>{CSS}</style>\n<script>{JS}</script>\n</head>\n<body>\n<header>\n<h1>{machine}</h1>\n",
-        style.language.code(),
-        style.language.number("."),
-        LENGTHS.map(|l| style.language.unit(l)).join(" "),
-        hash(CSS),
-        hash(JS),
-        say(style, "page-report"),
-    );
     let p = &report.provenance;
-    let mut from = Vec::new();
-    if !p.input_name.is_empty() {
-        from.push(escape(&style.message(&Message::new("page-from").arg("file", Arg::name(&p.input_name)))));
-    }
-    from.push(format!("laval {}", escape(&p.version)).trim_end().to_string());
-    if !p.input_hash.is_empty() {
-        let short: String = p.input_hash.chars().take(12).collect();
-        from.push(format!("{} <span title=\"{}\">{}</span>", say(style, "page-hash"), escape(&p.input_hash), escape(&short)));
-    }
-    let _ = writeln!(s, "<p class=\"from\">{}</p>\n</header>\n<main>", from.join(" · "));
+    let mut s = opening(report);
     match &report.overview {
         Some(page) => {
-            first_page::head(&mut s, page, style);
-            if let Some(scene) = &over {
-                drawn(&mut s, scene, "over", column, style);
-                hint(&mut s, style);
-            }
-            first_page::tail(&mut s, page, style);
+            answer(&mut s, page, over.as_ref(), column, style);
             s.push_str("<details class=\"all\"><summary>");
             s.push_str(&say(style, "page-findings"));
             s.push_str("</summary>\n");
@@ -126,6 +97,64 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     p.settings.iter().for_each(|(k, v)| row(&Arg::term(k), v));
     s.push_str("</dl></details>\n</footer>\n</body>\n</html>\n");
     Ok(s)
+}
+
+/// The first page of the report by itself: verdict, checks, machine, behaviour over the speed, modes; the findings of a report that has none.
+pub fn page_one(report: &Report) -> String {
+    let over = over_speed(report);
+    let mut s = opening(report);
+    match &report.overview {
+        Some(page) => answer(&mut s, page, over.as_ref(), column_for(&over.iter().collect::<Vec<_>>()), &report.style),
+        None => summary(&mut s, report),
+    }
+    s.push_str("</main>\n</body>\n</html>\n");
+    s
+}
+
+/// The behaviour over the speed, drawn.
+fn over_speed(report: &Report) -> Option<Scene> {
+    let page = report.overview.as_ref()?;
+    let over = page.over_speed.as_ref()?;
+    Scene::new(&first_page::over_speed(page, over), &first_page::tables(over), &report.style).ok()
+}
+
+/// The first page.
+fn answer(s: &mut String, page: &Overview, over: Option<&Scene>, column: f64, style: &Style) {
+    first_page::head(s, page, style);
+    if let Some(scene) = over {
+        drawn(s, scene, "over", column, style);
+        hint(s, style);
+    }
+    first_page::tail(s, page, style);
+}
+
+/// Up to the beginning of the main part.
+fn opening(report: &Report) -> String {
+    let style = &report.style;
+    let machine = if report.machine.is_empty() { say(style, "page-nameless") } else { escape(&report.machine) };
+    let mut s = format!(
+        "<!doctype html>\n<html lang=\"{}\">\n<head data-decimal=\"{}\" data-lengths=\"{}\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
+         <title>{machine} · {}</title>\n<style>{CSS}</style>\n<script>{JS}</script>\n</head>\n<body>\n<header>\n<h1>{machine}</h1>\n",
+        style.language.code(),
+        style.language.number("."),
+        LENGTHS.map(|l| style.language.unit(l)).join(" "),
+        hash(CSS),
+        hash(JS),
+        say(style, "page-report"),
+    );
+    let p = &report.provenance;
+    let mut from = Vec::new();
+    if !p.input_name.is_empty() {
+        from.push(escape(&style.message(&Message::new("page-from").arg("file", Arg::name(&p.input_name)))));
+    }
+    from.push(format!("laval {}", escape(&p.version)).trim_end().to_string());
+    if !p.input_hash.is_empty() {
+        let short: String = p.input_hash.chars().take(12).collect();
+        from.push(format!("{} <span title=\"{}\">{}</span>", say(style, "page-hash"), escape(&p.input_hash), escape(&short)));
+    }
+    let _ = writeln!(s, "<p class=\"from\">{}</p>\n</header>\n<main>", from.join(" · "));
+    s
 }
 
 fn summary(s: &mut String, report: &Report) {

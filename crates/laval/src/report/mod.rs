@@ -46,14 +46,14 @@ mod write;
 
 pub use crate::language::Language;
 pub use csv::csv;
-pub use html::html;
+pub use html::{html, page_one};
 pub use json::{RESULTS_SCHEMA, SCHEMA, json};
 pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
 pub use renew::{outdated, prepare, renew, share};
 pub use summary::summary;
-pub use svg::draw;
+pub use svg::{draw, draw_in};
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
 pub use units::{Rung, Units};

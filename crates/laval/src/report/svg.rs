@@ -38,7 +38,10 @@ pub fn draw(figure: &Figure, tables: &[Table]) -> Result<String, OutcomeError> {
 }
 
 /// The same in the words and units of a reader.
-pub(super) fn draw_in(figure: &Figure, tables: &[Table], style: &Style) -> Result<String, OutcomeError> {
+///
+/// # Errors
+/// As [`draw`].
+pub fn draw_in(figure: &Figure, tables: &[Table], style: &Style) -> Result<String, OutcomeError> {
     let scene = Scene::new(figure, tables, style)?;
     Ok(render(&scene, WIDE, drawn(&scene), None))
 }

@@ -311,9 +311,10 @@ fn fill(
         rows.set(done);
     }
     if let Work::Piece(piece) = work {
+        let (number, of) = (piece.number(), piece.of());
         let message = match total {
-            0 => text!("part {piece} has no rows", piece),
-            _ => text!("part {piece}: {done} of {total} rows are there", piece, done, total),
+            0 => text!("part {number} of {of} has no rows", number, of),
+            _ => text!("part {number} of {of}: {done} of {total} rows are there", number, of, done, total),
         };
         return Err(Diagnostic::warning(NO_RESULT, message));
     }

@@ -77,6 +77,9 @@ fn check(bytes: &[u8], shown: bool) -> Result<Option<Loaded>, String> {
         if back.is_none_or(|b| b.without_spans() != l.spec.clone().without_spans()) {
             return Err(format!("written and read again it is another machine: {d:?}\n{written}"));
         }
+        if let Err(d) = file::load(&written) {
+            return Err(format!("written and read again it is refused: {d:?}\n{written}"));
+        }
     }
     if let Ok(l) = &result {
         for (slot, value) in l.system.param_slots().iter().zip(l.system.params()) {

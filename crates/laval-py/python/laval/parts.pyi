@@ -1,0 +1,690 @@
+"""Elements of machines: one function for each kind of part, with the keys of the machine file.
+
+Written by crates/laval-py/stubs.py from the registry of the library.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+from laval._blocks import Extra, Part, Study
+from laval._types import Lateral, Named, ParameterRange, Point, Quantities, Quantity, Range, Tolerance
+
+__all__ = ['disc', 'foundation', 'damper', 'bearing_linear', 'bearing_cubic', 'bearing_hertz', 'shaft_lumped', 'shaft_span', 'shaft_viscoelastic', 'stop', 'liquid', 'balancer_ball', 'motor', 'spin_load']
+
+def __getattr__(name: str) -> Any: ...
+def __dir__() -> list[str]: ...
+
+def disc(
+    *,
+    name: str | None = None,
+    mass: Quantity,
+    unbalances: Mapping[Literal["unbalance", "phase", "at"], Quantities] | None = None,
+    eccentricity: Quantity | None = None,
+    eccentricity_phase: Quantity | None = None,
+    unbalance: Quantity | None = None,
+    polar_inertia: Quantity | None = None,
+    diametral_inertia: Quantity | None = None,
+    skew: Quantity | None = None,
+    skew_phase: Quantity | None = None,
+    centre_of_mass: Quantity | None = None,
+) -> Part:
+    """A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling and dynamic unbalance. Other parts attach to it.
+
+    Args:
+        name: by which others refer to it.
+        mass: mass m (required).
+            a mass (kg, g, t), between 0.001 mg and 1e7 kg
+        unbalances: several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights; a study that varies parameters leaves them as they are (optional).
+            columns of equal length { unbalance: size [an unbalance]; phase: direction from the key mark [an angle], optional; at: height of its plane above the reference point, for a disc that tilts [a length], optional }
+        eccentricity: distance e of the centre of mass from the shaft centre (default 0.0 m).
+            a length (mm, m, µm), between 0 and 500 mm
+        eccentricity_phase: direction of the eccentricity from the key mark (default 0.0 rad).
+            an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+        unbalance: additional unbalance in the direction of the eccentricity (default 0.0 kg m).
+            an unbalance (g mm, kg mm, kg m), between 0 and 10000 kg m
+        polar_inertia: polar moment of inertia C; left out it is 0, and neither a torque nor a run-up with drive = "free" counts this disc (default 0.0 kg m^2).
+            a moment of inertia (kg m^2, kg mm^2), between 0 and 1e8 kg m^2
+        diametral_inertia: diametral moment of inertia A; when given, the disc tilts (default 0.0 kg m^2).
+            a moment of inertia (kg m^2, kg mm^2), between 0 and 1e8 kg m^2
+        skew: angle tau by which the principal axis is turned out of the shaft (dynamic unbalance) (default 0.0 rad).
+            an angle (deg, rad), between -0.5 rad (-28.65 deg) and 0.5 rad (28.65 deg)
+        skew_phase: angle phi_t from the key mark to the axis about which the skew turns; the upper end of the principal axis then leans a quarter turn behind it (default 0.0 rad).
+            an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+        centre_of_mass: height h of the centre of mass above the reference point (default 0.0 m).
+            a length (mm, m, µm), between -100 m and 100 m
+
+    In a machine file::
+
+        [[part]]
+        kind = "disc"
+        name = "drum"
+        mass = "12 kg"
+        eccentricity = "20 um"
+        polar_inertia = "0.08 kg m^2"
+        diametral_inertia = "0.06 kg m^2"   # with it the disc tilts
+        skew = "0.1 mrad"                   # dynamic unbalance
+    """
+
+def foundation(
+    *,
+    name: str | None = None,
+    mass: Quantity,
+    stiffness: Lateral,
+    damping: Lateral | None = None,
+) -> Part:
+    """A foundation block on elastic supports to the ground, movable in x and y. Other parts attach to it.
+
+    Args:
+        name: by which others refer to it.
+        mass: mass M (required).
+            a mass (kg, g, t), between 0.001 mg and 1e9 kg
+        stiffness: stiffness c2 of all supports together (required).
+            a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m; one value, or { x = .., y = .. }
+        damping: damping chi0 of all supports together (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between 0 and 1e12 N s/m; one value, or { x = .., y = .. }
+
+    In a machine file::
+
+        [[part]]
+        kind = "foundation"
+        name = "base"
+        mass = "60 kg"
+        stiffness = { x = "2.4e6 N/m", y = "1.8e6 N/m" }
+        damping = "900 N s/m"
+    """
+
+def damper(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    damping: Lateral,
+    axes: Literal["fixed", "rotating"] | None = None,
+    tilt_damping: Quantity | None = None,
+) -> Part:
+    """A viscous damper between two points or to the ground. axes = "rotating" is damping inside the rotor, which destabilises above the critical speed. tilt_damping adds the same on tilt.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        damping: damping c (required).
+            a damping constant (N s/m, kN s/m), between 0 and 1e12 N s/m; one value, or { x = .., y = .. }
+        axes: axes the damping acts in (default fixed).
+            "fixed" (axes at rest) or "rotating" (axes that turn with the rotor)
+        tilt_damping: tilt damping ct; when given, the damper acts on tilt (default 0.0 N m s).
+            an angular momentum (N m s), between 0 and 1e12 N m s
+
+    In a machine file::
+
+        [[part]]
+        kind = "damper"
+        between = ["drum", "ground"]
+        damping = "250 N s/m"
+        axes = "fixed"                      # "rotating" is damping inside the rotor
+    """
+
+def bearing_linear(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    table: Mapping[Literal["speed", "kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"], Quantities] | None = None,
+    beyond: Literal["refuse", "hold", "linear"] | None = None,
+    stiffness: Quantity | None = None,
+    damping: Quantity | None = None,
+    kxx: Quantity | None = None,
+    kxy: Quantity | None = None,
+    kyx: Quantity | None = None,
+    kyy: Quantity | None = None,
+    cxx: Quantity | None = None,
+    cxy: Quantity | None = None,
+    cyx: Quantity | None = None,
+    cyy: Quantity | None = None,
+) -> Part:
+    """A bearing or seal given by its eight linear coefficients kxx kxy kyx kyy cxx cxy cyx cyy, constant or in a table over speed. The force on the first point is -K d - C d'; kxy > 0 > kyx drives forward whirl.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        table: coefficients over speed, instead of constant ones; between the rows each column is a monotone cubic (PCHIP, slopes of Fritsch and Butland), which stays between the values of neighbouring rows; two rows are joined by a straight line (optional).
+            columns of equal length { speed: spin speed, increasing [a speed]; kxx: stiffness in x against x [a stiffness]; kxy: force in -x per displacement in y [a stiffness], optional; kyx: force in -y per displacement in x [a stiffness], optional; kyy: stiffness in y against y [a stiffness]; cxx: damping in x against x [a damping constant], optional; cxy: force in -x per velocity in y [a damping constant], optional; cyx: force in -y per velocity in x [a damping constant], optional; cyy: damping in y against y [a damping constant], optional }
+        beyond: coefficients at speeds outside the table (default refuse).
+            "refuse" (a study beyond the speeds of the table is refused) or "hold" (the first and last row hold beyond; results there are marked as outside the table) or "linear" (straight on along the slope at the ends; results there are marked as outside the table)
+        stiffness: one stiffness in all directions, instead of kxx and kyy (optional).
+            a stiffness (N/m, N/mm, MN/m), between -1e15 N/m and 1e15 N/m
+        damping: one damping in all directions, instead of cxx and cyy (optional).
+            a damping constant (N s/m, kN s/m), between -1e12 N s/m and 1e12 N s/m
+        kxx: stiffness in x against x (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between -1e15 N/m and 1e15 N/m
+        kxy: force in -x per displacement in y (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between -1e15 N/m and 1e15 N/m
+        kyx: force in -y per displacement in x (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between -1e15 N/m and 1e15 N/m
+        kyy: stiffness in y against y (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between -1e15 N/m and 1e15 N/m
+        cxx: damping in x against x (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between -1e12 N s/m and 1e12 N s/m
+        cxy: force in -x per velocity in y (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between -1e12 N s/m and 1e12 N s/m
+        cyx: force in -y per velocity in x (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between -1e12 N s/m and 1e12 N s/m
+        cyy: damping in y against y (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between -1e12 N s/m and 1e12 N s/m
+
+    In a machine file::
+
+        [[part]]
+        kind = "bearing_linear"
+        between = ["drum", "ground"]
+        kxx = "2e7 N/m"
+        kxy = "5e6 N/m"
+        kyx = "-5e6 N/m"
+        kyy = "3e7 N/m"
+        cxx = "2e4 N s/m"
+        cyy = "3e4 N s/m"
+    """
+
+def bearing_cubic(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    law: Literal["per_axis", "isotropic"],
+    stiffness: Lateral,
+    cubic_stiffness: Lateral,
+    valid_to: Quantity | None = None,
+) -> Part:
+    """A bearing whose force grows with the deflection and its cube. law = "per_axis" treats x and y apart, law = "isotropic" is the same in all directions; the two have different jumps, so the law is always named.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        law: how the cubic force depends on direction (required).
+            "per_axis" (c0 dx + c1 dx^3 and c0 dy + c1 dy^3) or "isotropic" (c0 d + c1 |d|^2 d)
+        stiffness: linear coefficient c0 of the total force (required).
+            a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m; one value, or { x = .., y = .. }
+        cubic_stiffness: cubic coefficient c1 of the total force (required).
+            a cubic stiffness (N/m^3, N/mm^3), between -1e24 N/m^3 and 1e24 N/m^3; one value, or { x = .., y = .. }
+        valid_to: largest deflection the coefficients were fitted for; 0 states none (default 0.0 m).
+            a length (mm, m, µm), between 0 and 1 m
+
+    In a machine file::
+
+        [[part]]
+        kind = "bearing_cubic"
+        between = ["drum", "ground"]
+        law = "isotropic"
+        stiffness = "1.1e7 N/m"
+        cubic_stiffness = "8.7e10 N/m^3"
+        valid_to = "2 mm"
+    """
+
+def bearing_hertz(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    law: Literal["radial", "per_axis"],
+    coefficient: Quantity,
+    clearance: Quantity | None = None,
+) -> Part:
+    """A rolling bearing with the force of Hertz contacts, growing with the deflection to the power 3/2, with clearance or preload. Without preload it has no stiffness at rest; a linear study of a machine that other parts hold inside the clearance leaves it open.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        law: how the force depends on direction (required).
+            "radial" (Cb [|d| - d0]^(3/2) along d: the same in all directions) or "per_axis" (opposed contacts on each axis; a negative clearance is a preloaded pair)
+        coefficient: contact coefficient Cb of the whole bearing (required).
+            a Hertz contact stiffness (N/m^1.5, N/mm^1.5), above 0 and at most 1e20 N/m^1.5
+        clearance: radial clearance d0; negative is interference (preload), per axis only (default 0.0 m).
+            a length (mm, m, µm), between -100 mm and 100 mm
+
+    In a machine file::
+
+        [[part]]
+        kind = "bearing_hertz"
+        between = ["drum", "ground"]
+        law = "radial"
+        coefficient = "3e9 N/m^1.5"
+        clearance = "10 um"
+    """
+
+def shaft_lumped(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    lower_end: Literal["clamped", "pinned"] | None = None,
+    upper_end: Literal["clamped", "pinned"] | None = None,
+    moment: bool | None = None,
+    stiffness: Lateral | None = None,
+    cross_stiffness: Quantity | None = None,
+    coupling: Quantity | None = None,
+    tilt_stiffness: Quantity | None = None,
+    material_damping: Quantity | None = None,
+    diameter: Quantity | None = None,
+    inner_diameter: Quantity | None = None,
+    below: Quantity | None = None,
+    above: Quantity | None = None,
+    modulus: Quantity | None = None,
+) -> Part:
+    """A massless elastic shaft or support between two points: stiffness in x and y, optionally coupled to the tilt of a disc, and optionally with damping of the shaft's material, which turns with the rotor and destabilises above the critical speed. A round shaft gives its stiffness by its diameter, its lengths below and above the point and how its ends are held.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins, the carried one first (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        lower_end: how the lower end of a round shaft is held by the second point's body (default clamped).
+            "clamped" (against deflection and slope) or "pinned" (against deflection only)
+        upper_end: how the upper end of a round shaft is held by the second point's body (default clamped).
+            "clamped" (against deflection and slope) or "pinned" (against deflection only)
+        moment: a round shaft acts on the tilt of what it carries; false for a body without tilt, which leaves the slope of the shaft free (default true).
+            true or false
+        stiffness: stiffness k (kx, ky), unless the geometry is given (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m; one value, or { x = .., y = .. }
+        cross_stiffness: stiffness kxy = kyx of a support whose main axes are not x and y (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between -1e15 N/m and 1e15 N/m
+        coupling: coupling kc of deflection and tilt: the moment about y per deflection along x. Negative where the first point lies above what holds the shaft (towards larger z), positive where it hangs below; a shaft of length L and bending stiffness EI clamped at its other end has -6 EI/L^2 or +6 EI/L^2, with stiffness 12 EI/L^3 and tilt_stiffness 4 EI/L (default 0.0 N/rad).
+            a quantity in N/rad (N/rad), between -1e15 N/rad and 1e15 N/rad
+        tilt_stiffness: tilt stiffness kt; when given, the shaft acts on tilt (default 0.0 N m/rad).
+            a rotational stiffness (N m/rad, N m/deg), between 0 and 1e15 N m/rad
+        material_damping: damping of the material b = c/k, in axes that turn with the rotor (default 0.0 s).
+            a time (s, ms, min), between 0 and 1000 s
+        diameter: diameter d of a round shaft, instead of its stiffness (default 0.0 m).
+            a length (mm, m, µm), between 0 and 10 m
+        inner_diameter: inner diameter di of a hollow shaft (default 0.0 m).
+            a length (mm, m, µm), between 0 and 10 m
+        below: length a of a round shaft from its lower end to the point; 0 when it has no lower end (default 0.0 m).
+            a length (mm, m, µm), between 0 and 100 m
+        above: length b of a round shaft from the point to its upper end; 0 when it has no upper end (default 0.0 m).
+            a length (mm, m, µm), between 0 and 100 m
+        modulus: Young's modulus E of a round shaft (default 2.06e11 Pa).
+            a pressure (bar, MPa, Pa), between 100 kPa and 1e13 Pa
+
+    In a machine file::
+
+        [[part]]
+        kind = "shaft_lumped"
+        between = ["drum", "ground"]
+        stiffness = "2.9e6 N/m"
+        material_damping = "2e-5 s"         # loss of the material, turning with the shaft
+    """
+
+def shaft_span(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    below: Quantity,
+    above: Quantity,
+    diameter: Quantity,
+    lower_support: Lateral,
+    upper_support: Lateral,
+    inner_diameter: Quantity | None = None,
+    modulus: Quantity | None = None,
+) -> Part:
+    """A massless shaft of constant section on two elastic supports, from its geometry: stiffness of deflection and tilt at the point of the rotor it carries, in the planes of x and y. For its internal friction put a damper with rotating axes beside it.
+
+    Args:
+        name: by which others refer to it.
+        between: the point of the rotor at which the lengths meet, and what the supports stand on (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        below: length a of the shaft from the lower support to the point (required).
+            a length (mm, m, µm), between 100 µm and 100 m
+        above: length b of the shaft from the point to the upper support (required).
+            a length (mm, m, µm), between 100 µm and 100 m
+        diameter: diameter d of the shaft (required).
+            a length (mm, m, µm), between 10 µm and 10 m
+        lower_support: stiffness k1 of the lower support (required).
+            a stiffness (N/m, N/mm, MN/m), between 1 N/m and 1e15 N/m; one value, or { x = .., y = .. }
+        upper_support: stiffness k2 of the upper support (required).
+            a stiffness (N/m, N/mm, MN/m), between 1 N/m and 1e15 N/m; one value, or { x = .., y = .. }
+        inner_diameter: inner diameter di of a hollow shaft (default 0.0 m).
+            a length (mm, m, µm), between 0 and 10 m
+        modulus: Young's modulus E of the shaft (default 2.06e11 Pa).
+            a pressure (bar, MPa, Pa), between 100 kPa and 1e13 Pa
+
+    In a machine file::
+
+        [[part]]
+        kind = "shaft_span"
+        between = ["drum", "ground"]
+        below = "250 mm"
+        above = "350 mm"
+        diameter = "35 mm"
+        lower_support = "2e7 N/m"
+        upper_support = { x = "2e7 N/m", y = "1.2e7 N/m" }
+        modulus = "206 GPa"
+    """
+
+def shaft_viscoelastic(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    memory: Literal["rotor", "fixed"] | None = None,
+    supports: Literal["given", "simply_supported", "clamped", "overhung", "cantilever", "first_mode"] | None = None,
+    terms: Mapping[Literal["amplitude", "exponent", "decay"], Quantities] | None = None,
+    exponentials: Mapping[Literal["share", "rate"], Quantities] | None = None,
+    accuracy: Quantity | None = None,
+    band: Quantity | None = None,
+    stiffness: Quantity | None = None,
+    modulus: Quantity | None = None,
+    diameter: Quantity | None = None,
+    length: Quantity | None = None,
+    position: Quantity | None = None,
+    amplitude: Quantity | None = None,
+    exponent: Quantity | None = None,
+    decay: Quantity | None = None,
+) -> Part:
+    """A massless shaft of viscoelastic material, whose force remembers the deflection: weakly singular kernels of Koltunov and Rzhanitsyn, exact in frequency and as a sum of exponentials in time, or given exponentials. The memory of a shaft turns with the rotor and destabilises it above the critical speed of the long-term stiffness; memory in fixed axes, as of a support, always damps.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins, the carried one first (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        memory: axes in which the material remembers (default rotor).
+            "rotor" (the material turns with the rotor and remembers in its axes) or "fixed" (a support or a shaft that does not turn)
+        supports: how the stiffness follows from the geometry (default given).
+            "given" (no geometry: the stiffness is given) or "simply_supported" (round shaft on simple supports) or "clamped" (round shaft clamped at both ends) or "overhung" (round shaft on two simple bearings, the disc beyond the second) or "cantilever" (round shaft clamped at one end) or "first_mode" (first bending mode of a round shaft on simple supports; the disc then has half the mass of the shaft)
+        terms: several weakly singular terms, instead of one amplitude, exponent and decay (optional).
+            columns of equal length { amplitude: A of each term, bare numbers in 1/s^a [a pure number]; exponent: a of each term [a pure number]; decay: b of each term [a rate] }
+        exponentials: a sum of exponentials as the law itself (Prony series), instead of weakly singular terms (optional).
+            columns of equal length { share: share of the stiffness that relaxes [a pure number]; rate: rate at which it relaxes, the inverse of the relaxation time [a rate] }
+        accuracy: relative error of the dynamic stiffness that the exponentials of weakly singular terms may make in time (default 1e-5).
+            a pure number, between 1e-10 and 0.01
+        band: highest frequency of motion, seen from the axes of the memory, at which they are that accurate (default 10000 rad/s).
+            a speed (rad/s, rpm, Hz), between 0.01 rad/s (0.09549 rpm) and 1e7 rad/s (9.549e7 rpm)
+        stiffness: instantaneous stiffness k at the disc, where supports = "given" (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m
+        modulus: instantaneous modulus E of a round shaft (default 0.0 Pa).
+            a pressure (bar, MPa, Pa), between 0 and 1e13 Pa
+        diameter: diameter d of a round shaft (default 0.0 m).
+            a length (mm, m, µm), between 0 and 10 m
+        length: distance L of the supports (default 0.0 m).
+            a length (mm, m, µm), between 0 and 1000 m
+        position: place x of the disc: distance from the left support, from the clamp of a cantilever, or overhang beyond the second bearing (default 0.0 m).
+            a length (mm, m, µm), between 0 and 1000 m
+        amplitude: amplitude A of the kernel A t^(a-1) exp(-b t), a bare number in 1/s^a; to be given with exponent and decay unless terms or exponentials are (default 0.0 ).
+            a pure number, between 0 and 1e9
+        exponent: exponent a of the kernel, above 0 (default 0.0 ).
+            a pure number, between 0 and 0.99
+        decay: decay b of the kernel, above 0 (default 0.0 1/s).
+            a rate (1/s, 1/min), between 0 and 1e9 1/s
+
+    In a machine file::
+
+        [[part]]
+        kind = "shaft_viscoelastic"
+        between = ["drum", "ground"]
+        memory = "rotor"
+        supports = "simply_supported"       # or give stiffness itself
+        modulus = "20 GPa"
+        diameter = "40 mm"
+        length = "0.6 m"
+        position = "0.3 m"
+        amplitude = 0.008                   # kernel A t^(a-1) exp(-b t): A in 1/s^a
+        exponent = 0.15                     # a
+        decay = "0.05 1/s"                  # b
+    """
+
+def stop(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    stiffness: Quantity,
+    gap: Quantity,
+    damping: Quantity | None = None,
+) -> Part:
+    """A stop that is free inside a radial gap and pushes back outside, with stiffness and optional damping while in contact. It never pulls and has no friction.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it keeps together (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        stiffness: contact stiffness k (required).
+            a stiffness (N/m, N/mm, MN/m), above 0 and at most 1e15 N/m
+        gap: radial gap g (required).
+            a length (mm, m, µm), above 0 and at most 1 m
+        damping: contact damping c (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between 0 and 1e12 N s/m
+
+    In a machine file::
+
+        [[part]]
+        kind = "stop"
+        between = ["drum", "ground"]
+        stiffness = "5e7 N/m"
+        gap = "0.5 mm"
+        damping = "200 N s/m"
+    """
+
+def liquid(
+    *,
+    name: str | None = None,
+    in_: Point,
+    fill: Mapping[Literal["free_surface_radius", "volume_fraction", "volume", "mass"], Quantity],
+    cavity_radius: Quantity,
+    cavity_height: Quantity,
+    density: Quantity,
+    model: Literal["planar", "planar_tilt", "strip", "spatial", "frozen"] | None = None,
+    axial_harmonics: int | Literal["auto"] | None = None,
+    time_error: Quantity | None = None,
+    wave_damping: Quantity | None = None,
+    viscosity: Quantity | None = None,
+    eccentricity: Quantity | None = None,
+    eccentricity_phase: Quantity | None = None,
+    skew: Quantity | None = None,
+    skew_phase: Quantity | None = None,
+) -> Part:
+    """Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass. On a disc that tilts, strip lets every slice flow by itself, without the pressure on the end caps (were the liquid solid, 3 (R^2 + r^2)/H^2 of the inertia against tilt that it keeps, with the radii R of the wall and r of the surface and the height H), and spatial adds both that and flow along the axis: exact in the frequency domain, in time by a sum over waves with a stated error. Of a viscous liquid motions in time have a rational form, with a stated error, at one constant speed.
+
+    Args:
+        name: by which others refer to it.
+        in_: the body whose cavity it fills, at the middle of the cavity's height (required).
+            a point: "drum" or { body = "drum", at = "40 mm" }
+        fill: how much liquid (required).
+            exactly one of { free_surface_radius: radius of the undisturbed free surface [a length (mm, m, µm), between 0 and 100 m]; volume_fraction: liquid volume over cavity volume [a pure number, between 0 and 1]; volume: liquid volume [a volume (l, ml, m^3), between 0 and 1e6 m^3]; mass: liquid mass [a mass (kg, g, t), between 0 and 1e9 kg] }
+        cavity_radius: cavity radius R (required).
+            a length (mm, m, µm), between 1 µm and 100 m
+        cavity_height: cavity height h (required).
+            a length (mm, m, µm), between 1 µm and 1000 m
+        density: liquid density rho (required).
+            a density (kg/m^3, g/cm^3), between 0.001 kg/m^3 and 30000 kg/m^3
+        model: flow model (default planar).
+            "planar" (plane flow, driven by the motion of the cavity centre; no reaction on tilt) or "planar_tilt" (plane flow, and of the reaction on tilt what needs no axial flow: an approximation) or "strip" (plane flow in every slice, driven by the motion of that slice) or "spatial" (flow in three dimensions; exact in the frequency domain, in time a sum over waves) or "frozen" (a rigid ring: for bounds only)
+        axial_harmonics: with spatial: highest axial harmonic k of the series that is taken (1, 3, 5, ...); auto takes all (default auto).
+            a whole number from 1 to 999, or "auto"
+        time_error: with spatial or a viscosity: relative error that the form of the reaction in time may have; 1e-4 when absent; thin liquids in three dimensions need about 1e-2 (optional).
+            a pure number, between 1e-6 and 0.1
+        wave_damping: damping delta of the surface wave in rotor axes (default 0.0 1/s).
+            a rate (1/s, 1/min), between 0 and 1e6 1/s
+        viscosity: kinematic viscosity nu; above 0 the force is exact in the frequency domain; in time it has a form at constant speed (default 0.0 m^2/s).
+            a kinematic viscosity (cSt, mm^2/s, m^2/s), between 0 and 10 m^2/s
+        eccentricity: distance e of the middle of the cavity from the shaft (default 0.0 m).
+            a length (mm, m, µm), between 0 and 1 m
+        eccentricity_phase: direction of the eccentricity from the key mark (default 0.0 rad).
+            an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+        skew: angle tau by which the cavity's axis is turned out of the shaft; of a rotor that sits askew on its shaft the same as the disc's (default 0.0 rad).
+            an angle (deg, rad), between -0.5 rad (-28.65 deg) and 0.5 rad (28.65 deg)
+        skew_phase: angle phi_t from the key mark to the axis about which the skew turns (default 0.0 rad).
+            an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+
+    In a machine file::
+
+        [[part]]
+        kind = "liquid"
+        in = "drum"
+        cavity_radius = "150 mm"
+        cavity_height = "80 mm"
+        density = "1000 kg/m^3"
+        fill = { volume_fraction = 0.1 }    # or free_surface_radius, volume, mass
+        wave_damping = "4 1/s"
+    """
+
+def balancer_ball(
+    *,
+    name: str | None = None,
+    on: Point,
+    ball_mass: Quantity,
+    track_radius: Quantity,
+    balls: int | None = None,
+    tracks: Mapping[Literal["balls", "radius", "tilt", "node_line"], Quantities] | None = None,
+    mass_ratios: Quantities | None = None,
+    rings: Literal["fixed", "free"] | None = None,
+    body_tilt: bool | None = None,
+    eccentricity: Quantity | None = None,
+    eccentricity_phase: Quantity | None = None,
+    tilt: Quantity | None = None,
+    node_line: Quantity | None = None,
+    housing_mass: Quantity | None = None,
+    diametral_inertia: Quantity | None = None,
+    polar_inertia: Quantity | None = None,
+    tilt_stiffness: Quantity | None = None,
+    tilt_damping: Quantity | None = None,
+    drag: Quantity | None = None,
+    dry_torque: Quantity | None = None,
+    rolling_resistance: Quantity | None = None,
+    friction_rate: Quantity | None = None,
+    rolling_inertia: Quantity | None = None,
+    ball_radius: Quantity | None = None,
+    contact_stiffness: Quantity | None = None,
+    contact_damping: Quantity | None = None,
+    gravity: Quantity | None = None,
+) -> Part:
+    """An automatic ball balancer: rings with balls that run freely in circular tracks, eccentric or tilted, the tilt fixed or free. Above the critical speed the balls settle opposite the unbalance, if drag, external damping and tilt let them.
+
+    Args:
+        name: by which others refer to it.
+        on: the body that carries it (required).
+            a point: "drum" or { body = "drum", at = "40 mm" }
+        ball_mass: mass m of a ball (required).
+            a mass (kg, g, t), above 0 and at most 10000 kg
+        track_radius: radius r of the circle the centres of the balls run on (required).
+            a length (mm, m, µm), above 0 and at most 100 m
+        balls: number of balls on the one track; with tracks, which say how many each has, leave it out or give their sum (default 2).
+            a whole number from 1 to 64
+        tracks: several tracks about one centre, one entry of each column for each track; { balls = [3, 2] } is three balls on the first and two on the second, numbered through: ball_1 to ball_3 run on the first, ball_4 and ball_5 on the second (optional).
+            columns of equal length { balls: number of balls on each track [a pure number]; radius: radius over track_radius [a pure number], optional; tilt: tilt in addition to tilt [an angle], optional; node_line: node line in addition to node_line [an angle], optional }
+        mass_ratios: mass of each ball over ball_mass in the order of their numbers, track by track, when they are unequal (optional).
+            a list; a pure number, above 0 and at most 1e6
+        rings: how the rings are mounted (default fixed).
+            "fixed" (the tilt stays as it is) or "free" (each ring turns about its node line: its tilt is a coordinate)
+        body_tilt: balls follow the tilt of the body; false for a body that does not tilt saves half the work (default true).
+            true or false
+        eccentricity: distance s of the ring centre from the shaft centre (default 0.0 m).
+            a length (mm, m, µm), between 0 and 1 m
+        eccentricity_phase: direction gamma of the ring centre from the key mark (default 0.0 rad).
+            an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+        tilt: tilt alpha of the tracks; of free rings, where their springs are relaxed (default 0.0 rad).
+            an angle (deg, rad), between -1.5 rad (-85.94 deg) and 1.5 rad (85.94 deg)
+        node_line: direction B of the node line, about which the tracks are tilted, from the key mark (not from the eccentricity of the ring) (default 0.0 rad).
+            an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+        housing_mass: mass m_b of the housing, at the ring centre (default 0.0 kg).
+            a mass (kg, g, t), between 0 and 1e6 kg
+        diametral_inertia: diametral moment of inertia Jx of one ring (default 0.0 kg m^2).
+            a moment of inertia (kg m^2, kg mm^2), between 0 and 1e6 kg m^2
+        polar_inertia: polar moment of inertia Jz of one ring (default 0.0 kg m^2).
+            a moment of inertia (kg m^2, kg mm^2), between 0 and 1e6 kg m^2
+        tilt_stiffness: spring k_a that holds a free ring (default 0.0 N m/rad).
+            a rotational stiffness (N m/rad, N m/deg), between 0 and 1e15 N m/rad
+        tilt_damping: damping c_a of a free ring (default 0.0 N m s).
+            an angular momentum (N m s), between 0 and 1 GN m s
+        drag: viscous drag torque c of a ball per rate of its angle (default 0.0 N m s).
+            an angular momentum (N m s), between 0 and 1 MN m s
+        dry_torque: dry friction torque T_d of a ball: where the track pulls less, the ball stays (default 0.0 N m).
+            a torque (N m, kN m), between 0 and 1 MN m
+        rolling_resistance: rolling resistance f: friction force over the centrifugal load of a ball (default 0.0 ).
+            a pure number, between 0 and 10
+        friction_rate: rate e of a ball below which dry friction fades: it creeps that slowly where it should stay (default 1e-3 rad/s).
+            a speed (rad/s, rpm, Hz), between 1e-9 rad/s (9.549e-9 rpm) and 1e6 rad/s (9.549e6 rpm)
+        rolling_inertia: added inertia along the track over that of the ball's mass: 2/5 (r_b/r_c)^2 for a ball that rolls with rolling radius r_c, 0 for one that slides (default 0.0 ).
+            a pure number, between 0 and 10
+        ball_radius: radius r_b of a ball, for contact and for how many fit (default 0.0 m).
+            a length (mm, m, µm), between 0 and 10 m
+        contact_stiffness: stiffness k of the contact of two balls; they pass through each other without (default 0.0 N m/rad^1.5).
+            a quantity in N m/rad^1.5 (N m/rad^1.5), between 0 and 1e15 N m/rad^1.5
+        contact_damping: damping chi of the contact: balls that meet at rate v part at about (1 - 2/3 chi v) v (default 0.0 s/rad).
+            a quantity in s/rad (s/rad), between 0 and 1e6 s/rad
+        gravity: acceleration of gravity along the axis, towards the foot (default 9.80665 m/s^2).
+            an acceleration (m/s^2, gn), between -10000 m/s^2 and 10000 m/s^2
+
+    In a machine file::
+
+        [[part]]
+        kind = "balancer_ball"
+        on = "drum"
+        balls = 2
+        ball_mass = "3.6 g"
+        track_radius = "100 mm"
+        drag = "2e-3 N m s"
+        eccentricity = "2 um"
+        body_tilt = false                   # the drum moves in its plane
+    """
+
+def motor(
+    *,
+    name: str | None = None,
+    torque: Quantity,
+    curve: Literal["constant", "linear", "squirrel_cage", "limited_power", "table"] | None = None,
+    table: Mapping[Literal["speed", "share"], Quantities] | None = None,
+    synchronous_speed: Quantity | None = None,
+    breakdown_slip: Quantity | None = None,
+    power: Quantity | None = None,
+    drag: Quantity | None = None,
+    inertia: Quantity | None = None,
+) -> Part:
+    """A motor with a torque curve: constant, linear, squirrel cage, limited power or a table. With drive = "free" in the machine the speed follows from its torque and what the vibration takes, so that it may be caught at a resonance.
+
+    Args:
+        name: by which others refer to it.
+        torque: torque T: at standstill, at breakdown for a squirrel cage, the largest for limited power, what the shares of a table are multiplied with (required).
+            a torque (N m, kN m), between -1 GN m and 1 GN m
+        curve: torque against speed (default constant).
+            "constant" (torque at every speed) or "linear" (torque at standstill falls in a straight line to zero at synchronous_speed) or "squirrel_cage" (Kloss's curve: torque at breakdown, synchronous_speed, breakdown_slip) or "limited_power" (torque up to the speed where it takes the power, less above) or "table" (through the points of the table)
+        table: torque at given speeds as shares of torque; between the rows a monotone cubic (PCHIP, slopes of Fritsch and Butland), constant outside (optional).
+            columns of equal length { speed: spin speed, increasing [a speed]; share: torque there over torque [a pure number] }
+        synchronous_speed: speed W_s at which the torque is zero (default 0.0 rad/s).
+            a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
+        breakdown_slip: slip s_k of the largest torque of a squirrel cage (default 0.2 ).
+            a pure number, above 0 and at most 100
+        power: limit P of the power (default 0.0 W).
+            a power (kW, W), between 0 and 1e12 W
+        drag: drag c of bearings and windage: torque over speed (default 0.0 N m s).
+            an angular momentum (N m s), between 0 and 1 GN m s
+        inertia: moment of inertia J of the motor's rotor (default 0.0 kg m^2).
+            a moment of inertia (kg m^2, kg mm^2), between 0 and 1e9 kg m^2
+
+    In a machine file::
+
+        [[part]]
+        kind = "motor"
+        torque = "12 N m"
+        curve = "linear"
+        synchronous_speed = "3000 rpm"
+        inertia = "0.02 kg m^2"
+    """
+
+def spin_load(
+    *,
+    name: str | None = None,
+    inertia: Quantity | None = None,
+    drag: Quantity | None = None,
+    windage: Quantity | None = None,
+) -> Part:
+    """Inertia about the axis and torques that resist the spin: a coupling or gear on the shaft, drag of bearings, windage. It counts in the torque and power of the drive, and with drive = "free" in how the speed changes, as in a run-down.
+
+    Args:
+        name: by which others refer to it.
+        inertia: moment of inertia J about the axis (default 0.0 kg m^2).
+            a moment of inertia (kg m^2, kg mm^2), between 0 and 1e9 kg m^2
+        drag: drag c of bearings and seals: torque over speed (default 0.0 N m s/rad).
+            a rotational damping constant (N m s/rad), between 0 and 1 GN m s/rad
+        windage: windage k: torque over the square of the speed (default 0.0 N m s^2/rad^2).
+            a torque over the square of a speed (N m s^2/rad^2, N m/rpm^2), between 0 and 1 GN m s^2/rad^2
+
+    In a machine file::
+
+        [[part]]
+        kind = "spin_load"
+        inertia = "0.05 kg m^2"
+        drag = "2e-3 N m s"
+    """

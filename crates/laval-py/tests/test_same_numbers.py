@@ -1,0 +1,39 @@
+"""The same numbers as the program, bit for bit: the folders of both are the same, byte for byte."""
+
+from __future__ import annotations
+
+import subprocess
+import warnings
+from pathlib import Path
+
+import pytest
+
+import laval
+from conftest import EXAMPLES, ROOT
+
+# compute within seconds
+QUICK = ("02-rigid-rotor", "03-overhung-disc", "05-oil-desludging")
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file() and path.name != ".lock"}
+
+
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_examples(example: str, program: Path, tmp_path: Path, request: pytest.FixtureRequest) -> None:
+    if example not in QUICK and not request.config.getoption("--all-examples"):
+        pytest.skip("takes long: --all-examples")
+    file = ROOT / "examples" / example / "machine.toml"
+    subprocess.run([program, "run", file, "--out", tmp_path / "program", "--quiet", "--lang", "en"], check=False, timeout=3600)
+    with warnings.catch_warnings():
+        # what the program says on the terminal
+        warnings.simplefilter("ignore", laval.MachineWarning)
+        results = laval.load(file).run(out=tmp_path / "python")
+    ours, theirs = files(tmp_path / "python"), files(tmp_path / "program")
+    assert list(ours) == list(theirs)
+    assert [name for name in ours if ours[name] != theirs[name]] == []
+    # and the tables in memory are those of the files
+    for study in results:
+        for name, table in study.tables.items():
+            lines = next(text for path, text in ours.items() if path.endswith(f"/{name}.csv")).decode().splitlines()
+            assert sum(not line.startswith("#") for line in lines) - 1 == table.rows or len(study.tables) > 1
