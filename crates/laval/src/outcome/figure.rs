@@ -672,7 +672,15 @@ impl Panel {
 impl Figure {
     /// A figure without panels. `alt` tells what it shows to a reader who cannot see it.
     pub fn new(name: impl Into<String>, title: impl Into<Arg>, alt: impl Into<Message>) -> Self {
-        Figure { name: name.into(), title: title.into(), alt: alt.into(), x: Axis::new("", ""), panels: Vec::new(), equal: false, tiles: None }
+        Figure {
+            name: name.into(),
+            title: title.into(),
+            alt: alt.into(),
+            x: Axis::new("", ""),
+            panels: Vec::new(),
+            equal: false,
+            tiles: None,
+        }
     }
 
     /// Draws x and y to one scale.

@@ -95,8 +95,7 @@ impl Tiles {
             table.column(column).is_some_and(|c| kind(&c.data)).then_some(()).ok_or_else(|| wrong(column, expected))
         };
         let whole = [self.picture.as_str(), Tiles::LINE];
-        let numbers =
-            [Tiles::HEIGHT, Tiles::PLACE, Tiles::FORWARD, Tiles::FORWARD_PHASE, Tiles::BACKWARD, Tiles::BACKWARD_PHASE];
+        let numbers = [Tiles::HEIGHT, Tiles::PLACE, Tiles::FORWARD, Tiles::FORWARD_PHASE, Tiles::BACKWARD, Tiles::BACKWARD_PHASE];
         whole.into_iter().try_for_each(|c| fits(c, "a column of whole numbers", |d| matches!(d, Data::Int(_))))?;
         numbers.into_iter().try_for_each(|c| fits(c, "a column of numbers", |d| matches!(d, Data::Float(_))))?;
         fits(Tiles::NAMED, "a column of flags", |d| matches!(d, Data::Flag(_)))?;

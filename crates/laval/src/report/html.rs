@@ -287,7 +287,11 @@ fn hint(s: &mut String, style: &Style) {
 /// A figure that the script of the page makes live.
 fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
     if scene.tiles.is_some() {
-        let _ = writeln!(s, "<figure class=\"tiles\" id=\"{id}\">\n<figcaption><b>{}</b></figcaption>\n<div class=\"plot\">", escape(&scene.title));
+        let _ = writeln!(
+            s,
+            "<figure class=\"tiles\" id=\"{id}\">\n<figcaption><b>{}</b></figcaption>\n<div class=\"plot\">",
+            escape(&scene.title)
+        );
         s.push_str(&render(scene, WIDE, 1.0, Some(id)));
         s.push_str(&render(scene, NARROW, 1.0, Some(id)));
         s.push_str("</div>\n</figure>\n");

@@ -205,14 +205,7 @@ impl Layout {
                 let from = y0 + (1.0 - r.at) * ph;
                 let middle = y - 4.0 + 0.5 * extra(&lines);
                 let leader = ((middle - from).abs() > 2.0).then_some([x0 + pw, from, x0 + pw + 5.0, middle]);
-                labels.push(Label {
-                    lines,
-                    x: x0 + pw + 6.0,
-                    y,
-                    leader,
-                    vertical: false,
-                    reference: r.reference,
-                });
+                labels.push(Label { lines, x: x0 + pw + 6.0, y, leader, vertical: false, reference: r.reference });
             }
             let bar = bars[i].as_ref().zip(scale(p)).map(|(t, h)| {
                 let ticks = t.major.iter().map(|(v, l)| (ph * (1.0 - bar_place(h, *v)), l.clone())).collect();

@@ -168,7 +168,8 @@ mod tests {
 
     #[test]
     fn wrapped_text_is_whole_and_fits() {
-        for text in ["front bearing at the drive end", "Einscheibenversuchsläufer", "a", "", "передняя опора ведущего конца"] {
+        for text in ["front bearing at the drive end", "Einscheibenversuchsläufer", "a", "", "передняя опора ведущего конца"]
+        {
             let lines = wrap(text, 11.0, 60.0);
             assert!(lines.iter().all(|l| width(l, 11.0) <= 60.0), "{lines:?}");
             let joined: String = lines.concat();

@@ -46,10 +46,8 @@ pub(super) fn render(scene: &Scene, view: &TilesView, w: f64, alone: bool) -> St
     let mut body = String::new();
     for row in view.tiles.chunks(across) {
         let room = tile - 2.0 * INSIDE;
-        let texts: Vec<(Vec<String>, Vec<String>)> = row
-            .iter()
-            .map(|t| (wrap(&t.title, 1.08 * TITLE, room), t.lines.iter().flat_map(|l| wrap(l, TEXT, room)).collect()))
-            .collect();
+        let texts: Vec<(Vec<String>, Vec<String>)> =
+            row.iter().map(|t| (wrap(&t.title, 1.08 * TITLE, room), t.lines.iter().flat_map(|l| wrap(l, TEXT, room)).collect())).collect();
         let lines = |f: fn(&(Vec<String>, Vec<String>)) -> usize| texts.iter().map(f).max().unwrap_or(0) as f64;
         let (titles, lines) = (lines(|t| t.0.len()), lines(|t| t.1.len()));
         let height = 2.0 * INSIDE + ROW * (titles + lines) + size.h + 6.0;
@@ -358,12 +356,7 @@ fn key(s: &mut String, scene: &Scene, view: &TilesView, w: f64, from: f64) -> f6
         entry(s, &say("tiles-plane-x"), &|s, x, y| line(s, &[(x, y), (x + 22.0, y)], ink, 1.6, ""));
         entry(s, &say("tiles-plane-y"), &|s, x, y| line(s, &[(x, y), (x + 22.0, y)], ink, 1.6, r#" stroke-dasharray="4 3""#));
         entry(s, &say("tiles-envelope"), &|s, x, y| {
-            let _ = write!(
-                s,
-                r##"<path class="env" fill="#0072b2" fill-opacity="0.13" d="M{} {}h22v9h-22z"/>"##,
-                px(x),
-                px(y - 4.5)
-            );
+            let _ = write!(s, r##"<path class="env" fill="#0072b2" fill-opacity="0.13" d="M{} {}h22v9h-22z"/>"##, px(x), px(y - 4.5));
         });
     }
     let circles = view.tiles.iter().any(|t| t.circle.is_some_and(|c| t.points.iter().any(|p| p.motion.axes().0 >= SEEN * c.radius)));

@@ -198,7 +198,8 @@ impl Units {
             if ((size * axis.factor) - 1.0).abs() > 1e-9 || self.of("m").is_none() {
                 return;
             }
-            let own = if self.inches() { self.inch_or_mil(axis.unit == "mm") } else { self.of("m").cloned().unwrap_or(Rung::new("m", 1.0)) };
+            let own =
+                if self.inches() { self.inch_or_mil(axis.unit == "mm") } else { self.of("m").cloned().unwrap_or(Rung::new("m", 1.0)) };
             axis.range = axis.range.map(|(a, b)| (a * size / own.size, b * size / own.size));
             axis.names.iter_mut().for_each(|n| n.0 *= size / own.size);
             axis.knee = axis.knee.map(|k| k * size / own.size);

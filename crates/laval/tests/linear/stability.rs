@@ -123,7 +123,12 @@ fn the_unstable_region_over_a_parameter_is_filled_between_located_speeds() {
     let figure = o.figures.iter().find(|f| f.name == "stability").unwrap();
     let svg = laval::report::draw(figure, &o.tables).unwrap();
     // no cells, one area, curves of equal growth named in the legend
-    assert!(!svg.contains("shape-rendering=\"auto\"") && svg.contains("class=\"b1\"") && svg.contains("growth rate ") && svg.contains("machine"));
+    assert!(
+        !svg.contains("shape-rendering=\"auto\"")
+            && svg.contains("class=\"b1\"")
+            && svg.contains("growth rate ")
+            && svg.contains("machine")
+    );
     let heat = svg.split("<g class=\"heat\"").nth(1).unwrap().split("</g>").next().unwrap();
     assert!(!heat.contains("<path"), "{heat}");
 }

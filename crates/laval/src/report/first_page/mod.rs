@@ -88,7 +88,11 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
                 say(&c.what),
                 say(&c.result),
                 // on a narrow screen the heading stands before the value
-                if c.required.is_some() || c.verdict == Verdict::NoLimit { format!(" data-head=\"{}\"", title("page-required")) } else { String::new() },
+                if c.required.is_some() || c.verdict == Verdict::NoLimit {
+                    format!(" data-head=\"{}\"", title("page-required"))
+                } else {
+                    String::new()
+                },
                 escape(&required(style, c)),
                 class(c.verdict),
                 escape(&verdict(style, c, false))

@@ -154,7 +154,9 @@ fn a_figure_is_in_the_words_of_the_reader() {
 /// A logarithmic axis shows the decades in which a curve is: not a single minimum far below, and every other curve with its largest values.
 #[test]
 fn logarithmic_axes_show_the_decades_that_matter() {
-    let deep = |floor: f64| (0..101).map(|k| if k == 50 { floor } else { 10f64.powf(-2.0 * f64::from((k - 50i32).abs()) / 50.0) }).collect::<Vec<f64>>();
+    let deep = |floor: f64| {
+        (0..101).map(|k| if k == 50 { floor } else { 10f64.powf(-2.0 * f64::from((k - 50i32).abs()) / 50.0) }).collect::<Vec<f64>>()
+    };
     let decades = |s: &Scene| (s.panels[0].y.hi / s.panels[0].y.lo).log10();
     for floor in [1e-6, 1e-9, 1e-14] {
         let d = decades(&scene(Axis::log("y", "N"), deep(floor)));

@@ -66,7 +66,13 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
 
 /// From well below the lowest event or the operating speed on.
 fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
-    let events = over.unstable.iter().map(|u| u.from).chain(over.unstable_response.iter().map(|u| u.0)).chain(over.resonances.iter().map(|r| r.speed)).chain(over.jumps.iter().copied());
+    let events = over
+        .unstable
+        .iter()
+        .map(|u| u.from)
+        .chain(over.unstable_response.iter().map(|u| u.0))
+        .chain(over.resonances.iter().map(|r| r.speed))
+        .chain(over.jumps.iter().copied());
     let lowest = events.chain(facts.operating.map(|o| o.low)).fold(f64::INFINITY, f64::min);
     let from = if lowest.is_finite() { SHOWN * lowest } else { 0.0 };
     (from.max(over.range.0), over.range.1)

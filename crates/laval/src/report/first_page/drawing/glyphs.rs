@@ -43,7 +43,8 @@ fn spring(x: f64, from: f64, to: f64, gap: bool) -> String {
     }
     let _ = write!(d, "L{} {}", px(x), px(end));
     if gap {
-        let _ = write!(d, "V{0}M{1} {0}H{2}M{1} {3}H{2}M{4} {3}V{5}", px(end + 2.0), px(x - 7.0), px(x + 7.0), px(end + 7.0), px(x), px(to));
+        let _ =
+            write!(d, "V{0}M{1} {0}H{2}M{1} {3}H{2}M{4} {3}V{5}", px(end + 2.0), px(x - 7.0), px(x + 7.0), px(end + 7.0), px(x), px(to));
     } else {
         let _ = write!(d, "V{}", px(to));
     }
@@ -82,14 +83,8 @@ pub(super) fn ground(s: &mut String, from: f64, to: f64, y: f64, above: bool) {
 }
 
 pub(super) fn rect(s: &mut String, class: &str, (x, y): (f64, f64), (w, h): (f64, f64)) {
-    let _ = write!(
-        s,
-        "<rect class=\"{class}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
-        px(x),
-        px(y),
-        px(w.max(0.0)),
-        px(h.max(0.0))
-    );
+    let _ =
+        write!(s, "<rect class=\"{class}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", px(x), px(y), px(w.max(0.0)), px(h.max(0.0)));
 }
 
 /// A ball in its track, seen in the section.

@@ -28,7 +28,8 @@ impl Key {
     fn mark(&mut self, s: &mut String, (x, y): (f64, f64), name: &str, values: &str) {
         self.entries.push((name.into(), values.into()));
         let _ = write!(s, "<circle class=\"num\" cx=\"{}\" cy=\"{}\" r=\"7.5\"/>", px(x), px(y));
-        let _ = write!(s, "<text class=\"dl b\" text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y + 4.0), self.entries.len());
+        let _ =
+            write!(s, "<text class=\"dl b\" text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>", px(x), px(y + 4.0), self.entries.len());
     }
 }
 

@@ -25,9 +25,8 @@ fn page(machine: Vec<Block>, horizontal: bool) -> String {
 
 /// Places and texts of all labels.
 fn texts(svg: &str) -> Vec<(f64, f64, String)> {
-    let number = |tag: &str, name: &str| -> f64 {
-        tag.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
-    };
+    let number =
+        |tag: &str, name: &str| -> f64 { tag.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap() };
     let one = |t: &str| {
         let (tag, rest) = t.split_once('>').unwrap();
         (number(tag, "x"), number(tag, "y"), rest.split('<').next().unwrap().to_string())

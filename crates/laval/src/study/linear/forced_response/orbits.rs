@@ -107,6 +107,7 @@ pub(super) fn orbits(study: &ForcedResponse, system: &System, state: State, curv
             speeds.push((e.speed, Reason::Resonance));
         }
     }
+    speeds.sort_by(|a, b| (a.1 == Reason::Resonance).cmp(&(b.1 == Reason::Resonance)).then(a.0.total_cmp(&b.0)));
     let stations = Stations::of(system);
     let mut at = Vec::new();
     for (speed, reason) in speeds {
@@ -196,7 +197,8 @@ impl Orbits {
             .collect();
         let motions: Vec<&[[C64; 2]]> = whole.iter().map(Vec::as_slice).collect();
         let rows = n + gaps;
-        let numbers = |f: &dyn Fn(usize, usize) -> i64| (0..self.at.len()).flat_map(|i| (0..rows).map(move |k| f(i, k))).collect::<Vec<i64>>();
+        let numbers =
+            |f: &dyn Fn(usize, usize) -> i64| (0..self.at.len()).flat_map(|i| (0..rows).map(move |k| f(i, k))).collect::<Vec<i64>>();
         let speeds = self.at.iter().flat_map(|a| std::iter::repeat_n(a.speed, rows)).collect();
         let table = Table::new("orbits", "Motion of all points at the speeds of the figures")
             .float("speed", "rad/s", "spin speed", speeds)

@@ -67,13 +67,20 @@ impl<'a> Polar<'a> {
     }
 
     pub fn table(&self) -> TableBuilder {
-        let mut table = Table::new("polar", "Forward amplitudes as vectors from the axis, over the spin speed")
-            .float("speed", "rad/s", "spin speed", self.rows.iter().map(|r| r.0).collect());
+        let mut table = Table::new("polar", "Forward amplitudes as vectors from the axis, over the spin speed").float(
+            "speed",
+            "rad/s",
+            "spin speed",
+            self.rows.iter().map(|r| r.0).collect(),
+        );
         for (k, p) in self.bodies.iter().enumerate() {
             let (n, part) = (probe_name(p), |f: fn(&C64) -> f64| self.rows.iter().map(|r| f(&r.1[k])).collect::<Vec<f64>>());
-            table = table
-                .float(format!("in_phase.{n}"), "m", "part along the key mark", part(|z| z.re))
-                .float(format!("quadrature.{n}"), "m", "part a quarter turn ahead of the key mark", part(|z| z.im));
+            table = table.float(format!("in_phase.{n}"), "m", "part along the key mark", part(|z| z.re)).float(
+                format!("quadrature.{n}"),
+                "m",
+                "part a quarter turn ahead of the key mark",
+                part(|z| z.im),
+            );
         }
         let marked = (0..self.rows.len()).map(|i| if self.marks.contains(&i) { self.rows[i].1[0].im } else { f64::NAN }).collect();
         table.float("marked", "m", "quadrature of the first body at the speeds that the figure names", marked)
@@ -100,7 +107,7 @@ impl<'a> Polar<'a> {
             let z = self.rows[i].1[0];
             // words stand outside the curve, away from the axis
             let out = z.scale(1.0 + 0.09 * most / z.abs().max(0.05 * most));
-            panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0).digits(3)));
+            panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0)));
         }
         let alt = Message::new("polar-alt").arg("bodies", Arg::count(self.bodies.len()));
         let x = axis("in phase with the key mark", |z| z.re, 0.14, 0.2);
