@@ -11,8 +11,7 @@ use super::heat::HeatView;
 use super::ticks::AxisView;
 use super::words::Style;
 use crate::outcome::{
-    Arg, Axis, Band, BandPlace, Column, Data, Figure, Mark, Message, OutcomeError, Panel, Quantity, Role, Scale, Table, significant,
-    unit_text,
+    Arg, Band, BandPlace, Column, Data, Figure, Mark, Message, OutcomeError, Panel, Quantity, Role, Scale, Table, significant, unit_text,
 };
 
 pub(super) struct Scene {
