@@ -1,12 +1,17 @@
 //! A figure with its columns looked up: values in display units, axis ranges, colours, legend. Layout and drawing follow from it.
 
+mod axes;
+mod paths;
+pub(super) mod whirl;
+
+use self::axes::{axis_view, extent, x_axis, y_axis};
+use self::paths::{ends, pieces_of, smooth, split, unwrap};
 use super::colour::Colour;
 use super::heat::HeatView;
 use super::ticks::AxisView;
 use super::words::Style;
 use crate::outcome::{
-    Arg, Axis, Band, BandPlace, Column, Data, Figure, Mark, Message, OutcomeError, Panel, Quantity, Role, Scale, Table, significant,
-    unit_text,
+    Arg, Band, BandPlace, Column, Data, Figure, Mark, Message, OutcomeError, Panel, Quantity, Role, Scale, Table, significant, unit_text,
 };
 
 pub(super) struct Scene {
@@ -99,10 +104,6 @@ pub(super) const SMALL: usize = 20;
 
 /// Shapes from here on are arrowheads, by so many degrees against the clock from the direction of x.
 pub(super) const ARROW: usize = 1000;
-
-/// Steps between two points of a smooth path, and its most points for them.
-const SMOOTH: usize = 4;
-const MOST_SMOOTH: usize = 2000;
 
 /// The tint of strips: they warn.
 const STRIP_TINT: usize = 1;
@@ -588,240 +589,6 @@ impl Build<'_> {
         }
     }
 }
-
-/// The start of a path, and an arrowhead where it has gone half its size: shape, meaning, place.
-fn ends(points: &[(f64, f64)]) -> Vec<(usize, &'static str, (f64, f64))> {
-    let known: Vec<(f64, f64)> = points.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
-    let Some(&start) = known.first() else { return Vec::new() };
-    let span = |f: &dyn Fn(&(f64, f64)) -> f64| extent(known.iter().map(f), false).map_or(0.0, |(a, b)| b - a);
-    let size = span(&|p| p.0).max(span(&|p| p.1));
-    let mut out = vec![(0, "start", start)];
-    let mut gone = 0.0;
-    for w in known.windows(2) {
-        let (dx, dy) = (w[1].0 - w[0].0, w[1].1 - w[0].1);
-        gone += dx.hypot(dy);
-        if gone > 0.5 * size && size > 0.0 {
-            let degrees = dy.atan2(dx).to_degrees().rem_euclid(360.0).round() as usize % 360;
-            out.push((ARROW + degrees, "direction", w[1]));
-            break;
-        }
-    }
-    out
-}
-
-/// The curve of Catmull and Rom through the points of a path.
-fn smooth(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    if points.len() < 3 || points.len() > MOST_SMOOTH {
-        return points;
-    }
-    let mut out = Vec::with_capacity(SMOOTH * points.len());
-    for k in 0..points.len() - 1 {
-        let (a, b) = (points[k], points[k + 1]);
-        // beside a gap the curve ends straight
-        let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
-        let before = k.checked_sub(1).map(|i| points[i]).filter(finite).unwrap_or(a);
-        let after = points.get(k + 2).copied().filter(finite).unwrap_or(b);
-        for j in 0..SMOOTH {
-            let t = j as f64 / SMOOTH as f64;
-            let at = |p: f64, a: f64, b: f64, q: f64| {
-                a + 0.5 * t * ((b - p) + t * ((2.0 * p - 5.0 * a + 4.0 * b - q) + t * (3.0 * (a - b) + q - p)))
-            };
-            out.push(if j == 0 { a } else { (at(before.0, a.0, b.0, after.0), at(before.1, a.1, b.1, after.1)) });
-        }
-    }
-    out.extend(points.last());
-    out
-}
-
-/// Adds whole periods to the values of the rows, so that none jumps by more than half of one. Of two ways that are as long the one is taken that stays nearer to
-/// where a resonance that lags leads: from zero to minus half a period.
-fn unwrap(values: &mut [f64], rows: &[usize], period: f64) {
-    let mut before = f64::NAN;
-    for &i in rows {
-        let v = values[i];
-        if !v.is_finite() {
-            continue;
-        }
-        if before.is_finite() {
-            let turns = ((before - v) / period).round();
-            let near = v + turns * period;
-            let other = if near > before { near - period } else { near + period };
-            let tie = ((near - before).abs() - (other - before).abs()).abs() < 1e-3 * period;
-            let home = |x: f64| (x + 0.25 * period).abs();
-            values[i] = if tie && home(other) < home(near) { other } else { near };
-        }
-        before = values[i];
-    }
-}
-
-/// The points of the rows, with a gap before each that begins anew.
-fn pieces_of(rows: &[usize], at: impl Fn(usize) -> (f64, f64), begins: Option<&[bool]>) -> Vec<(f64, f64)> {
-    let gap = |i: usize| begins.is_some_and(|b| b[i]).then_some((f64::NAN, f64::NAN));
-    rows.iter().flat_map(|&i| gap(i).into_iter().chain([at(i)])).collect()
-}
-
-/// Pieces whose both ends are flagged, and the others, each broken by NaN where the other takes over.
-#[allow(clippy::type_complexity)]
-fn split(rows: &[usize], at: impl Fn(usize) -> (f64, f64), solid: &[bool], begins: Option<&[bool]>) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
-    let mut out = [Vec::new(), Vec::new()];
-    let mut current = None;
-    for w in rows.windows(2) {
-        if begins.is_some_and(|b| b[w[1]]) {
-            current = None;
-            continue;
-        }
-        let side = usize::from(!(solid[w[0]] && solid[w[1]]));
-        if current != Some(side) {
-            if !out[side].is_empty() {
-                out[side].push((f64::NAN, f64::NAN));
-            }
-            out[side].push(at(w[0]));
-            current = Some(side);
-        }
-        out[side].push(at(w[1]));
-    }
-    let [full, dashed] = out;
-    (full, dashed)
-}
-
-fn extent(values: impl Iterator<Item = f64>, log: bool) -> Option<(f64, f64)> {
-    values.filter(|v| v.is_finite() && (!log || *v > 0.0)).fold(None, |r: Option<(f64, f64)>, v| match r {
-        None => Some((v, v)),
-        Some((a, b)) => Some((a.min(v), b.max(v))),
-    })
-}
-
-fn join(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
-        _ => a.or(b),
-    }
-}
-
-/// Widened to the outer borders of the cells.
-fn cells(centres: &[f64], log: bool) -> Option<(f64, f64)> {
-    let (lo, hi) = extent(centres.iter().copied(), log)?;
-    let n = centres.len();
-    if n < 2 || lo == hi {
-        return Some((lo, hi));
-    }
-    let view = AxisView::new("", "", log, lo, hi);
-    let e = super::heat::edges(centres, &view);
-    let value = |t: f64| if log { lo * (hi / lo).powf(t) } else { lo + t * (hi - lo) };
-    Some((value(e[0]), value(e[n])))
-}
-
-fn x_axis(axis: &Axis, panels: &[PanelView], style: &Style) -> AxisView {
-    let log = axis.scale == Scale::Log;
-    let mut range = None;
-    let mut markers_only = true;
-    for p in panels {
-        let own: Vec<&Series> = p.series.iter().filter(|s| !s.reference).collect();
-        markers_only &= own.iter().all(|s| matches!(s.kind, Kind::Marker { .. })) && p.heat.is_none();
-        range = join(range, extent(own.iter().flat_map(|s| &s.points).map(|q| q.0), log));
-        range = join(range, p.heat.as_ref().and_then(|h| cells(&h.xs, log)));
-    }
-    if range.is_none() {
-        let reference = panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.points).map(|q| q.0);
-        let marks = panels.iter().flat_map(|p| {
-            let rules = p.rules.iter().filter(|r| r.vertical).map(|r| r.at);
-            rules.chain(p.bands.iter().flat_map(|b| &b.outline).map(|q| q.0))
-        });
-        range = extent(reference.chain(marks), log);
-        markers_only = true;
-    }
-    if let (true, Some((lo, hi))) = (markers_only, range) {
-        range = Some(pad(lo, hi, 0.04, log));
-    }
-    axis_view(axis, range, style)
-}
-
-/// Decades of a logarithmic axis: at least, at most, and below the largest value of a curve that shall be seen. What lies deeper below the largest of
-/// all values is rounding.
-const DECADES: (f64, f64) = (1e3, 1e5);
-const OWN_DECADE: f64 = 10.0;
-const ROUNDING: f64 = 1e-10;
-
-/// The lowest value that a logarithmic axis shows of curves between `lo` and `hi`: what nearly all of their points exceed.
-fn deepest(curves: &[Vec<f64>], lo: f64, hi: f64) -> f64 {
-    let mut all: Vec<f64> = curves.iter().flatten().copied().filter(|v| *v > 0.0).collect();
-    if all.is_empty() || hi / lo <= DECADES.0 {
-        return lo;
-    }
-    all.sort_by(f64::total_cmp);
-    let common = all[all.len() / 20];
-    let floor = (0.5 * common).clamp(hi / DECADES.1, hi / DECADES.0);
-    // every curve that is more than rounding has its largest values in sight
-    let tops = curves.iter().map(|c| c.iter().copied().fold(0.0, f64::max)).filter(|t| *t > ROUNDING * hi);
-    tops.map(|t| t / OWN_DECADE).fold(floor, f64::min).max(lo)
-}
-
-fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView, style: &Style) -> AxisView {
-    let log = axis.scale == Scale::Log;
-    let shown = |q: &&(f64, f64)| x.place(q.0) >= -1e-9 && x.place(q.0) <= 1.0 + 1e-9;
-    let of = |reference: bool| {
-        extent(panel.series.iter().filter(|s| s.reference == reference).flat_map(|s| &s.points).filter(shown).map(|q| q.1), log)
-    };
-    let cells = panel.heat.as_ref().and_then(|h| cells(&h.ys, log));
-    let mut range = join(of(false), extent(panel.bands.iter().flat_map(|b| &b.outline).map(|q| q.1), log));
-    range = join(
-        range.or_else(|| if cells.is_none() { of(true) } else { None }),
-        extent(panel.rules.iter().filter(|r| !r.vertical).map(|r| r.at), log),
-    );
-    if let (true, Some((lo, hi))) = (log, range) {
-        let own = panel.series.iter().filter(|s| !s.reference);
-        let curves: Vec<Vec<f64>> = own.map(|s| s.points.iter().filter(shown).map(|q| q.1).collect()).collect();
-        let bands = extent(panel.bands.iter().flat_map(|b| &b.outline).map(|q| q.1), true);
-        let rules = extent(panel.rules.iter().filter(|r| !r.vertical).map(|r| r.at), true);
-        let named = join(bands, rules).map_or(f64::INFINITY, |r| r.0);
-        range = Some((deepest(&curves, lo, hi).min(named.max(lo)), hi));
-    }
-    if let Some((lo, hi)) = range {
-        let zero = !log && lo >= 0.0 && lo < 0.4 * hi;
-        let padded = match axis.knee {
-            Some(k) => {
-                let ends = pad((lo / k).asinh(), (hi / k).asinh(), 0.05, false);
-                (k * ends.0.sinh(), k * ends.1.sinh())
-            }
-            None => pad(lo, hi, 0.05, log),
-        };
-        range = Some((if zero { 0.0 } else { padded.0 }, padded.1));
-    }
-    axis_view(axis, if panel.heat.is_some() { join(range, cells) } else { range }, style)
-}
-
-fn pad(lo: f64, hi: f64, by: f64, log: bool) -> (f64, f64) {
-    if log {
-        let f = (hi / lo).powf(by);
-        (lo / f, hi * f)
-    } else {
-        let d = by * (hi - lo);
-        (lo - d, hi + d)
-    }
-}
-
-/// Axis over a range from the data, or over the range that was requested; never degenerate.
-fn axis_view(axis: &Axis, data: Option<(f64, f64)>, style: &Style) -> AxisView {
-    let log = axis.scale == Scale::Log;
-    let wanted = axis.range.filter(|(a, b)| a.is_finite() && b.is_finite() && a < b && (!log || *a > 0.0));
-    let (mut lo, mut hi) = wanted.or(data).unwrap_or(if log { (0.1, 10.0) } else { (0.0, 1.0) });
-    if log {
-        // more decades than this hide the data: the rest is rounding noise
-        lo = lo.max(hi * 1e-15);
-        if hi / lo < 1.0 + 1e-9 {
-            (lo, hi) = (lo / 2.0, hi * 2.0);
-        }
-    } else if hi - lo <= 1e-12 * lo.abs().max(hi.abs()) {
-        let d = if lo == 0.0 { 1.0 } else { 0.1 * lo.abs() };
-        (lo, hi) = (lo - d, hi + d);
-    }
-    let view = AxisView::new(&style.arg(&axis.label), &axis.unit, log, lo, hi);
-    let names = axis.names.iter().map(|(at, name)| (*at, style.arg(name))).collect();
-    let knee = axis.knee.filter(|_| !log).unwrap_or(0.0);
-    AxisView { bare: axis.bare, names, language: style.language, knee, exponent: if knee > 0.0 { 0 } else { view.exponent }, ..view }
-}
-
-pub(super) mod whirl;
 
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,5 @@
 use super::*;
-use crate::outcome::{Heat, Line, Points, Rule};
+use crate::outcome::{Axis, Heat, Line, Points, Rule};
 
 fn scene_of(f: &Figure, tables: &[Table]) -> Result<Scene, OutcomeError> {
     Scene::new(f, tables, &Style::default())

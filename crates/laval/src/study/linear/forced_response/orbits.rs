@@ -107,6 +107,7 @@ pub(super) fn orbits(study: &ForcedResponse, system: &System, state: State, curv
             speeds.push((e.speed, Reason::Resonance));
         }
     }
+    speeds.sort_by(|a, b| (a.1 == Reason::Resonance).cmp(&(b.1 == Reason::Resonance)).then(a.0.total_cmp(&b.0)));
     let stations = Stations::of(system);
     let mut at = Vec::new();
     for (speed, reason) in speeds {

@@ -107,7 +107,7 @@ impl<'a> Polar<'a> {
             let z = self.rows[i].1[0];
             // words stand outside the curve, away from the axis
             let out = z.scale(1.0 + 0.09 * most / z.abs().max(0.05 * most));
-            panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0).digits(3)));
+            panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0)));
         }
         let alt = Message::new("polar-alt").arg("bodies", Arg::count(self.bodies.len()));
         let x = axis("in phase with the key mark", |z| z.re, 0.14, 0.2);

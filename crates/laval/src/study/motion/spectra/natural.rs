@@ -27,6 +27,17 @@ pub struct NaturalFrequency {
     pub frequency: f64,
 }
 
+impl NaturalFrequency {
+    /// Its place on an axis of frequencies, or of orders.
+    pub(super) fn on(&self, axis: &str) -> f64 {
+        match axis {
+            "order" if self.speed == 0.0 => f64::NAN,
+            "order" => self.frequency / self.speed.abs(),
+            _ => self.frequency,
+        }
+    }
+}
+
 /// Lines over the instants of these windows, one after the other; empty where the machine cannot be linearised at rest. A mode without direction of whirl is
 /// on both sides of zero.
 pub(in crate::study) fn natural(system: &System, windows: &[Window]) -> Vec<NaturalFrequency> {
@@ -59,12 +70,7 @@ pub(super) fn table(rows: &[NaturalFrequency]) -> TableBuilder {
         .float("t", "s", "time at the middle of the window", column(|r| r.t))
         .float("speed", "rad/s", "spin speed there", column(|r| r.speed))
         .float("frequency", "rad/s", "natural frequency; negative turns against the rotor", column(|r| r.frequency))
-        .float(
-            "order",
-            "",
-            "natural frequency over spin frequency",
-            column(|r| if r.speed == 0.0 { f64::NAN } else { r.frequency / r.speed.abs() }),
-        )
+        .float("order", "", "natural frequency over spin frequency", column(|r| r.on("order")))
         .flag("observed", "found in the motion; these are computed", vec![false; rows.len()])
 }
 

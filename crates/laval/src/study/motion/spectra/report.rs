@@ -14,6 +14,8 @@ use std::f64::consts::TAU;
 const DEPTH: f64 = 1e-3;
 /// Parts are distinguished from this share of the highest line on, unless a threshold is given.
 const SHARE: f64 = 0.01;
+/// A natural frequency so many times as high as what stands out is drawn all the same.
+const NEAR: f64 = 2.5;
 /// Largest denominator of an order that is called by its fraction.
 const DENOMINATORS: usize = 4;
 /// Classes of parts reported at most.
@@ -115,8 +117,10 @@ pub(super) fn report(
             .float("amplitude", "m", "radius of the circular part of this line", rows.iter().map(|r| r.1.1).collect())
             .build()
             .map_err(inconsistent)?;
-        let mut drawn = figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1), drawn_range(&rows, y.0));
-        if let Some(panel) = drawn.panels.first_mut().filter(|_| !natural.is_empty()) {
+        let range = drawn_range(&rows, y.0, natural);
+        let mut drawn = figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1), range);
+        let seen = |f: &NaturalFrequency| range.is_some_and(|(lo, hi)| (lo..=hi).contains(&f.on(y.0)));
+        if let Some(panel) = drawn.panels.first_mut().filter(|_| natural.iter().any(seen)) {
             panel.marks.push(natural::line(natural, if along_speed { "speed" } else { "t" }, y.0).into());
         }
         outcome = outcome.table(table).figure(drawn);
@@ -131,13 +135,16 @@ pub(super) fn report(
 }
 
 /// Frequencies or orders between which lines are drawn: those that stand out, and the spin frequency, with a margin.
-fn drawn_range(rows: &[(&Window, (f64, f64))], y: &str) -> Option<(f64, f64)> {
+fn drawn_range(rows: &[(&Window, (f64, f64))], y: &str, natural: &[NaturalFrequency]) -> Option<(f64, f64)> {
     let top = rows.iter().map(|r| r.1.1).fold(0.0, f64::max);
     let wider = |r: (f64, f64), x: f64| (r.0.min(x), r.1.max(x));
     let whole = rows.iter().map(|r| r.1.0).fold((f64::INFINITY, f64::NEG_INFINITY), wider);
     let spin = |w: &Window| if y == "order" { 1.0 } else { w.speed };
     let seen = rows.iter().filter(|r| r.1.1 >= DEPTH * top).map(|r| r.1.0).chain(rows.iter().map(|r| spin(r.0)));
     let seen = seen.fold((0.0, 0.0), wider);
+    // the lowest natural frequency, where it is not far above
+    let lowest = natural.iter().map(|f| f.on(y)).filter(|f| *f > 0.0).fold(f64::INFINITY, f64::min);
+    let seen = if lowest <= NEAR * seen.1 { (seen.0, seen.1.max(lowest)) } else { seen };
     let margin = 0.1 * (seen.1 - seen.0);
     let (lo, hi) = ((seen.0 - margin).max(whole.0), (seen.1 + margin).min(whole.1));
     (lo < hi).then_some((lo, hi))
