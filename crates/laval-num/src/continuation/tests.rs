@@ -580,7 +580,7 @@ fn a_zero_is_found_between_two_points_of_a_branch() {
             if (g(&w[0]) < 0.0) == (g(&w[1]) < 0.0) {
                 continue;
             }
-            let z = zero_between(&mut circle(), [&w[0], &w[1]], [g(&w[0]), g(&w[1])], &set, &mut |_, q| g(q)).unwrap();
+            let z = zero_between(&mut circle(), [&w[0], &w[1]], [g(&w[0]), g(&w[1])], &set, |_, q| g(q)).unwrap();
             let want = (1.0 - target * target).sqrt();
             assert!((z.point.p.abs() - want).abs() < 1e-13 && z.status == Status::Located && z.width() < 1e-9, "{z:?}");
             met += 1;
