@@ -43,7 +43,8 @@ fn whole<R: Send>(py: Python<'_>, work: impl FnOnce(&Context) -> Result<R, Diagn
 }
 
 fn fields(json: &str) -> Result<serde_json::Value, Diagnostics> {
-    serde_json::from_str(json).map_err(|e| one(Diagnostic::error("study.fields", text!("the fields of the study cannot be read: {e}", e = e.to_string()))))
+    serde_json::from_str(json)
+        .map_err(|e| one(Diagnostic::error("study.fields", text!("the fields of the study cannot be read: {e}", e = e.to_string()))))
 }
 
 /// Derivatives of two numbers in the parameter of this path.

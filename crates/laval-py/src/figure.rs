@@ -98,7 +98,9 @@ impl Words<'_> {
             BandPlace::X(from, to) => json!({ "along": "x", "from": from, "to": to }),
             BandPlace::Y(from, to) => json!({ "along": "y", "from": from, "to": to }),
             BandPlace::Between(table, x, low, high) => json!({ "along": "curves", "table": table, "x": x, "low": low, "high": high }),
-            BandPlace::Across(table, y, left, right) => json!({ "along": "sideways", "table": table, "y": y, "left": left, "right": right }),
+            BandPlace::Across(table, y, left, right) => {
+                json!({ "along": "sideways", "table": table, "y": y, "left": left, "right": right })
+            }
         };
         json!({ "mark": "band", "place": place, "name": self.arg(&m.name), "tint": m.tint, "bar": m.bar })
     }

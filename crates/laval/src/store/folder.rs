@@ -18,8 +18,8 @@ const MANIFEST: &str = "manifest.json";
 pub struct Folder {
     path: PathBuf,
     manifest: Manifest,
-    /// Other processes write other chunks meanwhile, and none of them the manifest.
-    shared: bool,
+    /// Of a piece, other processes write other chunks meanwhile, and none of them the manifest.
+    work: Work,
     /// No process may write what this one writes.
     _held: Held,
 }
@@ -28,9 +28,8 @@ impl Folder {
     /// Opens or makes the folder, checks that it belongs to this input, and keeps those chunks of `mine` that are sound.
     pub fn open(keep: &Keep, plan: &Plan, host: &dyn Host, mine: &[usize]) -> Result<Folder, Diagnostic> {
         let path = keep.folder.clone();
-        let shared = matches!(keep.work, Work::Piece(_));
-        let held = if shared { Held::share(&path)? } else { Held::take(&path)? };
-        let mut folder = Folder { manifest: Manifest::new(plan, &keep.input), path, shared, _held: held };
+        let held = if matches!(keep.work, Work::Piece(_)) { Held::share(&path)? } else { Held::take(&path)? };
+        let mut folder = Folder { manifest: Manifest::new(plan, &keep.input), path, work: keep.work, _held: held };
         folder.clean(keep.fresh)?;
         if let Some(old) = folder.read_manifest()? {
             folder.belongs(&old)?;
@@ -158,13 +157,11 @@ impl Folder {
                 (Ok(()), None) => {}
                 (Err(why), _) => {
                     let rows = plan.range(index);
-                    host.note(&text!(
-                        "{path} is {why}: rows {first} to {last} are computed again",
-                        path = path.display(),
-                        why,
-                        first = rows.start,
-                        last = rows.end - 1
-                    ));
+                    let (path, first, last) = (path.display(), rows.start, rows.end - 1);
+                    host.note(&match self.work {
+                        Work::Collect => text!("{path} is {why}: rows {first} to {last} are missing", path, why, first, last),
+                        _ => text!("{path} is {why}: rows {first} to {last} are computed again", path, why, first, last),
+                    });
                 }
             }
         }
@@ -208,7 +205,7 @@ impl Folder {
     }
 
     fn write_manifest(&self) -> Result<(), Diagnostic> {
-        if self.shared {
+        if matches!(self.work, Work::Piece(_)) {
             return Ok(());
         }
         let path = self.path.join(MANIFEST);
