@@ -436,6 +436,8 @@ pub struct Band {
     pub bar: bool,
     /// The tint: 0 green, 1 red, 2 blue, 3 pink; otherwise the next that is free.
     pub tint: Option<usize>,
+    /// Column of numbers that splits the rows between curves into areas of their own.
+    pub group: Option<String>,
 }
 
 /// Where a [`Band`] lies; values before the axis factor.
@@ -473,7 +475,13 @@ impl Band {
     }
 
     fn new(place: BandPlace) -> Self {
-        Band { place, name: Arg::default(), strip: false, bar: false, tint: None }
+        Band { place, name: Arg::default(), strip: false, bar: false, tint: None, group: None }
+    }
+
+    /// One area per value of this column.
+    pub fn group(mut self, column: impl Into<String>) -> Self {
+        self.group = Some(column.into());
+        self
     }
 
     /// In full colour.

@@ -579,7 +579,9 @@ impl Build<'_> {
                 let fits = |i: &usize| xs[*i].is_finite() && lo[*i].is_finite() && hi[*i].is_finite();
                 let around =
                     |r: &[usize]| r.iter().map(|i| (xs[*i], lo[*i])).chain(r.iter().rev().map(|i| (xs[*i], hi[*i]))).collect::<Vec<_>>();
-                rows.chunk_by(|a, b| fits(a) == fits(b)).filter(|r| fits(&r[0])).map(around).collect()
+                let areas = band.group.as_ref().map(|g| self.values(table, g, 1.0));
+                let same = |a: &usize, b: &usize| fits(a) == fits(b) && areas.as_ref().is_none_or(|g| g[*a] == g[*b]);
+                rows.chunk_by(same).filter(|r| fits(&r[0])).map(around).collect()
             }
             BandPlace::Across(table, y, left, right) => {
                 let turned = Band { place: BandPlace::Between(table.clone(), y.clone(), left.clone(), right.clone()), ..band.clone() };

@@ -182,7 +182,7 @@ impl Orbits {
         all.all.extend(named.map(|g| Station {
             body: g.part.clone(),
             height: 0.0,
-            place: f64::NAN,
+            place: 0.0,
             line: n,
             named: true,
             rows: Default::default(),

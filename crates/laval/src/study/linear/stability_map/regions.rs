@@ -73,12 +73,12 @@ impl Regions {
         self.areas.is_empty()
     }
 
-    /// The areas one after the other, a row without values between them.
+    /// The areas one after the other.
     pub fn table(&self, name: &str, unit: &str) -> TableBuilder {
-        let gap = Slice { value: f64::NAN, from: f64::NAN, to: f64::NAN };
-        let rows: Vec<Slice> = self.areas.iter().flat_map(|a| a.iter().copied().chain([gap])).collect();
-        let column = |f: fn(&Slice) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
-        Table::new("regions", "Unstable regions between located speeds; an empty row between two regions")
+        let rows: Vec<(usize, &Slice)> = self.areas.iter().enumerate().flat_map(|(k, a)| a.iter().map(move |s| (k, s))).collect();
+        let column = |f: fn(&Slice) -> f64| rows.iter().map(|r| f(r.1)).collect::<Vec<f64>>();
+        Table::new("regions", "Unstable regions between located speeds")
+            .int("region", "", "number of the region", rows.iter().map(|r| r.0 as i64 + 1).collect())
             .float(name, unit, "parameter", column(|s| s.value))
             .float("from", "rad/s", "first unstable speed", column(|s| s.from))
             .float("to", "rad/s", "last unstable speed", column(|s| s.to))

@@ -287,7 +287,7 @@ impl<'a> Shown<'a> {
             let alt = Message::new("stability-map-alt-map").arg("parameter", parameter_name(&name));
             let mut panel = Panel::new(Axis::parameter(&name, unit)).mark(heat);
             if located {
-                panel = panel.mark(Band::across("regions", name.clone(), "from", "to").bad().name("unstable"));
+                panel = panel.mark(Band::across("regions", name.clone(), "from", "to").group("region").bad().name("unstable"));
             }
             if let Some(o) = &operating {
                 panel = panel.mark(o.rule());
