@@ -283,7 +283,7 @@ pub fn fill(template: &str, mut value: impl FnMut(&str) -> String) -> String {
 /// The English text.
 impl PartialEq<str> for Text {
     fn eq(&self, other: &str) -> bool {
-        self.to_string() == other
+        self.to_string().as_str() == other
     }
 }
 

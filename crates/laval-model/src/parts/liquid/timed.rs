@@ -58,8 +58,6 @@ pub(super) struct Rationals {
 const WAVES: &str = "of tilts that grow or decay by a twentieth of the speed or more, up to four times the speed in rotor axes";
 const LAYER: &str = "of motions that do not decay, up to four times the speed in rotor axes";
 
-/// Why there is none at speed 0.
-
 /// A form, or why there is none.
 type Form = Result<Arc<Rationals>, Untimed>;
 
