@@ -217,10 +217,8 @@ mod tests {
     #[test]
     fn an_isotropic_law_with_unequal_axes_is_refused() {
         let p = BearingCubicParams { stiffness: [1.0, 2.0], cubic_stiffness: [3.0, 3.0], valid_to: 0.0 };
-        assert_eq!(
-            BearingCubic::isotropic(joint()).check(&p),
-            [("stiffness", "an isotropic law has the same stiffness in x and y".to_string())]
-        );
+        let wrong = BearingCubic::isotropic(joint()).check(&p);
+        assert!(wrong.len() == 1 && wrong[0].0 == "stiffness" && wrong[0].1 == "an isotropic law has the same stiffness in x and y");
         assert!(BearingCubic::per_axis(joint()).check(&p).is_empty());
     }
 }

@@ -118,7 +118,7 @@ fn what_keeps_it_from_balancing_is_reported() {
     assert!(value(&o, "insufficient_capacity") == 2e-4 && evidence(&o, "insufficient_capacity", "needed") > 4e-4);
     assert!(value(&o, "residual_unbalance") > 2e-4);
     let tilted = EXAMPLE.replace("body_tilt = false", "body_tilt = false\ntilt = \"9 deg\"");
-    let warned: Vec<String> = load(&tilted).unwrap().warnings.0.into_iter().map(|d| d.message).collect();
+    let warned: Vec<String> = load(&tilted).unwrap().warnings.0.into_iter().map(|d| d.message.to_string()).collect();
     assert!(warned.len() == 1 && warned[0].contains("locks the balls to the node line"), "{warned:?}");
     assert_eq!(load(EXAMPLE).unwrap().warnings.0, []);
     let free = EXAMPLE.replace("body_tilt = false", "rings = \"free\"\ndiametral_inertia = 0.01\npolar_inertia = 0.02\ntilt_stiffness = 5");
