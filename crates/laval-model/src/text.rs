@@ -288,6 +288,13 @@ impl PartialEq<str> for Text {
 }
 
 /// The English text.
+impl PartialEq<String> for Text {
+    fn eq(&self, other: &String) -> bool {
+        *self == **other
+    }
+}
+
+/// The English text.
 impl PartialEq<&str> for Text {
     fn eq(&self, other: &&str) -> bool {
         *self == **other

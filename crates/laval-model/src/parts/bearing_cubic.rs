@@ -218,8 +218,7 @@ mod tests {
     fn an_isotropic_law_with_unequal_axes_is_refused() {
         let p = BearingCubicParams { stiffness: [1.0, 2.0], cubic_stiffness: [3.0, 3.0], valid_to: 0.0 };
         let wrong = BearingCubic::isotropic(joint()).check(&p);
-        assert_eq!(wrong.len(), 1);
-        assert_eq!((wrong[0].0, wrong[0].1.to_string()), ("stiffness", "an isotropic law has the same stiffness in x and y".to_string()));
+        assert!(wrong.len() == 1 && wrong[0].0 == "stiffness" && wrong[0].1 == "an isotropic law has the same stiffness in x and y");
         assert!(BearingCubic::per_axis(joint()).check(&p).is_empty());
     }
 }

@@ -72,7 +72,9 @@ pub(super) fn check_declaration(kind: &str, f: &Field, out: &mut Diagnostics) {
                 "declaration.unit",
                 text!("{kind}.{name}: {unit} is not an SI unit", kind, name = f.name, unit = text::quoted(&unit)),
             )),
-            Err(e) => out.push(Diagnostic::error("declaration.unit", text!("{kind}.{name}: {why}", kind, name = f.name, why = e.message))),
+            Err(e) => {
+                out.push(Diagnostic::error("declaration.unit", text!("{kind}.{name}: {why}", kind, name = f.name, why = e.sentence())))
+            }
         }
     }
     let catalog = Catalog::default();

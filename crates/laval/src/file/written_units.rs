@@ -1,5 +1,6 @@
 //! The units that a machine file writes, for reports in the units of the reader.
 
+use super::tree;
 use crate::language::Language;
 use crate::units::parse_unit;
 use std::collections::BTreeMap;
@@ -53,6 +54,9 @@ pub fn written_units(text: &str) -> Vec<(String, f64, String)> {
 
 /// The language that a file asks for in `[report]`, also when the rest of it cannot be read.
 pub fn written_language(text: &str) -> Option<Language> {
+    if !text.contains("report") || tree::too_deep(text).is_some() {
+        return None;
+    }
     let (file, _) = DeTable::parse_recoverable(text);
     let report = file.get_ref().get("report")?.get_ref().as_table()?;
     report.get("language")?.get_ref().as_str()?.parse().ok()

@@ -190,7 +190,7 @@ fn advice_does_not_lead_in_circles() {
     let studies = ["kind = \"modes\"", "kind = \"modes\", about = \"turning\"", "kind = \"stationary\", speed = { from = 10, to = 100 }"];
     for study in studies {
         let refusals = load(&machine("horizontal", "10000", study)).refusals();
-        let help = refusals[0].diagnostic.help.as_deref().map(ToString::to_string).unwrap_or_default();
+        let help = refusals[0].diagnostic.help.as_ref().map_or_else(String::new, |h| h.to_string());
         assert!(!help.contains("about") && !help.contains("stationary") && help.contains("transient"), "{study}: {help}");
     }
     assert!(load(&machine("horizontal", "10000", "kind = \"transient\", duration = 0.01")).refusals().is_empty());
@@ -201,7 +201,7 @@ fn advice_does_not_lead_in_circles() {
     // the spin is free: neither a range of speeds nor a programme
     let free = |study: &str| machine("vertical", "8000", study).replace("[machine]\n", "[machine]\ndrive = \"free\"\n");
     let refusals = load(&free(studies[0])).refusals();
-    let help = refusals[0].diagnostic.help.as_deref().map(ToString::to_string).unwrap_or_default();
+    let help = refusals[0].diagnostic.help.as_ref().map_or_else(String::new, |h| h.to_string());
     assert!(help.contains("transient") && !help.contains("stationary") && !help.contains("run_up"), "{help}");
     assert!(!load(&free(studies[2])).refusals().is_empty() && load(&free("kind = \"transient\", duration = 0.01")).refusals().is_empty());
 }
@@ -224,13 +224,13 @@ fn about_turning_is_advised_only_where_it_works() {
             for (kind, range) in [("modes", ""), ("stability_map", ranged)] {
                 let study = format!("kind = \"{kind}\"{range}");
                 let refusals = load(&machine(unbalance, balls, &study)).refusals();
-                let help = refusals[0].diagnostic.help.as_deref().map(ToString::to_string).unwrap_or_default();
+                let help = refusals[0].diagnostic.help.as_ref().map_or_else(String::new, |h| h.to_string());
                 let turning = load(&machine(unbalance, balls, &format!("{study}, about = \"turning\""))).refusals();
                 assert_eq!(help.contains("about"), turning.is_empty(), "{balls} {study}: {help}, {turning:?}");
                 outcomes[usize::from(turning.is_empty())] += 1;
                 // and what is advised when it is refused works
                 for r in &turning {
-                    let help = r.diagnostic.help.as_deref().map(ToString::to_string).unwrap_or_default();
+                    let help = r.diagnostic.help.as_ref().map_or_else(String::new, |h| h.to_string());
                     assert!(help.contains("stationary") && !help.contains("about"), "{help}");
                 }
             }

@@ -331,6 +331,3 @@ term-a-stiffness-density-gradient = қатаңдық тығыздығының г
 term-a-torque-over-the-square-of-a-speed = моменттің айналу жиілігі квадратына қатынасы
 term-an-angular-momentum = импульс моменті
 term-an-angle-per-length = ұзындық бірлігіне келетін бұрыш
-term-half-turn = жарты айналым
-term-quarter-turn = ширек айналым
-term-any-turn = кез келген бұрыш

@@ -207,6 +207,3 @@ term-a-stiffness-density-gradient = bikrlik zichligi gradiyenti
 term-a-torque-over-the-square-of-a-speed = momentning tezlik kvadratiga nisbati
 term-an-angular-momentum = impuls momenti
 term-an-angle-per-length = uzunlik birligiga to‘g‘ri keladigan burchak
-term-half-turn = yarim aylanish
-term-quarter-turn = chorak aylanish
-term-any-turn = ixtiyoriy burilish
