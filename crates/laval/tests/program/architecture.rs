@@ -291,5 +291,5 @@ fn crates_without_unsafe_code_forbid_it() {
         }
     }
     with.sort();
-    assert_eq!(with, ["laval-num", "laval-solve"]);
+    assert_eq!(with, ["laval-num", "laval-py", "laval-solve"]);
 }

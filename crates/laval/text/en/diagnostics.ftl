@@ -459,6 +459,8 @@ diag-no-place-of-the-liquid-is-aad6 = no place of the liquid is found where a pa
 
 ## laval/src/file/assemble.rs
 
+diag-its-studies-2ae7 = its studies: { $all }
+diag-the-machine-has-no-study-1dcb = the machine has no study "{ $word }"
 diag-give-about-turning-or-c5d1 = give { $studies } about = "turning"; or { $or }
 diag-give-about-turning-e2db = give { $studies } about = "turning"
 diag-study-713d = study { $one }
@@ -836,6 +838,7 @@ diag-holds-results-of-another-input-472e = { $path } holds results of another in
 diag-give-the-new-results-another-folder-4370 = give the new results another folder with --out, or start anew with --fresh (which removes the old ones)
 diag-missing-b4f3 = missing
 diag-damaged-72ee = damaged
+diag-is-rows-to-are-missing-2dec = { $path } is { $why }: rows { $first } to { $last } are missing
 diag-is-rows-to-are-computed-again-50b5 = { $path } is { $why }: rows { $first } to { $last } are computed again
 diag-not-of-this-study-f8d5 = not of this study
 diag-chunk-cannot-be-written-as-parquet-3b0c = chunk { $index } cannot be written as Parquet: { $e }
@@ -856,6 +859,11 @@ diag-a-study-needs-at-least-one-c0d9 = a study needs at least one row, one row i
 diag-rows-in-chunks-of-are-more-d0c6 = { $rows } rows in chunks of { $chunk } are more than { $most } chunks
 diag-two-columns-are-named-f7a1 = two columns are named "{ $name }"
 diag-this-build-cannot-write-parquet-which-dbd2 = this build cannot write Parquet, which long studies are kept in
+diag-the-study-is-planned-not-run-a333 = the study is planned, not run
+diag-part-of-has-no-rows-d16b = part { $number } of { $of } has no rows
+diag-part-of-of-rows-are-there-9818 = part { $number } of { $of }: { $done } of { $total } rows are there
+diag-of-rows-are-missing-those-of-2c01 = { $rows } of { $all } rows are missing, those of the chunks { $shown } of { $of }
+diag-run-the-parts-that-have-not-0f55 = run the parts that have not ended once more; chunk k belongs to part ((k - 1) mod n) + 1 of n. laval run computes what is missing
 diag-there-is-no-column-4824 = there is no column "{ $column }"
 
 ## laval/src/study/centrifuge/cups/mod.rs
@@ -1491,8 +1499,6 @@ diag-days-910f = { $n } days
 
 diag-contains-no-study-e25a = { $file } contains no study
 diag-add-a-study-block-laval-studies-c25e = add a [[study]] block; laval studies lists the kinds
-diag-its-studies-2ae7 = its studies: { $all }
-diag-the-file-has-no-study-f598 = the file has no study "{ $word }"
 diag-stopping-ctrl-c-again-stops-at-3a4d = stopping; Ctrl-C again stops at once
 diag-warning-ctrl-c-will-stop-at-f5b8 = warning: Ctrl-C will stop at once and lose what is not yet written ({ $e })
 diag-not-run-3464 = not run: { $left }

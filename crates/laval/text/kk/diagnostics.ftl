@@ -786,7 +786,7 @@ diag-days-910f = { $n } күн
 diag-contains-no-study-e25a = { $file } файлында зерттеу жоқ
 diag-add-a-study-block-laval-studies-c25e = [[study]] бөлімін қосыңыз; түрлерін laval studies көрсетеді
 diag-its-studies-2ae7 = оның зерттеулері: { $all }
-diag-the-file-has-no-study-f598 = файлда «{ $word }» зерттеуі жоқ
+diag-the-machine-has-no-study-1dcb = машинада «{ $word }» зерттеуі жоқ
 diag-stopping-ctrl-c-again-stops-at-3a4d = тоқтатылып жатыр; Ctrl-C тағы басылса, бірден тоқтайды
 diag-warning-ctrl-c-will-stop-at-f5b8 = ескерту: Ctrl-C бірден тоқтатады, әлі жазылмаған нәтиже жоғалады ({ $e })
 diag-not-run-3464 = орындалмады: { $left }
@@ -1441,3 +1441,12 @@ diag-the-machine-has-no-equilibrium-at-cc55 = машинаның тынышты�
 diag-the-weight-of-pulls-to-one-fdd8 = «{ $name }» салмағы бір жаққа тартады (axis = "horizontal")
 diag-differs-in-x-and-y-a4f1 = { $base } мәні x ({ $x } { $unit }) және y ({ $y } { $unit }) бағыттарында әртүрлі
 diag-the-forces-of-do-not-turn-00ed = машина мен күйді бұрғанда «{ $name }» ({ $kind }) күштері бірге бұрылмайды
+
+## Studies in parts
+
+diag-is-rows-to-are-missing-2dec = { $path } файлы: { $why }; { $first }–{ $last } жолдар жоқ
+diag-of-rows-are-missing-those-of-2c01 = жоқ жолдар саны: { $all } жолдан { $rows }, бөліктер нөмірі { $shown } (барлығы { $of })
+diag-part-of-has-no-rows-d16b = { $number }-бөлік (барлығы { $of }): жол жоқ
+diag-part-of-of-rows-are-there-9818 = { $number }-бөлік (барлығы { $of }): { $total } жолдан { $done } дайын
+diag-run-the-parts-that-have-not-0f55 = аяқталмаған бөліктерді қайта іске қосыңыз; k кесегі n бөліктің ((k - 1) mod n) + 1 бөлігіне жатады. laval run жоғын есептейді
+diag-the-study-is-planned-not-run-a333 = зерттеу жоспарланды, бірақ орындалған жоқ

@@ -582,7 +582,7 @@ diag-days-910f = { $n } сут
 diag-contains-no-study-e25a = { $file } не содержит расчётов
 diag-add-a-study-block-laval-studies-c25e = добавьте блок [[study]]; виды расчётов показывает laval studies
 diag-its-studies-2ae7 = его расчёты: { $all }
-diag-the-file-has-no-study-f598 = в файле нет расчёта «{ $word }»
+diag-the-machine-has-no-study-1dcb = в машине нет расчёта «{ $word }»
 diag-stopping-ctrl-c-again-stops-at-3a4d = остановка; повторное Ctrl-C прервёт расчёт сразу
 diag-warning-ctrl-c-will-stop-at-f5b8 = предупреждение: Ctrl-C прервёт расчёт сразу, незаписанное будет потеряно ({ $e })
 diag-not-run-3464 = не выполнено: { $left }
@@ -1131,3 +1131,12 @@ diag-no-case-has-in-its-name-a164 = проверочного случая с { $
 diag-there-is-no-folder-validation-here-49db = папки "validation" нет ни здесь, ни выше
 diag-run-inside-the-source-repository-of-1fee = запустите в репозитории исходных текстов laval или укажите папку с проверочными случаями
 diag-laval-cannot-write-fadf = laval: записать { $path } не удалось: { $e }
+
+## Studies in parts
+
+diag-is-rows-to-are-missing-2dec = файл { $path }: { $why }; строк с { $first } по { $last } нет
+diag-of-rows-are-missing-those-of-2c01 = нет строк: { $rows } из { $all }, из частей таблицы с номерами { $shown } из { $of }
+diag-part-of-has-no-rows-d16b = часть { $number } из { $of }: строк нет
+diag-part-of-of-rows-are-there-9818 = часть { $number } из { $of }: готово строк { $done } из { $total }
+diag-run-the-parts-that-have-not-0f55 = запустите незавершённые части ещё раз; кусок k относится к части ((k - 1) mod n) + 1 из n. laval run вычисляет недостающее
+diag-the-study-is-planned-not-run-a333 = исследование запланировано, но не выполнено

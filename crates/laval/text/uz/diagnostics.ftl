@@ -669,7 +669,7 @@ diag-days-910f = { $n } kun
 diag-contains-no-study-e25a = { $file } faylida hisob yo‘q
 diag-add-a-study-block-laval-studies-c25e = [[study]] bloki qo‘shing; turlarini laval studies buyrug‘i ko‘rsatadi
 diag-its-studies-2ae7 = undagi hisoblar: { $all }
-diag-the-file-has-no-study-f598 = faylda "{ $word }" hisobi yo‘q
+diag-the-machine-has-no-study-1dcb = mashinada "{ $word }" hisobi yo‘q
 diag-stopping-ctrl-c-again-stops-at-3a4d = to‘xtatilmoqda; yana Ctrl-C bosilsa, darhol to‘xtaydi
 diag-warning-ctrl-c-will-stop-at-f5b8 = ogohlantirish: Ctrl-C darhol to‘xtatadi, hali yozilmagan natijalar yo‘qoladi ({ $e })
 diag-not-run-3464 = bajarilmadi: { $left }
@@ -1439,3 +1439,12 @@ diag-no-case-has-in-its-name-a164 = nomida { $text } bor misol yo‘q
 diag-there-is-no-folder-validation-here-49db = bu yerda va yuqoridagi papkalarda "validation" papkasi yo‘q
 diag-run-inside-the-source-repository-of-1fee = laval manba repozitoriysi ichida bajaring yoki misollar papkasini ko‘rsating
 diag-laval-cannot-write-fadf = laval: { $path } fayliga yozib bo‘lmaydi: { $e }
+
+## Studies in parts
+
+diag-is-rows-to-are-missing-2dec = { $path } fayli: { $why }; { $first }–{ $last } qatorlar yo‘q
+diag-of-rows-are-missing-those-of-2c01 = yo‘q qatorlar soni: { $all } qatordan { $rows }, bo‘laklar raqami { $shown } (jami { $of })
+diag-part-of-has-no-rows-d16b = { $number }-qism (jami { $of }): qator yo‘q
+diag-part-of-of-rows-are-there-9818 = { $number }-qism (jami { $of }): { $total } qatordan { $done } tayyor
+diag-run-the-parts-that-have-not-0f55 = tugamagan qismlarni qayta ishga tushiring; k bo‘lagi n qismning ((k - 1) mod n) + 1 qismiga tegishli. laval run yetishmaganini hisoblaydi
+diag-the-study-is-planned-not-run-a333 = tadqiqot rejalashtirildi, bajarilmadi
