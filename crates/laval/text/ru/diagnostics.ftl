@@ -1139,4 +1139,4 @@ diag-of-rows-are-missing-those-of-2c01 = нет строк: { $rows } из { $al
 diag-part-of-has-no-rows-d16b = часть { $number } из { $of }: строк нет
 diag-part-of-of-rows-are-there-9818 = часть { $number } из { $of }: готово строк { $done } из { $total }
 diag-run-the-parts-that-have-not-0f55 = запустите незавершённые части ещё раз; кусок k относится к части ((k - 1) mod n) + 1 из n. laval run вычисляет недостающее
-diag-the-study-is-planned-not-run-a333 = исследование запланировано, но не выполнено
+diag-the-study-is-planned-not-run-a333 = расчёт запланирован, но не выполнен

@@ -1447,4 +1447,4 @@ diag-of-rows-are-missing-those-of-2c01 = yo‘q qatorlar soni: { $all } qatordan
 diag-part-of-has-no-rows-d16b = { $number }-qism (jami { $of }): qator yo‘q
 diag-part-of-of-rows-are-there-9818 = { $number }-qism (jami { $of }): { $total } qatordan { $done } tayyor
 diag-run-the-parts-that-have-not-0f55 = tugamagan qismlarni qayta ishga tushiring; k bo‘lagi n qismning ((k - 1) mod n) + 1 qismiga tegishli. laval run yetishmaganini hisoblaydi
-diag-the-study-is-planned-not-run-a333 = tadqiqot rejalashtirildi, bajarilmadi
+diag-the-study-is-planned-not-run-a333 = hisob rejalashtirildi, bajarilmadi

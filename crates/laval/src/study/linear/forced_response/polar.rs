@@ -83,7 +83,7 @@ impl<'a> Polar<'a> {
             );
         }
         let marked = (0..self.rows.len()).map(|i| if self.marks.contains(&i) { self.rows[i].1[0].im } else { f64::NAN }).collect();
-        table.float("marked", "m", "quadrature of the first body at the speeds that the figure names", marked)
+        table.float("marked", "m", "quadrature of the first body at the speeds that the figure names; NaN elsewhere", marked)
     }
 
     pub fn figure(&self) -> Figure {
