@@ -224,7 +224,8 @@ fn weight_of_a_liquid_without_time_form() {
 
 #[test]
 fn refusals() {
-    let wrong = |text: &str| load(text).err().map(|d| d.0.iter().map(|d| format!("{} {d}\n", d.code)).collect::<String>()).unwrap_or_default();
+    let wrong =
+        |text: &str| load(text).err().map(|d| d.0.iter().map(|d| format!("{} {d}\n", d.code)).collect::<String>()).unwrap_or_default();
     let text = with_liquid(&model(FILE, "planar"), "skew = 1e-3");
     assert!(wrong(&text).contains("planar knows no tilt of the cavity"), "{}", wrong(&text));
     // the k = 0 term takes more than the rotor has
