@@ -204,9 +204,9 @@ fn the_polar_diagram_of_one_mode_is_a_circle() {
     let t = o.find_table("polar").expect("polar");
     let (w, x, y) = (numbers(t, "speed"), numbers(t, "in_phase.disc"), numbers(t, "quadrature.disc"));
     assert!(w.windows(2).all(|p| p[0] < p[1]) && w.contains(&150.0));
-    for i in 0..w.len() {
-        let mobility = c(x[i], y[i]).mul_i().scale(1.0 / (3.0 * 2e-5 * w[i]));
-        assert!(((mobility - c(1.0 / 60.0, 0.0)).abs() * 60.0 - 1.0).abs() < 1e-9, "{i}");
+    for ((w, x), y) in w.iter().zip(&x).zip(&y) {
+        let mobility = c(*x, *y).mul_i().scale(1.0 / (3.0 * 2e-5 * w));
+        assert!(((mobility - c(1.0 / 60.0, 0.0)).abs() * 60.0 - 1.0).abs() < 1e-9, "{w}");
     }
     // marks are places of the curve, the operating speed among them
     let marked = numbers(t, "marked");

@@ -124,8 +124,8 @@ fn marks(rows: &[(f64, Vec<C64>)], wanted: &[f64], size: f64) -> Vec<usize> {
             out.push(i);
         }
     }
-    for i in 0..rows.len() {
-        if out.len() < MARKS && !near(i, &out, APART) && rows[i].1[0].abs() > 0.05 * size {
+    for (i, r) in rows.iter().enumerate() {
+        if out.len() < MARKS && !near(i, &out, APART) && r.1[0].abs() > 0.05 * size {
             out.push(i);
         }
     }
