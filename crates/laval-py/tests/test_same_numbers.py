@@ -12,7 +12,7 @@ import laval
 from conftest import EXAMPLES, ROOT
 
 # compute within seconds
-QUICK = ("02-rigid-rotor", "03-overhung-disc", "05-oil-desludging")
+QUICK = ("01-oil-separator", "02-rigid-rotor", "03-overhung-disc", "04-ball-balancer")
 
 
 def files(folder: Path) -> dict[str, bytes]:
