@@ -138,6 +138,8 @@ pub struct Resonance {
 pub struct Mode {
     /// Growth rate, 1/s.
     pub growth: f64,
+    /// It grows faster than the threshold of the study; slower growth is not resolved.
+    pub grows: bool,
     /// Frequency, rad/s.
     pub frequency: f64,
     /// `forward`, `backward`, `mixed` or `none`.

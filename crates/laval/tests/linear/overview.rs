@@ -250,3 +250,19 @@ fn the_machine_is_drawn_as_it_stands() {
     assert_eq!(of("air", &p), Some(Joint { elastic: false, damped: true, gap: false }));
     assert_eq!(of("ring", &p).map(|j| (j.elastic, j.gap)), Some((true, true)));
 }
+
+/// Waves of an ideal liquid that grow below the threshold are neither called growing on a card nor passed over in the check; above the onset the first page says
+/// that a mode grows, and a card shows which.
+#[test]
+fn slow_waves_are_unresolved_in_the_check_and_on_the_cards() {
+    let file = include_str!("../../../../examples/06-spatial-liquid/machine.toml");
+    let machine = file.split("[[study]]").next().unwrap();
+    let calm = page(machine);
+    let stability = check(&calm, "check-stability");
+    assert_eq!((stability.verdict, stability.result.key.as_str()), (Verdict::Attention, "stability-slow"));
+    let limit = number(&stability.result, "limit");
+    assert!(calm.modes.iter().any(|m| m.growth > 0.0) && calm.modes.iter().all(|m| m.growth < limit && !m.grows));
+    let fast = page(&machine.replacen("speed = \"900 rpm\"", "speed = \"1337 rpm\"", 1));
+    assert_eq!((fast.verdict, check(&fast, "check-stability").result.key.as_str()), (Verdict::Failed, "stability-unstable"));
+    assert!(fast.modes.iter().all(|m| m.grows == (m.growth > limit)) && fast.modes.iter().any(|m| m.grows));
+}

@@ -85,6 +85,7 @@ stability-stable = { $modes ->
     }
 stability-unstable = a mode grows by the factor e in { $time }
 stability-unknown = no mode found grows, but some may be missing
+stability-slow = no growth above { $limit }; slower growth is not resolved
 stability-neutral = the least damped mode has no damping
 stability-balanced = the balanced state is stable from { $from } to { $to }
 stability-state = a state that does not balance is stable from { $from } to { $to }
@@ -197,6 +198,7 @@ page-whirl = { $whirl ->
     }
 page-decrement = decrement { $decrement }
 page-grows = grows
+page-not-resolved = slow growth not resolved
 axis-amplitude = amplitude
 axis-growth = growth rate
 strip-unstable = unstable

@@ -78,6 +78,7 @@ stability-stable = { $modes ->
     }
 stability-unstable = бір мода өседі, e есе өсу уақыты { $time }
 stability-unknown = табылған ешбір мода өспейді, бірақ кейбірі табылмай қалуы мүмкін
+stability-slow = ешбір мода { $limit } мәнінен тез өспейді; одан баяу өсу анықталмайды
 stability-neutral = ең әлсіз демпферленген моданың демпферлеуі жоқ
 stability-balanced = теңгерілген күй { $from } – { $to } аралығында орнықты
 stability-state = роторды теңгермейтін күй { $from } – { $to } аралығында орнықты
@@ -157,6 +158,7 @@ page-whirl = { $whirl ->
     }
 page-decrement = декремент { $decrement }
 page-grows = өседі
+page-not-resolved = баяу өсу анықталмайды
 axis-amplitude = амплитуда
 axis-growth = өсу жылдамдығы
 strip-unstable = орнықсыз

@@ -84,6 +84,7 @@ stability-stable = { $modes ->
     }
 stability-unstable = мода растёт в e раз за { $time }
 stability-unknown = растущих мод не найдено, но некоторые могут быть пропущены
+stability-slow = нет роста быстрее { $limit }; более медленный не разрешается
 stability-neutral = наименее демпфированная мода не имеет демпфирования
 stability-balanced = уравновешенное состояние устойчиво от { $from } до { $to }
 stability-state = от { $from } до { $to } устойчиво состояние, которое не уравновешивает ротор
@@ -201,6 +202,7 @@ page-whirl = { $whirl ->
     }
 page-decrement = декремент { $decrement }
 page-grows = растёт
+page-not-resolved = медленный рост не разрешается
 axis-amplitude = амплитуда
 axis-growth = инкремент
 strip-unstable = неустойчиво

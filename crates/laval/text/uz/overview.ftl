@@ -78,6 +78,7 @@ stability-stable = { $modes ->
     }
 stability-unstable = moda { $time } ichida e marta o‘sadi
 stability-unknown = topilgan modalar o‘smaydi, lekin ba’zilari tushib qolgan bo‘lishi mumkin
+stability-slow = birorta ham moda { $limit } qiymatidan tez o‘smaydi; undan sekin o‘sish aniqlanmagan
 stability-neutral = eng kam so‘nuvchi modada so‘nish yo‘q
 stability-balanced = balansirlangan holat { $from } – { $to } oralig‘ida turg‘un
 stability-state = balansirlamaydigan holat { $from } – { $to } oralig‘ida turg‘un
@@ -153,6 +154,7 @@ page-whirl = { $whirl ->
     }
 page-decrement = dekrement { $decrement }
 page-grows = o‘sadi
+page-not-resolved = sekin o‘sish aniqlanmagan
 axis-amplitude = amplituda
 axis-growth = o‘sish sur’ati
 strip-unstable = noturg‘un

@@ -39,13 +39,15 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
     let say = |m: Message| escape(&style.message(&m));
     let whirl = say(Message::new("page-whirl").arg("whirl", Arg::word(m.whirl)));
     let frequency = escape(&style.arg(&Arg::frequency(m.frequency)));
-    let damping = if m.growth > 0.0 {
+    let damping = if m.grows {
         say(Message::new("page-grows"))
+    } else if m.growth > 0.0 {
+        say(Message::new("page-not-resolved"))
     } else {
         let decrement = -TAU * m.growth / m.frequency;
         say(Message::new("page-decrement").arg("decrement", Arg::number(decrement)))
     };
-    let class = if m.growth > 0.0 { " grows" } else { "" };
+    let class = if m.grows { " grows" } else { "" };
     let _ = write!(
         s,
         "<div class=\"mode{class}\"><div class=\"mf\">{frequency}</div><svg viewBox=\"{0} {0} {1} {1}\" role=\"img\" aria-label=\"{2}\"><path class=\"ax2\" d=\"M{0} 0H{3}M0 {0}V{3}\"/>",

@@ -13,13 +13,14 @@ const HARDLY: f64 = 0.02;
 
 /// Modes by frequency; of many those that decay most slowly.
 pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
-    let Some(result) = facts.modes.as_ref().and_then(|m| m.1.get()) else { return Vec::new() };
+    let Some((study, result)) = facts.modes.as_ref().and_then(|(s, m)| Some((s, m.get()?))) else { return Vec::new() };
+    let threshold = study.threshold.max(facts.threshold);
     let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).collect();
     all.sort_by_number(|a| a.damping_ratio());
     all.truncate(MOST);
     all.sort_by_number(|a| a.frequency());
     let speed = facts.system.machine.speed.unwrap_or(0.0);
-    all.into_iter().map(|m| mode(facts, m, speed)).collect()
+    all.into_iter().map(|m| Mode { grows: m.growth() > threshold, ..mode(facts, m, speed) }).collect()
 }
 
 fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
@@ -42,5 +43,5 @@ fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
         Whirl::Mixed => "mixed",
         Whirl::None => "none",
     };
-    Mode { growth: m.growth(), frequency: m.frequency(), whirl, orbits }
+    Mode { growth: m.growth(), grows: m.growth() > 0.0, frequency: m.frequency(), whirl, orbits }
 }

@@ -31,7 +31,9 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     let has = |id: &str| outcome.findings.iter().any(|f| f.id == id);
     let modes = &result.spectrum.modes;
     let Some(least) = result.spectrum.least_stable() else { return of(Message::new("stability-no-mode"), Verdict::NotComputed) };
-    let detail = (least.frequency() > 0.0).then(|| {
+    let threshold = study.threshold.max(facts.threshold);
+    let slow = least.growth() > 0.0 && least.growth() <= threshold;
+    let detail = (least.frequency() > 0.0 && !slow).then(|| {
         Message::new("stability-mode")
             .arg("frequency", Arg::frequency(least.frequency()))
             .arg("decrement", Arg::number(-TAU * least.growth() / least.frequency()))
@@ -45,6 +47,9 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     };
     let (message, verdict) = if has("unstable_mode") {
         (named("stability-unstable"), Verdict::Failed)
+    } else if slow && (has("stability_unknown") || has("slow_growth")) {
+        // modes that grow below the threshold of the study: waves of an ideal liquid are not resolved further
+        (Message::new("stability-slow").arg("limit", Arg::quantity(threshold, "1/s")), Verdict::Attention)
     } else if has("stability_unknown") || has("slow_growth") {
         (named("stability-unknown"), Verdict::Attention)
     } else if facts.limits.growth > 0.0 && !(-least.growth() >= facts.limits.growth) {
