@@ -12,7 +12,7 @@ use laval::hash::sha256;
 use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
 use laval::report::{self, Format, Language, Provenance, Report, Style, Units, WriteError};
-use laval::store::{self, Keep, Piece, Work};
+use laval::store::{Keep, Piece, Work};
 use laval::study::{self, Cancel, Context, Silent, presentation};
 use laval::text;
 use std::path::{Path, PathBuf};
@@ -345,7 +345,7 @@ impl<'a> Run<'a> {
         let outcome = match result {
             Some(Ok(outcome)) => outcome,
             Some(Err(d)) => {
-                self.missing |= d.code == store::MISSING;
+                self.missing |= self.how.work == Work::Collect && named.study.in_chunks();
                 let d = self.complain(named, d);
                 return self.refused(named, refusal(&d));
             }

@@ -146,6 +146,8 @@ pub struct Mode {
     pub whirl: &'static str,
     /// Bodies with the semi-axes of their orbits, as shares of the largest; of those that hardly move none.
     pub orbits: Vec<(String, f64, f64)>,
+    /// The angle of each longer semi-axis from x, rad.
+    pub angles: Vec<f64>,
 }
 
 /// A body of the drawing, or what joins two.

@@ -266,3 +266,57 @@ fn slow_waves_are_unresolved_in_the_check_and_on_the_cards() {
     assert_eq!((fast.verdict, check(&fast, "check-stability").result.key.as_str()), (Verdict::Failed, "stability-unstable"));
     assert!(fast.modes.iter().all(|m| m.grows == (m.growth > limit)) && fast.modes.iter().any(|m| m.grows));
 }
+
+/// A soft mount resonates far below the operating speed while a study goes far above it: neither hides from the page. At 30 rpm of a machine studied to 60 000 rpm the
+/// resonance beside the operating speed is found.
+#[test]
+fn a_study_that_reaches_far_up_hides_no_resonance() {
+    let study = |from: f64, to: f64| format!("[[study]]\nkind = \"forced_response\"\nspeed = {{ from = {from}, to = {to} }}\n");
+    // the critical speed is 100 rad/s
+    let near = page(&jeffcott("speed = 99.0", 0.4, &study(10.0, 4e5)));
+    assert_eq!(check(&near, "check-resonance").verdict, Verdict::Attention, "{:?}", near.checks);
+    let high = page(&jeffcott("speed = 9000.0", 0.4, &study(1.0, 3e5)));
+    let run = check(&high, "check-run-up");
+    assert!(run.verdict == Verdict::NotComputed && (number(&run.result, "resonances") - 100.0).abs() < 0.1, "{run:?}");
+    let over = high.over_speed.as_ref().unwrap();
+    assert!(over.range.0 <= 1.0 && over.range.1 >= 1.5 * 9000.0, "{:?}", over.range);
+}
+
+/// The response of a free disc is its eccentricity at every speed: rounding on it is no resonance.
+#[test]
+fn a_free_disc_has_no_resonance() {
+    let free = "[machine]\nname = \"m\"\nspeed = \"3000 rpm\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = \"25 kg\"\neccentricity = \"30 um\"\n\
+                [[study]]\nkind = \"forced_response\"\nspeed = { from = \"100 rpm\", to = \"6000 rpm\" }\n";
+    let p = page(free);
+    assert!(p.over_speed.as_ref().unwrap().resonances.is_empty(), "{:?}", p.over_speed.unwrap().resonances);
+}
+
+/// A resonance among the operating speeds is said in the headline, beside limits that are not kept, and a run-up to the highest of them crosses it.
+#[test]
+fn a_resonance_among_the_operating_speeds_is_in_the_headline() {
+    let range = "[operation]\nspeed = { from = 70, to = 140 }\n";
+    for (more, keys) in [(String::new(), 2), ("[limits]\ndisplacement = \"1 um\"\n".to_string(), 3)] {
+        let p = page(&jeffcott("speed = 120.0", 0.4, &format!("{range}{more}")));
+        let headline: Vec<&str> = p.headline.iter().map(|m| m.key.as_str()).collect();
+        assert!(headline.len() == keys && headline.contains(&"headline-resonance-inside"), "{headline:?}");
+        let run = check(&p, "check-run-up");
+        assert!(run.verdict == Verdict::NotComputed && (number(&run.result, "resonances") - 100.0).abs() < 0.1, "{run:?}");
+    }
+    // at one speed beside it, with a limit that is not kept
+    let p = page(&jeffcott("speed = 99.0", 0.4, "[limits]\ndisplacement = \"1 um\"\n"));
+    let headline: Vec<&str> = p.headline.iter().map(|m| m.key.as_str()).collect();
+    assert_eq!((p.verdict, headline.as_slice()), (Verdict::Failed, ["headline-stable", "headline-limit", "headline-resonance"].as_slice()));
+}
+
+/// A mode along y is drawn along y.
+#[test]
+fn orbits_on_the_cards_lie_as_the_bodies_move() {
+    let parts = "[[part]]\nkind = \"shaft_lumped\"\nname = \"spring\"\nbetween = [\"disc\", \"ground\"]\nstiffness = { x = 4e4, y = 9e4 }\n\
+                 [[part]]\nkind = \"damper\"\nname = \"air\"\nbetween = [\"disc\", \"ground\"]\ndamping = 0.4\n";
+    let text = jeffcott("speed = 95.0", 0.4, "").split("[[part]]\nkind = \"bearing_linear\"").next().unwrap().to_string() + parts;
+    let p = page(&text);
+    assert_eq!(p.modes.len(), 2);
+    for (mode, along) in p.modes.iter().zip([0.0, std::f64::consts::FRAC_PI_2]) {
+        assert!((mode.angles[0].abs() - along).abs() < 1e-6 && mode.orbits[0].2 < 1e-6, "{mode:?}");
+    }
+}

@@ -24,6 +24,7 @@ headline-no-speed = No operating speed is set.
 headline-limit = Not met: { $checks }.
 headline-several = Which of several steady responses occurs depends on the run-up.
 headline-resonance = The nearest resonance, { $resonance }, is only { $margin } away.
+headline-resonance-inside = The resonance at { $resonance } lies among the operating speeds.
 headline-near-instability = The nearest instability is only { $margin } away.
 headline-crosses = { $count ->
         [one] The run-up crosses an unstable range, { $from } to { $to }.

@@ -23,6 +23,7 @@ headline-unknown = { $speed } кезінде орнықтылық есептел
 headline-no-speed = Жұмыстық айналу жиілігі берілмеген.
 headline-limit = Орындалмаған талаптар: { $checks }.
 headline-resonance = Ең жақын резонансқа ({ $resonance }) дейін бар болғаны { $margin }.
+headline-resonance-inside = { $resonance } резонансы жұмыстық айналу жиіліктерінің арасында.
 headline-near-instability = Ең жақын орнықсыздыққа дейін бар болғаны { $margin }.
 headline-crosses = { $count ->
         [one] Екпіндеу орнықсыз аралықтан өтеді: { $from } – { $to }.

@@ -24,6 +24,7 @@ headline-no-speed = Рабочая частота вращения не зада
 headline-limit = Не выполнено: { $checks }.
 headline-several = Какой из нескольких установившихся откликов возникнет, зависит от разгона.
 headline-resonance = Ближайший резонанс, { $resonance }, отстоит всего на { $margin }.
+headline-resonance-inside = Резонанс при { $resonance } лежит среди рабочих частот вращения.
 headline-near-instability = Ближайшая неустойчивость отстоит всего на { $margin }.
 headline-crosses = { $count ->
         [1] Разгон проходит через неустойчивый диапазон, от { $from } до { $to }.

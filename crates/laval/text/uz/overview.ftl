@@ -23,6 +23,7 @@ headline-unknown = { $speed } tezlikda turg‘unlik hisoblanmagan.
 headline-no-speed = Ish tezligi berilmagan.
 headline-limit = Bajarilmagan talablar: { $checks }.
 headline-resonance = Eng yaqin rezonansgacha ({ $resonance }) masofa atigi { $margin }.
+headline-resonance-inside = { $resonance } rezonansi ish tezliklari orasida.
 headline-near-instability = Eng yaqin noturg‘unlikkacha masofa atigi { $margin }.
 headline-crosses = { $count ->
         [1] Tezlashish { $from } – { $to } noturg‘un oralig‘idan o‘tadi.

@@ -56,14 +56,16 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
         say(Message::new("page-mode").arg("number", Arg::count(number))),
         px(HALF)
     );
-    for (name, a, b) in &m.orbits {
+    for ((name, a, b), angle) in m.orbits.iter().zip(&m.angles) {
         let k = bodies.iter().position(|n| n == name).unwrap_or(0) % 7;
         let (rx, ry) = (LARGEST * a, LARGEST * b);
+        let _ = write!(s, "<g transform=\"rotate({})\">", px(-angle.to_degrees()));
         let _ = write!(s, "<ellipse class=\"orb k{k}\" rx=\"{}\" ry=\"{}\"/>", px(rx.max(1.0)), px(ry.max(0.4)));
-        let _ = write!(s, "<circle class=\"dotk k{k}\" cx=\"{}\" cy=\"0\" r=\"3\"/>", px(rx));
+        let _ = write!(s, "<circle class=\"dotk k{k}\" cx=\"{}\" cy=\"0\" r=\"3\"/></g>", px(rx));
     }
     // the direction, as an arrow on the outermost orbit
-    if let ("forward" | "backward", Some((_, a, b))) = (m.whirl, m.orbits.iter().max_by(|x, y| x.1.total_cmp(&y.1))) {
+    let outermost = m.orbits.iter().zip(&m.angles).max_by(|x, y| x.0.1.total_cmp(&y.0.1));
+    if let ("forward" | "backward", Some(((_, a, b), angle))) = (m.whirl, outermost) {
         let up = if m.whirl == "forward" { -1.0 } else { 1.0 };
         let (c, d) = (FRAC_1_SQRT_2 * LARGEST * a, FRAC_1_SQRT_2 * LARGEST * b);
         // the arrow points along the tangent at 45 degrees
@@ -73,7 +75,8 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
         let (x, y) = (c, up * d);
         let _ = write!(
             s,
-            "<path class=\"arrow\" d=\"M{} {}L{} {}L{} {}\"/>",
+            "<path class=\"arrow\" transform=\"rotate({})\" d=\"M{} {}L{} {}L{} {}\"/>",
+            px(-angle.to_degrees()),
             px(x - tx - 0.6 * ty),
             px(y - ty + 0.6 * tx),
             px(x),

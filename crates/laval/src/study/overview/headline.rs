@@ -42,16 +42,24 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
         let several = check("check-stability").is_some_and(|c| c.result.key == "stability-several");
         // the nearer of two troubles
         let closer = near("check-instability").is_none_or(|m| near("check-resonance").is_some_and(|r| r <= m));
-        let more = if !failed.is_empty() {
+        if !failed.is_empty() {
             verdict = Verdict::Failed;
-            Some(Message::new("headline-limit").arg("checks", Arg::List(failed)))
-        } else if several {
+            headline.push(Message::new("headline-limit").arg("checks", Arg::List(failed)));
+        }
+        let set = verdict == Verdict::Failed;
+        let inside = over.map(|o| margins::resonance(o, speed).inside).unwrap_or_default();
+        let more = if let (Some(first), false) = (inside.first(), speed.is_one()) {
+            verdict = verdict.max(Verdict::Attention);
+            Some(Message::new("headline-resonance-inside").arg("resonance", Arg::speed(*first)))
+        } else if several && !set {
             Some(Message::new("headline-several"))
         } else if let (Some(m), Some(o), true) = (near("check-resonance"), over, closer) {
             verdict = verdict.max(Verdict::Attention);
             margins::resonance(o, speed)
                 .place(speed)
                 .map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
+        } else if set {
+            None
         } else if let Some(m) = near("check-instability") {
             verdict = verdict.max(Verdict::Attention);
             Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m)))

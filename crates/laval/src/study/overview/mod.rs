@@ -40,8 +40,10 @@ use operating::Operating;
 const SECOND: u64 = 1_000_000_000;
 /// Speeds of the range at which growth and response are computed.
 const POINTS: usize = 120;
-/// The lowest speed computed, over the highest.
+/// The lowest speed computed, over the highest of the page.
 const SLOWEST: f64 = 1e-3;
+/// The highest speed of the page over the highest operating speed, at most.
+const FASTEST: f64 = 20.0;
 /// Speeds computed about the operating speeds, where a narrow unstable range matters most.
 const NEAR: usize = 60;
 /// Width of that on both sides, over the speed.
@@ -220,15 +222,14 @@ fn range(operating: Option<Operating>, sign: f64, speeds: &[SpinSpeeds]) -> (f64
     let wide = turned.filter(|s| s.to > s.from && s.from >= 0.0);
     let (mut from, mut to) = wide.fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(s.from), b.max(s.to)));
     if let Some(o) = operating {
-        from = from.min(0.2 * o.low);
-        to = to.max(1.5 * o.high);
+        // far above the operating speeds nothing concerns the page, and speeds far apart would pass over what lies between
+        to = to.min(FASTEST * o.high).max(1.5 * o.high);
+        // a run-up begins at rest; at standstill itself nothing turns
+        let lowest = from.min(0.2 * o.low).min(SLOWEST * 1.5 * o.high);
+        return (if lowest > 0.0 { lowest } else { SLOWEST * 0.2 * o.low }, to);
     }
     if !(from.is_finite() && to > 0.0) {
         (from, to) = (10.0, 1000.0);
-    }
-    // a run-up begins at rest; at standstill itself nothing turns
-    if operating.is_some() {
-        from = 0.0;
     }
     (from.max(SLOWEST * to), to)
 }

@@ -16,6 +16,8 @@ const LIGHT: f64 = 0.1;
 const SHOWN: f64 = 0.25;
 /// Peaks smaller than this share of the largest are not resonances of the page.
 const SMALL: f64 = 0.02;
+/// Nor are peaks that rise less than this above the lower speeds and above the higher ones, by a share of their height: rounding on a response that does not change.
+const RISE: f64 = 1e-3;
 
 /// What is known over the speed; none where nothing is.
 pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
@@ -88,7 +90,20 @@ fn peaks(facts: &Facts, curve: &crate::solve::extrema::Curve) -> Vec<Resonance> 
     let mut out: Vec<Resonance> = Vec::new();
     let mut sorted = maxima.clone();
     sorted.sort_by_number_down(|a| size(a));
-    for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest) {
+    // the lowest response on either side
+    let rises = |e: &crate::solve::extrema::Extremum| {
+        let side = |below: bool| {
+            curve
+                .points
+                .iter()
+                .filter(move |p| (p.speed < e.speed) == below)
+                .map(|p| p.size(&probes[e.probe]))
+                .fold(f64::INFINITY, f64::min)
+        };
+        let floor = [true, false].map(side).into_iter().filter(|x| x.is_finite()).fold(0.0, f64::max);
+        e.unbounded || !(e.value - floor <= RISE * e.value)
+    };
+    for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest && rises(e)) {
         if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < 0.02 * e.speed.abs()) {
             continue;
         }

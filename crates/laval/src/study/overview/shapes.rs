@@ -10,6 +10,8 @@ use laval_num::order::SortByNumber;
 const MOST: usize = 8;
 /// Share of the largest amplitude below which a body is not named.
 const HARDLY: f64 = 0.02;
+/// Semi-axes that differ by less than this share make a circle.
+const ROUND: f64 = 1e-6;
 
 /// Modes by frequency; of many those that decay most slowly.
 pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
@@ -25,23 +27,28 @@ pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
 
 fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
     let probes = facts.system.probes();
-    let axes: Vec<(String, f64, f64)> = probes
+    let axes: Vec<(String, f64, f64, f64)> = probes
         .iter()
         .filter(|p| p.is_reference())
         .map(|p| {
             let [x, y] = p.amplitudes(&m.q);
             let (f, b) = circular(x, y);
-            (p.name.clone(), f.abs() + b.abs(), (f.abs() - b.abs()).abs())
+            let (long, short) = (f.abs() + b.abs(), (f.abs() - b.abs()).abs());
+            // a circle has no direction
+            let round = long - short <= ROUND * long;
+            let angle = if round { 0.0 } else { 0.5 * (2.0 * (x * y.conj()).re).atan2(x.norm_sqr() - y.norm_sqr()) };
+            (p.name.clone(), long, short, angle)
         })
         .collect();
     let largest = axes.iter().map(|a| a.1).fold(0.0, f64::max);
     let share = |x: f64| if largest > 0.0 { x / largest } else { 0.0 };
-    let orbits = axes.into_iter().map(|(n, a, b)| (n, share(a), share(b))).filter(|o| o.1 >= HARDLY).collect();
+    let shown = axes.into_iter().filter(|a| share(a.1) >= HARDLY);
+    let (orbits, angles) = shown.map(|(n, a, b, angle)| ((n, share(a), share(b)), angle)).unzip();
     let whirl = match m.whirl.at(speed) {
         Whirl::Forward => "forward",
         Whirl::Backward => "backward",
         Whirl::Mixed => "mixed",
         Whirl::None => "none",
     };
-    Mode { growth: m.growth(), grows: m.growth() > 0.0, frequency: m.frequency(), whirl, orbits }
+    Mode { growth: m.growth(), grows: m.growth() > 0.0, frequency: m.frequency(), whirl, orbits, angles }
 }

@@ -56,9 +56,9 @@ pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) 
         return Some(Check::new("check-run-up", result, Verdict::NotComputed));
     }
     let below = |o: &OverSpeed| {
-        let resonances: Vec<Arg> = o.resonances.iter().filter(|r| r.speed < speed.low).map(|r| Arg::speed(r.speed)).collect();
-        let unstable = o.unstable.iter().filter(|u| u.from < speed.low);
-        (resonances, unstable.map(|u| span(u.from, u.to.min(speed.low))).collect::<Vec<Arg>>())
+        let resonances: Vec<Arg> = o.resonances.iter().filter(|r| r.speed < speed.high).map(|r| Arg::speed(r.speed)).collect();
+        let unstable = o.unstable.iter().filter(|u| u.from < speed.high);
+        (resonances, unstable.map(|u| span(u.from, u.to.min(speed.high))).collect::<Vec<Arg>>())
     };
     let (resonances, ranges) = over.map(below).unwrap_or_default();
     let limit = facts.limits.passage.iter().map(|l| l.value).reduce(f64::min);
