@@ -98,7 +98,7 @@ mod tests {
     #[test]
     fn a_region_between_straight_lines_is_one_area() {
         let rows: Vec<(f64, Vec<(f64, f64)>)> =
-            (0..=10).map(|k| f64::from(k)).map(|v| (v, vec![(100.0 + 5.0 * v, 104.0 + 6.0 * v), (900.0, 1000.0)])).collect();
+            (0..=10).map(f64::from).map(|v| (v, vec![(100.0 + 5.0 * v, 104.0 + 6.0 * v), (900.0, 1000.0)])).collect();
         let regions = Regions::of(&rows);
         assert_eq!(regions.areas.len(), 2);
         let wedge = regions.areas.iter().find(|a| a[0].from < 500.0).unwrap();
