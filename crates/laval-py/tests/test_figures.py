@@ -44,6 +44,10 @@ def test_svg_and_data(results: laval.Results) -> None:
 def test_matplotlib(results: laval.Results, tmp_path: object) -> None:
     pytest.importorskip("matplotlib")
     for name, figure in results.figures.items():
+        if not figure.data["panels"]:
+            with pytest.raises(ValueError, match="SVG"):
+                figure.matplotlib()
+            continue
         drawn = figure.matplotlib()
         drawn.savefig(f"{tmp_path}/{name.replace('/', '-')}.png", dpi=40)
         assert len(drawn.axes) >= len(figure.data["panels"]), name
@@ -52,6 +56,10 @@ def test_matplotlib(results: laval.Results, tmp_path: object) -> None:
 def test_plotly(results: laval.Results) -> None:
     pytest.importorskip("plotly")
     for name, figure in results.figures.items():
+        if not figure.data["panels"]:
+            with pytest.raises(ValueError, match="SVG"):
+                figure.plotly()
+            continue
         drawn = figure.plotly()
         assert drawn.to_json() and (drawn.data or drawn.layout.shapes), name
 

@@ -22,6 +22,8 @@ def draw(figure: Figure) -> Drawn:
 
     data = figure.data
     panels = data["panels"]
+    if not panels:
+        raise ValueError("this figure has no axes, it is made of small drawings; use its SVG text")
     drawn = New(figsize=(7.5, 1.2 + 3.2 * len(panels)), layout="constrained")
     ratios = [panel["height"] for panel in panels]
     rows = drawn.subplots(len(panels), 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": ratios})[:, 0]

@@ -22,6 +22,8 @@ def draw(figure: Figure) -> go.Figure:
 
     data = figure.data
     panels = data["panels"]
+    if not panels:
+        raise ValueError("this figure has no axes, it is made of small drawings; use its SVG text")
     heights = [panel["height"] for panel in panels]
     drawn = make_subplots(rows=len(panels), cols=1, shared_xaxes=True, row_heights=heights, vertical_spacing=0.06)
     seen: set[str] = set()

@@ -22,7 +22,7 @@ def modes(
     growth_threshold: Quantity | None = None,
     frequency_limit: Quantity | None = None,
 ) -> Study:
-    """Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, and how much each body takes part. about = "turning" linearises about the state that turns with the rotor.
+    """Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body takes part, and the shape along the axis of a machine with several points. about = "turning" linearises about the state that turns with the rotor.
 
     Args:
         name: by which others refer to it.
@@ -140,7 +140,7 @@ def forced_response(
     name: str | None = None,
     speed: Range,
 ) -> Study:
-    """Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.
+    """Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; orbits and deflected shapes at the operating speed and at the largest resonances. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.
 
     Args:
         name: by which others refer to it.
