@@ -17,7 +17,7 @@ pub struct Args {
     /// Print the result as JSON to standard output, for editors
     #[arg(long)]
     json: bool,
-    /// Language of what is said: en, ru, kk, uz [default: that of the file or of LANG]
+    /// Language of the messages: en, ru, kk, uz [default: that of the file or of LANG]
     #[arg(long, value_name = "LANGUAGE", value_parser = str::parse::<Language>)]
     lang: Option<Language>,
 }

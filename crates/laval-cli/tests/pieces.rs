@@ -136,7 +136,7 @@ fn parts_of_another_machine_are_not_mixed() {
     dir.laval(["run", "m.toml", "--out", "o"]).done();
     dir.file("m.toml", MACHINE.replace("1e5 N/m", "2e5 N/m"));
     dir.laval(["run", "m.toml", "--part", "1/2", "--out", "o"]).refused(&["another input", "stiffness", "--out"]);
-    // chunks without a manifest are told apart by their marks
+    // without a manifest the marks in the chunks show whose they are
     fs::remove_file(dir.0.join("o/tolerances/manifest.json")).unwrap();
     dir.laval(["collect", "m.toml", "--out", "o", "--only", "tolerances"]).refused(&["not of this study", "200 of 200 rows are missing"]);
 }

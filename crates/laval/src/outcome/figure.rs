@@ -502,7 +502,7 @@ impl Band {
         self
     }
 
-    /// Pink, of what is not where it is of another kind than red.
+    /// Pink: missing values of another kind than those drawn in red.
     pub fn pink(mut self) -> Self {
         self.tint = Some(3);
         self

@@ -291,7 +291,7 @@ fn a_free_disc_has_no_resonance() {
     assert!(p.over_speed.as_ref().unwrap().resonances.is_empty(), "{:?}", p.over_speed.unwrap().resonances);
 }
 
-/// A resonance among the operating speeds is said in the headline, beside limits that are not kept, and a run-up to the highest of them crosses it.
+/// The headline names a resonance among the operating speeds, beside limits that are not kept, and a run-up to the highest of them crosses it.
 #[test]
 fn a_resonance_among_the_operating_speeds_is_in_the_headline() {
     let range = "[operation]\nspeed = { from = 70, to = 140 }\n";
