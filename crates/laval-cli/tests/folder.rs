@@ -2,32 +2,11 @@
 
 mod launcher;
 
-use launcher::Dir;
-use std::collections::BTreeMap;
+use launcher::{Dir, ROTOR, tree};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Stdio;
 use std::time::Duration;
-
-/// A machine with one mode pair.
-const ROTOR: &str = r#"
-[machine]
-name = "rotor"
-speed = "300 rad/s"
-[[part]]
-kind = "disc"
-name = "d"
-mass = "1 kg"
-eccentricity = "10 um"
-[[part]]
-kind = "shaft_lumped"
-between = ["d", "ground"]
-stiffness = "1e5 N/m"
-[[part]]
-kind = "damper"
-between = ["d", "ground"]
-damping = "10 N s/m"
-"#;
 
 fn response(name: &str, points: usize) -> String {
     let name = serde_json::Value::from(name);
@@ -42,22 +21,6 @@ fn uncertain(name: &str, study: &str) -> String {
 }
 
 const LONG: &str = "[[study]]\nkind = \"transient\"\nname = \"long\"\nduration = \"1e7 s\"\n";
-
-/// Every file below `dir` with its content.
-fn tree(dir: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut out = BTreeMap::new();
-    let mut open = vec![dir.to_path_buf()];
-    while let Some(d) = open.pop() {
-        for path in fs::read_dir(d).unwrap().map(|e| e.unwrap().path()) {
-            if path.is_dir() {
-                open.push(path);
-            } else {
-                out.insert(path.strip_prefix(dir).unwrap().to_path_buf(), fs::read(&path).unwrap_or_default());
-            }
-        }
-    }
-    out
-}
 
 #[test]
 fn the_folder_of_a_study_does_not_depend_on_what_else_is_run() {

@@ -2,7 +2,7 @@
 
 mod launcher;
 
-use launcher::Dir;
+use launcher::{Dir, ROTOR, tree};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,23 +10,7 @@ use std::process::{Child, Stdio};
 use std::time::Duration;
 
 /// Studies with chunks that follow from nothing (`tolerances`), from the chunk before (`slow`), and without chunks (`modes`).
-const MACHINE: &str = r#"
-[machine]
-name = "rotor"
-speed = "300 rad/s"
-[[part]]
-kind = "disc"
-name = "d"
-mass = "1 kg"
-eccentricity = "10 um"
-[[part]]
-kind = "shaft_lumped"
-between = ["d", "ground"]
-stiffness = "1e5 N/m"
-[[part]]
-kind = "damper"
-between = ["d", "ground"]
-damping = "10 N s/m"
+const STUDIES: &str = r#"
 [[study]]
 kind = "modes"
 [[study]]
@@ -42,20 +26,8 @@ speed = { from = "100 rad/s", to = "300 rad/s", points = 9 }
 start = "up"
 "#;
 
-/// Every file below `dir` with its content, except the empty files by which processes hold a folder.
-fn tree(dir: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut out = BTreeMap::new();
-    let mut open = vec![dir.to_path_buf()];
-    while let Some(d) = open.pop() {
-        for path in fs::read_dir(d).unwrap().map(|e| e.unwrap().path()) {
-            if path.is_dir() {
-                open.push(path);
-            } else {
-                out.insert(path.strip_prefix(dir).unwrap().to_path_buf(), fs::read(&path).unwrap());
-            }
-        }
-    }
-    out
+fn machine() -> String {
+    [ROTOR, STUDIES].concat()
 }
 
 fn assert_same(a: &Path, b: &Path) {
@@ -74,7 +46,7 @@ fn part(dir: &Dir, part: &str, out: &str) -> Child {
 #[test]
 fn parts_in_any_order_give_the_files_of_one_run() {
     let dir = Dir::new("pieces");
-    dir.file("m.toml", MACHINE);
+    dir.file("m.toml", machine());
     dir.laval(["run", "m.toml", "--out", "whole"]).done();
     let text = dir.laval(["run", "m.toml", "--part", "2/3", "--out", "o"]);
     assert!(text.done().contains("tolerances: part 2 of 3: 64 of 64 rows are there"), "{}", text.out);
@@ -89,7 +61,7 @@ fn parts_in_any_order_give_the_files_of_one_run() {
 #[test]
 fn what_a_killed_part_leaves_is_completed_by_another() {
     let dir = Dir::new("killed-pieces");
-    dir.file("m.toml", MACHINE.replace("samples = 200", "samples = 2000"));
+    dir.file("m.toml", machine().replace("samples = 200", "samples = 2000"));
     dir.laval(["run", "m.toml", "--out", "whole", "--quiet"]).done();
     for wait in [5, 20, 60, 150] {
         let mut one = part(&dir, "1/2", "o");
@@ -108,7 +80,7 @@ fn what_a_killed_part_leaves_is_completed_by_another() {
 #[test]
 fn a_collection_misses_no_row() {
     let dir = Dir::new("missing-pieces");
-    dir.file("m.toml", MACHINE);
+    dir.file("m.toml", machine());
     dir.laval(["run", "m.toml", "--part", "1/2", "--out", "o"]).done();
     let before = tree(&dir.0.join("o"));
     let said = dir.laval(["collect", "m.toml", "--out", "o", "--quiet"]);
@@ -132,9 +104,9 @@ fn a_collection_misses_no_row() {
 #[test]
 fn parts_of_another_machine_are_not_mixed() {
     let dir = Dir::new("foreign-pieces");
-    dir.file("m.toml", MACHINE);
+    dir.file("m.toml", machine());
     dir.laval(["run", "m.toml", "--out", "o"]).done();
-    dir.file("m.toml", MACHINE.replace("1e5 N/m", "2e5 N/m"));
+    dir.file("m.toml", machine().replace("1e5 N/m", "2e5 N/m"));
     dir.laval(["run", "m.toml", "--part", "1/2", "--out", "o"]).refused(&["another input", "stiffness", "--out"]);
     // without a manifest the marks in the chunks show whose they are
     fs::remove_file(dir.0.join("o/tolerances/manifest.json")).unwrap();
@@ -144,7 +116,7 @@ fn parts_of_another_machine_are_not_mixed() {
 #[test]
 fn the_plan_names_what_divides() {
     let dir = Dir::new("plan");
-    dir.file("m.toml", MACHINE);
+    dir.file("m.toml", machine());
     let text = dir.laval(["plan", "m.toml"]);
     for words in ["tolerances", "200", "13", "slow", "part 1 computes it", "laval run m.toml --part I/N", "joins them and computes modes"] {
         assert!(text.done().contains(words), "{words} in\n{}", text.out);
@@ -156,7 +128,7 @@ fn the_plan_names_what_divides() {
     assert_eq!((studies[1]["kind"].as_str(), of(1, "parts_at_most")), (Some("sweep"), 1));
     assert_eq!(studies[0]["input"]["part"][0]["mass"].as_f64(), Some(1.0));
     assert!(!dir.0.join("out").exists());
-    dir.file("small.toml", MACHINE.split("[[study]]\nkind = \"uncertainty\"").next().unwrap());
+    dir.file("small.toml", machine().split("[[study]]\nkind = \"uncertainty\"").next().unwrap());
     assert!(dir.laval(["plan", "small.toml"]).done().contains("No study of small.toml divides"));
     for wrong in ["0/3", "4/3", "3", "a/b"] {
         dir.laval(["run", "m.toml", "--part", wrong]).refused(&["--part", wrong]);

@@ -3,9 +3,10 @@
 // every test file is a crate of its own and uses some of these
 #![allow(dead_code)]
 
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// A folder that is removed in the end.
@@ -75,4 +76,40 @@ impl Said {
         assert_eq!((self.code, self.err.as_str()), (0, ""));
         &self.out
     }
+}
+
+/// A machine with one mode pair.
+pub const ROTOR: &str = r#"
+[machine]
+name = "rotor"
+speed = "300 rad/s"
+[[part]]
+kind = "disc"
+name = "d"
+mass = "1 kg"
+eccentricity = "10 um"
+[[part]]
+kind = "shaft_lumped"
+between = ["d", "ground"]
+stiffness = "1e5 N/m"
+[[part]]
+kind = "damper"
+between = ["d", "ground"]
+damping = "10 N s/m"
+"#;
+
+/// Every file below `dir` with its content.
+pub fn tree(dir: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut out = BTreeMap::new();
+    let mut open = vec![dir.to_path_buf()];
+    while let Some(d) = open.pop() {
+        for path in fs::read_dir(d).unwrap().map(|e| e.unwrap().path()) {
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                out.insert(path.strip_prefix(dir).unwrap().to_path_buf(), fs::read(&path).unwrap_or_default());
+            }
+        }
+    }
+    out
 }
