@@ -11,13 +11,13 @@
 
 use super::closed::{Closed, Drifting, Steady};
 use super::drift::{self, Climb};
-use super::ensemble::{Member, Model, Powder, leave, paired_members};
 use super::exit::{Exit, Surface, first_exit};
-use super::machine::{Separator, Turning};
 use super::motion::{Journey, Lost, Tilt};
 use super::particle::{Drag, Medium, Particle};
 use super::ramp::Ramp;
 use super::recovery::Clock;
+use super::separator::{Separator, Turning};
+use super::suspension::{Member, Model, Powder, leave, paired_members};
 use super::vessel::Inside;
 use laval_model::text;
 

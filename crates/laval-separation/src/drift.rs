@@ -20,9 +20,9 @@
 use super::closed::Steady;
 use super::cup::SwingingCup;
 use super::exit::{Cylinder, Exit, MOST, Vessel};
-use super::machine::Discs;
 use super::particle::{Drag, Medium, Particle, TURBULENT, transitional, turbulent};
 use super::ramp::Ramp;
+use super::separator::Discs;
 use super::series::{Affine, Series};
 use super::vessel::Inside;
 use laval_num::univariate::root_by_newton;
@@ -224,7 +224,7 @@ fn held(s: &Settling, steady: &Steady, inside: &Inside, start: [f64; 3], mut t: 
     None
 }
 
-/// First exit at constant speed by the drag law of the medium; with Stokes' law that of [`super::machine::Turning::drift`].
+/// First exit at constant speed by the drag law of the medium; with Stokes' law that of [`super::separator::Turning::drift`].
 pub fn settle(medium: &Medium, particle: &Particle, steady: &Steady, inside: &Inside, start: [f64; 3]) -> Option<Exit> {
     follow(medium, particle, steady, inside, start, &mut ())
 }
@@ -430,7 +430,7 @@ mod tests {
     use super::*;
     use crate::cup::Hanging;
     use crate::exit::Cylinder;
-    use crate::machine::{Bowl, Cup, Separator};
+    use crate::separator::{Bowl, Cup, Separator};
 
     #[test]
     fn the_reynolds_number_is_inverted() {

@@ -3,10 +3,10 @@
 use super::batch::{EXACT, Spinning, horizon};
 use super::closed::{Closed, Drifting, Path};
 use super::drift;
-use super::ensemble::{Member, Model};
 use super::exit::first_exit;
 use super::motion::Lost;
 use super::particle::{Drag, Particle};
+use super::suspension::{Member, Model};
 use serde::{Deserialize, Serialize};
 
 /// A particle at one time.

@@ -16,13 +16,13 @@
 //! Sources: `docs/theory/separation.md#ensembles-and-recovery`.
 
 use super::batch::Spinning;
-use super::ensemble::quantile;
 use super::exit::{Exit, Surface};
 use super::law::Law;
 use super::motion::Lost;
 use super::particle::Particle;
 use super::ramp::Ramp;
 use super::slowest::Last;
+use super::suspension::quantile;
 use laval_model::text;
 use laval_num::order::SortByNumber;
 use laval_num::work::Here;

@@ -7,11 +7,11 @@
 use super::batch::Spinning;
 use super::closed::{Closed, Path};
 use super::drift;
-use super::ensemble::{Member, Model};
 use super::exit::Exit;
 use super::halton;
 use super::motion::Lost;
 use super::particle::Particle;
+use super::suspension::{Member, Model};
 use serde::{Deserialize, Serialize};
 
 /// A particle, its place (m) and its velocity (m/s) in the axes of the cup.

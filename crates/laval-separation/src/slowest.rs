@@ -11,12 +11,12 @@
 //! Sources: `docs/theory/separation.md#ensembles-and-recovery`.
 
 use super::batch::Spinning;
-use super::ensemble::Member;
 use super::exit::Cylinder;
 use super::halton::Point;
 use super::law::Law;
 use super::motion::Lost;
 use super::particle::Particle;
+use super::suspension::Member;
 use super::tube::Filled;
 use super::vessel::Inside;
 use laval_model::text;

@@ -2,8 +2,8 @@
 //!
 //! Sources: `docs/theory/separation.md#validity`; ISO 13317 (Reynolds number 0.25).
 
-use super::machine::Separator;
 use super::particle::{Drag, Medium, Particle};
+use super::separator::Separator;
 
 /// Boltzmann's constant, J/K.
 const BOLTZMANN: f64 = 1.380649e-23;

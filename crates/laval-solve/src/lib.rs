@@ -5,6 +5,7 @@ use laval_model::{diagnostic, model};
 
 pub mod centring;
 pub mod characteristic;
+pub mod co_rotating;
 pub mod counted;
 pub mod criticals;
 pub mod ensemble;
@@ -28,5 +29,4 @@ pub mod stationary;
 pub mod sweep;
 pub mod symmetry;
 pub mod ties;
-pub mod turning;
 pub mod unbalance;

@@ -3,8 +3,8 @@
 //! Theory: `docs/theory/equilibria.md#static-rest`.
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, nonlinear_states};
+use super::co_rotating::preferring;
 use super::sectors::{Sectors, real_part};
-use super::turning::preferring;
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Rows};

@@ -10,11 +10,11 @@ mod processor;
 
 use clock::clock;
 use laval::separation::cup::{Hanging, SwingingCup};
-use laval::separation::ensemble::{Model, Powder, leave, members, powder_efficiency, products};
 use laval::separation::exit::Cylinder;
 use laval::separation::law::Law;
-use laval::separation::machine::{Cup, Separator};
 use laval::separation::particle::Medium;
+use laval::separation::separator::{Cup, Separator};
+use laval::separation::suspension::{Model, Powder, leave, members, powder_efficiency, products};
 use processor::processor;
 
 fn main() {

@@ -57,7 +57,7 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// For a machine that [`turning::isotropic`](super::turning::isotropic) admits.
+    /// For a machine that [`co_rotating::isotropic`](super::co_rotating::isotropic) admits.
     pub fn new(system: &'a System, request: &'a Request, cancel: &'a AtomicBool) -> Self {
         let (lo, hi) = request.range;
         let problem = Stationary::new(system, 0.1 * (hi - lo).max(1e-6 * hi.abs()), cancel);

@@ -13,9 +13,9 @@ use laval::model::part::{At, Dof, DofKind, Domain, Layout, Link, Params, Part, P
 use laval::model::system::System;
 use laval::outcome::Status;
 use laval::parts::disc::*;
+use laval::solve::co_rotating::turning;
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
-use laval::solve::turning::turning;
 use laval::study::campbell::Campbell;
 use laval::study::criterion::Criterion;
 use laval::study::forced_response::at_speed;

@@ -9,7 +9,7 @@ use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, foundation::*};
 use laval::solve::pencil::{MachineMode, Spectrum, Whirl, modes_about};
-use laval::solve::{rest::rest, turning::turning};
+use laval::solve::{co_rotating::turning, rest::rest};
 use laval::study::{Context, ErasedStudy, modes::Modes, support::About};
 use laval_num::complex::{C64, c};
 

@@ -11,7 +11,7 @@ use laval::solve::exact::growing;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::{Spectrum, Whirl, modes_about};
 use laval::solve::programme::Programme;
-use laval::solve::{rest::rest, turning::turning};
+use laval::solve::{co_rotating::turning, rest::rest};
 use laval::study::Context;
 use laval::study::forced_response::at_speed;
 use laval_num::complex::{C64, c};

@@ -417,7 +417,7 @@ diag-without-that-no-roots-can-be-e4c1 = without that no roots can be counted; f
 diag-the-frequencies-of-the-machine-have-ce0d = the frequencies of the machine have no bound from which roots could be counted
 diag-give-frequency-limit-df65 = give frequency_limit
 
-## laval-solve/src/turning.rs
+## laval-solve/src/co_rotating.rs
 
 diag-from-the-undeflected-machine-no-state-da81 = from the undeflected machine no state that turns with the rotor was found
 diag-the-machine-has-no-state-that-5f47 = the machine has no state that turns with the rotor: { $reason }

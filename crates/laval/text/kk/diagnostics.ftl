@@ -1432,7 +1432,7 @@ diag-without-that-no-roots-can-be-e4c1 = онсыз түбірлерді сан�
 diag-the-frequencies-of-the-machine-have-ce0d = машина жиіліктерінің түбір санауға болатын шегі жоқ
 diag-give-frequency-limit-df65 = frequency_limit беріңіз
 
-## laval-solve/src/turning.rs
+## laval-solve/src/co_rotating.rs
 
 diag-from-the-undeflected-machine-no-state-da81 = деформацияланбаған машинадан бастағанда ротормен бірге айналатын күй табылмады
 diag-the-machine-has-no-state-that-5f47 = машинада ротормен бірге айналатын күй жоқ: { $reason }

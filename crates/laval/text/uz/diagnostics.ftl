@@ -1390,7 +1390,7 @@ diag-without-that-no-roots-can-be-e4c1 = busiz ildizlarni sanab bo‘lmaydi; bu 
 diag-the-frequencies-of-the-machine-have-ce0d = mashina chastotalarining ildizlarni sanashni boshlash mumkin bo‘lgan chegarasi yo‘q
 diag-give-frequency-limit-df65 = frequency_limit bering
 
-## laval-solve/src/turning.rs
+## laval-solve/src/co_rotating.rs
 
 diag-from-the-undeflected-machine-no-state-da81 = deformatsiyalanmagan mashinadan boshlab rotor bilan birga aylanuvchi holat topilmadi
 diag-the-machine-has-no-state-that-5f47 = mashinaning rotor bilan birga aylanuvchi holati yo‘q: { $reason }

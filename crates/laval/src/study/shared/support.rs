@@ -9,7 +9,7 @@ use crate::outcome::{Arg, Finding, Level, Message, OutcomeError, quantity_to};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
-use crate::solve::{rest, turning};
+use crate::solve::{co_rotating, rest};
 use crate::text;
 use crate::text::Text;
 use serde::{Deserialize, Serialize};
@@ -111,18 +111,18 @@ impl About {
     /// Finds it at a speed; a turning state from the one before, when there is one.
     ///
     /// # Errors
-    /// As [`rest::rest`] and [`turning::turning`].
+    /// As [`rest::rest`] and [`co_rotating::turning`].
     pub fn find(self, system: &System, speed: f64, before: Option<&Equilibrium>) -> Result<Equilibrium, Diagnostic> {
         match self {
             About::Rest => rest::rest(system, speed),
-            About::Turning => turning::turning(system, speed, before.cloned()),
+            About::Turning => co_rotating::turning(system, speed, before.cloned()),
         }
     }
 }
 
 /// No part has a preferred direction, so that states may exist that turn with the rotor.
 pub fn turns_alike(system: &System) -> bool {
-    turning::isotropic(system, system.machine.speed.unwrap_or_default()).is_ok()
+    co_rotating::isotropic(system, system.machine.speed.unwrap_or_default()).is_ok()
 }
 
 /// Eigenvalues can be had: there is a state to linearise about, and every part has a form with finitely many of them.

@@ -6,11 +6,11 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
 use crate::outcome::quantity;
 use crate::separation::batch::{Batch, RunUp};
-use crate::separation::ensemble::Model;
-use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
 use crate::separation::particle::Drag;
 use crate::separation::recovery::{Recovery, Watch};
+use crate::separation::separator::Separator;
+use crate::separation::suspension::Model;
 use crate::text;
 
 /// A separation that is requested.

@@ -18,7 +18,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::separation::cup::Hanging;
 use crate::separation::exit::Cylinder;
-use crate::separation::machine::Separator;
+use crate::separation::separator::Separator;
 use crate::study::centrifuge::cups::task::Task;
 use crate::study::centrifuge::cups::{Carried, exchanged};
 use crate::text;

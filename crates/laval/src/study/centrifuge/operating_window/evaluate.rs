@@ -10,7 +10,7 @@ use super::{Objective, OperatingWindow, Policy, SPEEDS};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::system::System;
-use crate::separation::machine::Separator;
+use crate::separation::separator::Separator;
 use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
 use crate::study::Context;

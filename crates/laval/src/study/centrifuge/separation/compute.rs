@@ -4,13 +4,13 @@ use super::result::{Path, Recovered, Released, RunUpTime, Separated};
 use super::{ONE, Separation};
 use crate::diagnostic::Diagnostic;
 use crate::separation::batch::Spinning;
-use crate::separation::ensemble::{products, quantile, sorted};
 use crate::separation::exit::{Exit, Surface};
 use crate::separation::motion::Tilt;
 use crate::separation::ramp::Ramp;
 use crate::separation::recovery::{Needed, Recovery, Watch};
 use crate::separation::release::Release;
 use crate::separation::slowest::Last;
+use crate::separation::suspension::{products, quantile, sorted};
 use crate::study::centrifuge::cups::task::lost;
 use laval_num::order::ascending;
 

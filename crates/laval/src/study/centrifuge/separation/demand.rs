@@ -4,8 +4,8 @@ use super::Separation;
 use super::compute::Ensemble;
 use super::result::{Demand, SpeedNeeded};
 use crate::separation::batch::{Batch, FELT, Spinning};
-use crate::separation::ensemble::Model;
 use crate::separation::law::Law;
+use crate::separation::suspension::Model;
 use crate::study::centrifuge::cups::task::needed;
 use laval_num::univariate::maximum;
 

@@ -6,9 +6,9 @@ use super::report::Shown;
 use super::result::{Demand, Released, SpeedNeeded};
 use crate::outcome::{Arg, Finding, Message, Outcome};
 use crate::separation::batch::RunUp;
-use crate::separation::ensemble::{Model, cut_size};
-use crate::separation::machine::Separator;
 use crate::separation::measures;
+use crate::separation::separator::Separator;
+use crate::separation::suspension::{Model, cut_size};
 use crate::separation::validity::{FIELD, gravity_felt};
 
 /// Share of the particles, read in four digits: 99.95 % is not all.

@@ -3,9 +3,9 @@
 use super::Separation;
 use super::demand::searched;
 use crate::separation::batch::Spinning;
-use crate::separation::ensemble::Model;
 use crate::separation::law::Law;
 use crate::separation::particle::Drag;
+use crate::separation::suspension::Model;
 use crate::study::Context;
 use crate::text;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -3,13 +3,13 @@
 use super::report::{Built, Shown};
 use super::result::{Demand, PARAMETERS, Released};
 use crate::outcome::{Arg, Message, Table};
-use crate::separation::ensemble::{cut_size, efficiency};
 use crate::separation::exit::{Exit, Surface};
-use crate::separation::machine::{Separator, Turning};
 use crate::separation::measures::{self, Capture};
 use crate::separation::particle::Particle;
 use crate::separation::places::Place;
 use crate::separation::release::Moment;
+use crate::separation::separator::{Separator, Turning};
+use crate::separation::suspension::{cut_size, efficiency};
 use crate::separation::validity::Flag;
 
 impl Shown<'_> {

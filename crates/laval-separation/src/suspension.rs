@@ -13,8 +13,8 @@
 use super::exit::{Exit, Surface};
 use super::halton::{self, Point};
 use super::law::Law;
-use super::machine::Turning;
 use super::particle::{Medium, Particle};
+use super::separator::Turning;
 use laval_num::order::ascending;
 use laval_num::work::Here;
 use rayon::prelude::*;

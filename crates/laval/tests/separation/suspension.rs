@@ -4,15 +4,15 @@ use crate::common;
 
 use common::{number, rows};
 use laval::separation::cup::{Hanging, SwingingCup};
-use laval::separation::ensemble::{
-    self, Member, Model, Powder, cut_size, efficiency, members, powder_efficiency, products, quantile, sorted,
-};
 use laval::separation::exit::{Cylinder, Surface};
 use laval::separation::halton;
 use laval::separation::law::Law;
-use laval::separation::machine::{Bowl, Cup, Decanter, Discs, Separator, Turning};
 use laval::separation::measures::{self, Cone};
 use laval::separation::particle::{Medium, Particle};
+use laval::separation::separator::{Bowl, Cup, Decanter, Discs, Separator, Turning};
+use laval::separation::suspension::{
+    self, Member, Model, Powder, cut_size, efficiency, members, powder_efficiency, products, quantile, sorted,
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 macro_rules! table {
