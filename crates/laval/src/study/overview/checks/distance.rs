@@ -2,11 +2,11 @@
 
 use super::super::margins::{self, Nearest};
 use super::super::operating::Operating;
-use super::super::{Facts, MARGIN};
+use super::super::{Facts, MARGIN, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
 
 /// A distance in speed with its requirement.
-fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operating, required: f64, within: (f64, f64)) -> Check {
+pub(super) fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operating, required: f64, within: (f64, f64)) -> Check {
     let places = |key: &str| {
         let mut m = Message::new(key).arg("from", Arg::speed(within.0)).arg("to", Arg::speed(within.1));
         for (name, place) in [("below", nearest.below), ("above", nearest.above)] {
@@ -36,7 +36,8 @@ pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operat
     };
     let required = facts.operation.instability_margin.unwrap_or(MARGIN);
     let nearest = margins::instability(over, speed);
-    let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, required, over.range);
+    let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, required, ends(&over.growth_speed).unwrap_or(over.range));
+    check.detail = facts.stability.source();
     // a band may be narrower than the steps over the range
     if unstable || nearest.margin(speed) == Some(0.0) {
         check.verdict = Verdict::Failed;
@@ -54,7 +55,8 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
     };
     let nearest = margins::resonance(over, speed);
-    let mut check = distance("check-resonance", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), over.range);
+    let mut check = distance("check-resonance", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), facts.searched(over));
+    check.detail = facts.criticals.source();
     if check.verdict == Verdict::Attention && set.is_some() {
         check.verdict = Verdict::Failed;
     }
