@@ -304,3 +304,51 @@ fn forces_hold_the_static_load_and_say_so() {
     let found = check(&upright, "check-forces");
     assert_eq!((of_item(&found.result, "rest"), found.detail.is_none()), (None, true));
 }
+
+/// The ball balancer of example 04: stable above 558 rad/s, harmful below; the vibration is that of its stable state, 2 um, which the eccentricity of the ring leaves.
+#[test]
+fn a_machine_with_balls_has_its_distance_and_its_vibration() {
+    let file = include_str!("../../../../examples/04-ball-balancer/machine.toml");
+    let machine = file.split("# Above the critical").next().unwrap();
+    let study = "[[study]]\nkind = \"stationary\"\nspeed = { from = 300, to = 1200, points = 31 }\n";
+    let p = page(&format!("{machine}{study}[limits]\ndisplacement = 2.1e-6\n"));
+    let near = check(&p, "check-instability");
+    let margin = near.margin.unwrap();
+    assert!((margin - (900.0 - 558.158) / 900.0).abs() < 1e-4 && near.verdict == Verdict::Passed, "{near:?}");
+    assert_eq!(near.result.key, "distance-below");
+    let found = check(&p, "check-vibration");
+    assert!((number(&found.result, "sizes") / 2e-6 - 1.0).abs() < 0.01 && found.verdict == Verdict::Passed, "{found:?}");
+    assert_eq!((p.verdict, keys(&p.headline)), (Verdict::Attention, vec!["headline-stable", "headline-slip"]));
+    assert!(p.remarks.iter().flat_map(|r| &r.1).any(|m| m.key == "remark-harm" && (number(m, "times") / 2.599 - 1.0).abs() < 1e-3));
+    assert!(keys(&p.next).contains(&"next-harm"));
+    for (more, name, verdict) in [
+        ("[limits]\ndisplacement = 1.9e-6\n", "check-vibration", Verdict::Failed),
+        ("[operation]\ninstability_margin = \"40 %\"\n", "check-instability", Verdict::Failed),
+        ("[operation]\ninstability_margin = \"37 %\"\n", "check-instability", Verdict::Passed),
+    ] {
+        assert_eq!(check(&page(&format!("{machine}{study}{more}")), name).verdict, verdict, "{more}");
+    }
+}
+
+/// An unstable machine is told up to which speed it may run.
+#[test]
+fn the_unstable_range_about_the_operating_speed_is_named() {
+    let inner = "[[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\ndamping = 2.0\naxes = \"rotating\"\n";
+    let p = page(&jeffcott("speed = 230.0", 2.0, inner));
+    let found = check(&p, "check-instability");
+    assert_eq!((found.verdict, found.result.arg_named("open")), (Verdict::Failed, Some(&Arg::word("yes"))));
+    assert!((number(&found.result, "from") - 200.0).abs() < 1e-3, "{found:?}");
+}
+
+/// What a study of particles doubts is not passed over.
+#[test]
+fn doubts_of_the_studies_are_in_the_check_of_validity() {
+    let loaded = load(&jeffcott("speed = 200.0", 4.0, ""));
+    let doubt = laval::outcome::Finding::warning("validity_reynolds", "separation-validity").arg("name", Arg::term("reynolds"));
+    let of = |outcome: Outcome| {
+        let p = overview(&loaded.system, &[], &[outcome], &Context::quiet("page"));
+        check(&p, "check-validity").verdict
+    };
+    let empty = || Outcome::new("separation", "cream");
+    assert_eq!((of(empty()), of(empty().finding(doubt))), (Verdict::NoLimit, Verdict::Attention));
+}

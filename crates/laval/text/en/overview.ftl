@@ -109,10 +109,20 @@ stability-no-mode = the machine has no mode
 distance-both = { $below } below, { $above } above
 distance-below = { $below } below, none above up to { $to }
 distance-above = none below, { $above } above
-distance-stable-throughout = none found from { $from } to { $to }
-distance-inside-unstable = the operating speed is in an unstable range
+distance-stable-throughout = { $from ->
+        [none] none found up to { $to }
+       *[other] none found from { $from } to { $to }
+    }
+distance-inside-unstable = { $open ->
+        [unknown] the operating speed is in an unstable range
+        [yes] inside, unstable from { $from } on
+       *[no] inside, unstable from { $from } to { $to }
+    }
 distance-inside = among the operating speeds: { $places }
-distance-no-resonance = none found from { $from } to { $to }
+distance-no-resonance = { $from ->
+        [none] none found up to { $to }
+       *[other] none found from { $from } to { $to }
+    }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -130,10 +140,12 @@ vibration-unbounded = undamped resonance at this speed
 forces-sizes = { $sizes }
 forces-with-rest = largest value over a turn with the static load, such as weight; the vibration is counted from the static deflection
 validity-none = no part states a limit
+validity-doubt = in doubt in the studies: { $names }
 validity-statement = { $part }, { $what }
 validity-inside = { $share } of the nearest limit: { $statement }
 validity-elsewhere = inside at this speed; outside in the studies: { $outside }
 validity-outside-here = { $ratio } times the limit: { $statement }
+validity-unbounded = exceeded without bound: { $statement }
 validity-nothing = no part was assessed at this speed
 validity-studies-inside = no study of the file found anything outside
 validity-studies = outside in the studies: { $outside }

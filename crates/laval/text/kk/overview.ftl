@@ -97,9 +97,19 @@ stability-no-mode = машинада мода жоқ
 distance-both = төменде { $below }, жоғарыда { $above }
 distance-below = төменде { $below }, жоғарыда { $to } мәніне дейін жоқ
 distance-above = төменде жоқ, жоғарыда { $above }
-distance-stable-throughout = { $from } – { $to } аралығында табылмады
-distance-inside-unstable = жұмыстық айналу жиілігі орнықсыз аралықта
-distance-no-resonance = { $from } – { $to } аралығында жоқ
+distance-stable-throughout = { $from ->
+        [none] { $to } мәніне дейін табылмады
+       *[other] { $from } – { $to } аралығында табылмады
+    }
+distance-inside-unstable = { $open ->
+        [unknown] жұмыстық айналу жиілігі орнықсыз аралықта
+        [yes] ішінде, { $from } мәнінен бастап орнықсыз
+       *[no] ішінде, { $from } – { $to } аралығында орнықсыз
+    }
+distance-no-resonance = { $from ->
+        [none] { $to } мәніне дейін табылмады
+       *[other] { $from } – { $to } аралығында табылмады
+    }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -112,10 +122,12 @@ vibration-unbounded = бұл айналу жиілігінде демпферл�
 forces-sizes = { $sizes }
 forces-with-rest = салмақ сияқты статикалық жүктемемен қоса бір айналымдағы ең үлкен мәні; тербеліс статикалық иілуден саналған
 validity-none = ешбір бөлшектің шегі көрсетілмеген
+validity-doubt = файл зерттеулерінде күмәнді: { $names }
 validity-statement = { $part }, { $what }
 validity-inside = ең жақын шектің { $share } бөлігі: { $statement }
 validity-elsewhere = бұл айналу жиілігінде шек ішінде; файл зерттеулерінде шектен тыс: { $outside }
 validity-outside-here = шектің { $ratio } есесі: { $statement }
+validity-unbounded = шектен шексіз асады: { $statement }
 validity-nothing = бұл айналу жиілігінде ешбір бөлшек бағаланбады
 validity-studies = файл зерттеулерінде шектен тыс: { $outside }
 balls-no-study = «stationary» немесе «transient» зерттеуі қажет

@@ -108,10 +108,20 @@ stability-no-mode = у машины нет мод
 distance-both = { $below } снизу, { $above } сверху
 distance-below = { $below } снизу, сверху нет до { $to }
 distance-above = снизу нет, { $above } сверху
-distance-stable-throughout = не найдена от { $from } до { $to }
-distance-inside-unstable = рабочая частота вращения лежит в неустойчивом диапазоне
+distance-stable-throughout = { $from ->
+        [none] не найдена до { $to }
+       *[other] не найдена от { $from } до { $to }
+    }
+distance-inside-unstable = { $open ->
+        [unknown] рабочая частота вращения лежит в неустойчивом диапазоне
+        [yes] внутри, неустойчиво от { $from } и выше
+       *[no] внутри, неустойчиво от { $from } до { $to }
+    }
 distance-inside = среди рабочих частот вращения: { $places }
-distance-no-resonance = нет в диапазоне от { $from } до { $to }
+distance-no-resonance = { $from ->
+        [none] нет до { $to }
+       *[other] нет в диапазоне от { $from } до { $to }
+    }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -130,10 +140,12 @@ vibration-unbounded = резонанс без демпфирования при 
 forces-sizes = { $sizes }
 forces-with-rest = наибольшее за оборот вместе со статической нагрузкой, например весом; вибрация отсчитана от статического прогиба
 validity-none = ни один элемент не указывает предела
+validity-doubt = в расчётах файла под сомнением: { $names }
 validity-statement = { $part }, { $what }
 validity-inside = { $share } ближайшего предела: { $statement }
 validity-elsewhere = в пределах при этой частоте вращения; в расчётах файла вне пределов: { $outside }
 validity-outside-here = отношение к пределу { $ratio }: { $statement }
+validity-unbounded = предел превышен неограниченно: { $statement }
 validity-nothing = при этой частоте вращения не оценён ни один элемент
 validity-studies-inside = ни один расчёт файла не дал результатов вне области применимости
 validity-studies = в расчётах файла вне пределов: { $outside }

@@ -97,9 +97,19 @@ stability-no-mode = mashinada moda yo‘q
 distance-both = pastda { $below }, yuqorida { $above }
 distance-below = pastda { $below }, yuqorida { $to } tezlikkacha yo‘q
 distance-above = pastda yo‘q, yuqorida { $above }
-distance-stable-throughout = { $from } – { $to } oralig‘ida topilmadi
-distance-inside-unstable = ish tezligi noturg‘un oraliqda
-distance-no-resonance = { $from } – { $to } oralig‘ida yo‘q
+distance-stable-throughout = { $from ->
+        [none] { $to } tezlikkacha topilmadi
+       *[other] { $from } – { $to } oralig‘ida topilmadi
+    }
+distance-inside-unstable = { $open ->
+        [unknown] ish tezligi noturg‘un oraliqda
+        [yes] ichida, { $from } tezlikdan boshlab noturg‘un
+       *[no] ichida, { $from } dan { $to } gacha noturg‘un
+    }
+distance-no-resonance = { $from ->
+        [none] { $to } tezlikkacha topilmadi
+       *[other] { $from } – { $to } oralig‘ida topilmadi
+    }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -112,10 +122,12 @@ vibration-unbounded = bu tezlikda so‘nishsiz rezonans
 forces-sizes = { $sizes }
 forces-with-rest = og‘irlik kabi statik yuklama bilan birga bir aylanishdagi eng katta qiymat; tebranish statik egilishdan hisoblangan
 validity-none = birorta ham qism chegara bermaydi
+validity-doubt = fayl hisoblarida shubhali: { $names }
 validity-statement = { $part }, { $what }
 validity-inside = eng yaqin chegaraning { $share } qismi: { $statement }
 validity-elsewhere = bu tezlikda ichida; fayl hisoblarida tashqarida: { $outside }
 validity-outside-here = chegaraning { $ratio } barobari: { $statement }
+validity-unbounded = chegara cheksiz oshib ketgan: { $statement }
 validity-nothing = bu tezlikda birorta ham qism baholanmagan
 validity-studies = fayl hisoblarida tashqarida: { $outside }
 balls-no-study = "stationary" yoki "transient" hisobi kerak

@@ -57,12 +57,12 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             verdict = verdict.max(Verdict::Attention);
             margins::resonance(o, speed)
                 .place(speed)
-                .map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
+                .map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m).digits(2)).arg("resonance", Arg::speed(p)))
         } else if set {
             None
         } else if let Some(m) = near("check-instability") {
             verdict = verdict.max(Verdict::Attention);
-            Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m)))
+            Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m).digits(2)))
         } else if let Some((from, to)) = checks::ranges(facts, "no_stable_state").into_iter().find(|r| r.0 < speed.low && facts.balls) {
             verdict = verdict.max(Verdict::Attention);
             Some(Message::new("headline-slip").arg("from", Arg::speed(from)).arg("to", Arg::speed(to)))

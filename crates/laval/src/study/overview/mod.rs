@@ -22,7 +22,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::outcome::{Arg, Message, OverSpeed, Outcome, Overview};
+use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
 use crate::solve::rest::rest;
 use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::stability::{Row, row};

@@ -201,7 +201,7 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
             if !(ratio <= 1.0) {
                 leave(&mut outside, system, (slot, what, ratio), r.speed);
             }
-            each.entry((slot, what)).or_insert_with(|| vec![f64::NAN; points.len()])[row] = ratio;
+            each.entry((slot, what)).or_insert_with(|| vec![0.0; points.len()])[row] = ratio;
         }
         for instant in &turn {
             for (slot, o) in system.observe(&instant.at(r.speed), &mut ws) {
@@ -218,7 +218,7 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
         }
     }
     for (row, _) in points.iter().enumerate().filter(|(_, r)| !known(r)) {
-        out.values_mut().for_each(|column| column[row] = f64::NAN);
+        out.values_mut().chain(each.values_mut()).for_each(|column| column[row] = f64::NAN);
     }
     for pole in curve.poles() {
         let sides = [1.0, -1.0].into_iter();

@@ -123,7 +123,8 @@ pub(super) fn vibration(facts: &Facts, speed: Operating) -> Option<Check> {
     let verdict = if open { Verdict::NotComputed } else { verdict };
     all.sort_by_number_down(|a| a.1);
     all.truncate(MOST_NAMED);
-    let item = |(name, x): &(String, f64)| Arg::from(Message::new("item").arg("name", Arg::name(name)).arg("value", Arg::quantity(*x, "m")));
+    let item =
+        |(name, x): &(String, f64)| Arg::from(Message::new("item").arg("name", Arg::name(name)).arg("value", Arg::quantity(*x, "m")));
     let result = Message::new("vibration-sizes").arg("sizes", Arg::List(all.iter().map(item).collect()));
     let detail = Some(Message::new("vibration-states"));
     Some(Check { detail, required, ..Check::new("check-vibration", result, verdict) })

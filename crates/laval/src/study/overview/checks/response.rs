@@ -38,6 +38,10 @@ pub(super) fn steady(facts: &Facts) -> Vec<(String, f64)> {
         return s.sizes.clone();
     }
     let Ok(curve) = response(facts) else { return Vec::new() };
+    // the linear response passes through a gap that would close
+    if facts.response.as_ref().and_then(Known::get).is_some_and(|r| !r.observed.closed.is_empty()) {
+        return Vec::new();
+    }
     let Some(last) = curve.points.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs())) else { return Vec::new() };
     let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
     bodies.map(|p| (p.name.clone(), last.size(p))).collect()
@@ -203,21 +207,36 @@ pub(super) fn validity(facts: &Facts) -> Check {
     // the statement whose limit is exceeded most, or is nearest
     let uses = observed.iter().flat_map(|o| &o.uses).map(|u| (u, largest(u.ratios.iter().copied())));
     let nearest = uses.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(Arg::word("none"), |(u, _)| statement(&u.part, u.what));
+    let uses_any = nearest != Arg::word("none");
     let listed = || Arg::List(outside.iter().take(MOST_NAMED).cloned().collect());
     let required = Some(Arg::from(Message::new("required-validity")));
     let (result, verdict) = match here {
-        Some(x) if !(x <= 1.0) => (Message::new("validity-outside-here").arg("statement", nearest).arg("ratio", Arg::number(x)), Verdict::Failed),
-        Some(0.0) if outside.is_empty() => (Message::new("validity-none"), Verdict::NoLimit),
+        // beside a resonance without damping, or where a use is infinite
+        Some(x) if x.is_nan() && uses_any => (Message::new("validity-unbounded").arg("statement", nearest), Verdict::Failed),
         Some(x) if x.is_nan() => (Message::new("validity-nothing"), Verdict::NotComputed),
+        Some(x) if !(x <= 1.0) => {
+            (Message::new("validity-outside-here").arg("statement", nearest).arg("ratio", Arg::number(x)), Verdict::Failed)
+        }
+        Some(0.0) if outside.is_empty() => (Message::new("validity-none"), Verdict::NoLimit),
         Some(x) if outside.is_empty() => {
             (Message::new("validity-inside").arg("statement", nearest).arg("share", Arg::percent(x)), Verdict::Passed)
-        },
+        }
         Some(_) => (Message::new("validity-elsewhere").arg("outside", listed()), Verdict::Passed),
         None if outside.is_empty() && facts.outcomes.iter().any(|o| o.end.is_complete()) => {
             (Message::new("validity-studies-inside"), Verdict::Passed)
         }
         None if outside.is_empty() => (Message::new("validity-nothing"), Verdict::NotComputed),
         None => (Message::new("validity-studies").arg("outside", listed()), Verdict::Attention),
+    };
+    // numbers beyond the limits of a model put its results in doubt, which is less than outside
+    let doubts = facts.outcomes.iter().flat_map(|o| &o.findings).filter(|f| f.level == Level::Warning && f.id.starts_with("validity_"));
+    let mut named: Vec<Arg> = doubts.filter_map(|f| f.message.arg_named("name").cloned()).collect();
+    named.dedup();
+    let (result, verdict) = match verdict {
+        Verdict::Passed | Verdict::NoLimit if !named.is_empty() => {
+            (Message::new("validity-doubt").arg("names", Arg::List(named)), Verdict::Attention)
+        }
+        _ => (result, verdict),
     };
     Check { required, ..Check::new("check-validity", result, verdict) }
 }

@@ -26,11 +26,7 @@ pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context
     values.set("points", Value::Integer(ROWS), None);
     let mut wrong = Diagnostics::default();
     let Some(study) = RunUp::build(&values, system, &mut wrong) else { return Known::Refused(wrong.into_error()) };
-    match within(&study, system, context) {
-        Known::Yes(result) => study.report(system, &result, RunUp::KIND).map_or(Known::TooLong, Known::Yes),
-        Known::Refused(d) => Known::Refused(d),
-        Known::TooLong => Known::TooLong,
-    }
+    within(&study, system, context).and_then(|result| study.report(system, &result, RunUp::KIND).ok())
 }
 
 /// The largest displacement of each body on the run-ups of the file that begin below what is crossed and reach the operating speed; infinite where one of them

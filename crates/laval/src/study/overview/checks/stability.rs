@@ -5,6 +5,7 @@ use super::super::operating::{Operating, span};
 use super::super::worst::decrement;
 use super::super::{Facts, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
+use crate::study::Study;
 use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
 
