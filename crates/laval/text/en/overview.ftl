@@ -23,6 +23,7 @@ headline-unknown = Stability at { $speed } was not computed.
 headline-no-speed = No operating speed is set.
 headline-limit = Not met: { $checks }.
 headline-several = Which of several steady responses occurs depends on the run-up.
+headline-validity = Not all results are within validity.
 headline-resonance = The nearest resonance, { $resonance }, is only { $margin } away.
 headline-resonance-inside = The resonance at { $resonance } lies among the operating speeds.
 headline-near-instability = The nearest instability is only { $margin } away.

@@ -223,6 +223,7 @@ vibration-unstable = орныққан тербеліс жоқ: машина ор
 
 # Operating range, further checks and studies left out.
 headline-several = Бірнеше орныққан тербелістің қайсысы болатыны екпіндеуге байланысты.
+headline-validity = Барлық нәтиже жарамдылық шегінде емес.
 check-window = Жұмыс аралығы
 check-speed = Ең жоғары айналу жиілігі
 check-others = Басқа шектер

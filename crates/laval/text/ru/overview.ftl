@@ -23,6 +23,7 @@ headline-unknown = Устойчивость при { $speed } не рассчи�
 headline-no-speed = Рабочая частота вращения не задана.
 headline-limit = Не выполнено: { $checks }.
 headline-several = Какой из нескольких установившихся откликов возникнет, зависит от разгона.
+headline-validity = Не все результаты лежат в области применимости.
 headline-resonance = Ближайший резонанс, { $resonance }, отстоит всего на { $margin }.
 headline-resonance-inside = Резонанс при { $resonance } лежит среди рабочих частот вращения.
 headline-near-instability = Ближайшая неустойчивость отстоит всего на { $margin }.

@@ -223,6 +223,7 @@ why-same = xuddi shu sababga ko‘ra mavjud emas
 
 # Ish oralig‘i, oyna va chegaralar.
 headline-several = Bir nechta barqaror javobdan qaysi biri yuzaga kelishi tezlashishga bog‘liq.
+headline-validity = Natijalarning hammasi ham qo‘llanish sohasi ichida emas.
 check-window = Ish oynasi
 check-speed = Eng yuqori tezlik
 check-others = Boshqa chegaralar

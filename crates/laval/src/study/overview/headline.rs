@@ -74,6 +74,10 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             None
         };
         headline.extend(more);
+        if check("check-validity").is_some_and(|c| c.verdict == Verdict::Attention) {
+            verdict = verdict.max(Verdict::Attention);
+            headline.push(Message::new("headline-validity"));
+        }
     }
     let remarks = [here(page, speed), below(facts, over, speed), above(over, speed)];
     let next = next(facts, &page.checks, over, speed);
