@@ -127,7 +127,7 @@ distance-no-resonance = { $from ->
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
-       *[other] { $name } { $value }, static { $rest }
+       *[other] { $name } { $value } (static { $rest })
     }
 both = { $first }; { $second }
 vibration-sizes = { $sizes }

@@ -113,7 +113,7 @@ distance-no-resonance = { $from ->
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
-       *[other] { $name } { $value }, статикалық { $rest }
+       *[other] { $name } { $value } (статикалық { $rest })
     }
 both = { $first }; { $second }
 vibration-sizes = { $sizes }

@@ -126,7 +126,7 @@ distance-no-resonance = { $from ->
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
-       *[other] { $name } { $value }, статическая { $rest }
+       *[other] { $name } { $value } (статическая { $rest })
     }
 both = { $first }; { $second }
 vibration-sizes = { $sizes }
