@@ -168,6 +168,8 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: Operat
         out.push(Message::new("next-harm"));
     }
     let crosses = over.is_some_and(|o| o.unstable.iter().any(|u| u.to < speed.low) || o.resonances.iter().any(|r| r.speed < speed.low));
+    // no machine is run up to a speed at which it is unstable
+    let crosses = crosses && !checks.iter().any(|c| c.what.key == "check-stability" && checks::grows(c));
     if crosses && !runs("run_up") && facts.run_up.as_ref().and_then(Known::get).is_none() {
         out.push(Message::new("next-run-up"));
     }

@@ -79,11 +79,16 @@ impl<R> Known<R> {
         }
     }
 
-    /// That of the file where the page has no time for its own.
-    fn or_studied(self, found: impl FnOnce() -> Found<R>) -> Known<R> {
-        match self {
-            Known::TooLong => found().map_or(Known::TooLong, |(r, name)| Known::Studied(r, name)),
-            known => known,
+    /// That of the file where the page has no time for its own, or not for the whole of it.
+    fn or_studied(self, whole: impl FnOnce(&R) -> bool, found: impl FnOnce() -> Found<R>) -> Known<R> {
+        let open = match &self {
+            Known::TooLong => true,
+            Known::Yes(r) => !whole(r),
+            _ => false,
+        };
+        match open.then(found).flatten() {
+            Some((r, name)) => Known::Studied(r, name),
+            None => self,
         }
     }
 
@@ -203,7 +208,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let speed = RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(POINTS) };
     let modes = rated.map(|speed| {
         let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
-        let known = within(&study, system, context).or_studied(|| studied::modes(outcomes, speed));
+        let known = within(&study, system, context).or_studied(|r| r.end.is_complete(), || studied::modes(outcomes, speed));
         (study, known)
     });
     let ordered = |low: f64, high: f64, points: usize| {
@@ -213,13 +218,13 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let response = operating.map(|o| {
         let speed = ordered(o.low, o.high, if o.is_one() { 1 } else { OPERATING });
         let known = within(&ForcedResponse { speed }, system, context);
-        known.or_studied(|| studied::response(outcomes, Needed::of(o, sign)))
+        known.or_studied(|r| r.end.is_complete(), || studied::response(outcomes, Needed::of(o, sign)))
     });
     let needed = operating.map(|o| Needed::of(o, sign));
     let map =
         |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
     let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
-    let stability = stability.or_studied(|| studied::growth(outcomes, needed?));
+    let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
     let worst = operating.and_then(|o| {
         speed_range::known(&map(ordered(o.low, o.high, 2)), system).ok()?;
         worst::worst(system, o, sign, context)
@@ -245,13 +250,15 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     });
     let limits = limits::of(system);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
-    let criticals = criticals.or_studied(|| studied::criticals(outcomes, needed?, &limits.orders));
+    let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
     // slower waves of a liquid that nothing inside it damps are within rounding
     let fastest = range.1;
     let threshold = if system.domains(fastest).iter().any(Domain::undamped) { LEAST * fastest } else { 0.0 };
     let forced = match criticals {
         Known::Yes(_) | Known::Studied(..) => None,
-        _ => match within(&ForcedResponse { speed }, system, context).or_studied(|| studied::forced(outcomes, needed?)) {
+        _ => match within(&ForcedResponse { speed }, system, context)
+            .or_studied(|r| r.end.is_complete(), || studied::forced(outcomes, needed?))
+        {
             Known::Yes(r) | Known::Studied(r, _) => Some(r),
             _ => None,
         },
@@ -313,4 +320,19 @@ fn range(operating: Option<Operating>, sign: f64, speeds: &[SpinSpeeds]) -> (f64
         (from, to) = (10.0, 1000.0);
     }
     (from.max(SLOWEST * to), to)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A computation that the page ended early gives way to that of the file, a whole one does not; without a study what there is stays.
+    #[test]
+    fn a_study_of_the_file_replaces_what_ended_early() {
+        let own = |whole: bool| Known::Yes(1).or_studied(|_| whole, || Some((2, "map".to_string())));
+        assert!(matches!(own(false), Known::Studied(2, _)) && matches!(own(true), Known::Yes(1)));
+        assert!(matches!(Known::Yes(1).or_studied(|_| false, || None), Known::Yes(1)));
+        assert!(matches!(Known::<i32>::TooLong.or_studied(|_| true, || Some((2, "map".to_string()))), Known::Studied(2, _)));
+        assert!(matches!(Known::<i32>::TooLong.or_studied(|_| true, || None), Known::TooLong));
+    }
 }

@@ -45,7 +45,9 @@ pub(super) fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operati
 }
 
 pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, unstable: bool) -> Option<Check> {
-    let Some(over) = over.filter(|o| !o.growth.is_empty()) else {
+    // what ended early below the operating speeds tells nothing of them
+    let covered = |o: &&OverSpeed| ends(&o.growth_speed).is_some_and(|(_, high)| high >= speed.high * (1.0 - 1e-9));
+    let Some(over) = over.filter(|o| unstable || covered(o)) else {
         return Some(Check::new("check-instability", facts.stability.why(), Verdict::NotComputed));
     };
     let required = facts.operation.instability_margin.unwrap_or(MARGIN);
@@ -72,7 +74,9 @@ pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operat
 
 pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
     let set = facts.resonance_margin();
-    let Some(over) = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some()) else {
+    let over = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some());
+    let covered = |o: &&OverSpeed| facts.searched(o).1 >= speed.high * (1.0 - 1e-9);
+    let Some(over) = over.filter(covered) else {
         return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
     };
     let nearest = margins::resonance(over, speed);

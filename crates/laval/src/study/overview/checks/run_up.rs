@@ -67,17 +67,17 @@ fn nearest(facts: &Facts, sizes: &[(String, f64)]) -> Option<(f64, f64)> {
 }
 
 /// The lowest speed from which on it is known up to the operating speeds what a run-up crosses.
-fn known_from(facts: &Facts, over: Option<&OverSpeed>) -> Option<f64> {
+fn known_from(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<f64> {
     let over = over.filter(|o| !o.growth.is_empty() && (!o.response_speed.is_empty() || facts.criticals.get().is_some()))?;
-    let growth = ends(&over.growth_speed)?;
-    Some(growth.0.max(facts.searched(over).0))
+    let (growth, searched) = (ends(&over.growth_speed)?, facts.searched(over));
+    (growth.1.min(searched.1) >= speed.high * (1.0 - 1e-9)).then_some(growth.0.max(searched.0))
 }
 
 /// What a run-up to the operating speed crosses, and how far the bodies move: on the way, or at its end, where the steady response may still be larger. `steady`
 /// holds the displacements of that response; none where it is not stable.
 pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, steady: Vec<(String, f64)>) -> Option<Check> {
     let passing = simulated(facts, over, speed);
-    let lowest = known_from(facts, over);
+    let lowest = known_from(facts, over, speed);
     if lowest.is_none() && passing.is_empty() {
         let result = Message::new("run-up-unknown").arg("speed", Arg::speed(speed.low));
         return Some(Check::new("check-run-up", result, Verdict::NotComputed));
