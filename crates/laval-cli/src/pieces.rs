@@ -49,7 +49,7 @@ struct Long<'a> {
 
 /// Says how the long studies of a file divide.
 pub fn plan(args: &PlanArgs) -> u8 {
-    let (input, loaded) = match run::prepare(&args.request) {
+    let (input, loaded) = match run::prepare_studies(&args.request) {
         Ok(read) => read,
         Err(code) => return code,
     };

@@ -8,13 +8,16 @@ use laval::study::Progress;
 use laval::text;
 use laval::text::Text;
 use std::io::{self, IsTerminal};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, OnceLock, PoisonError};
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// Time before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
 /// Time between two lines.
 const CALM: Duration = Duration::from_secs(10);
+/// Time between two looks at a study that says nothing of itself.
+const LOOK: Duration = Duration::from_millis(500);
 /// Steps of a bar.
 const STEPS: u64 = 10_000;
 
@@ -76,16 +79,29 @@ impl Pace {
 
     /// `12 % done, about 40 s left`.
     fn words(&self, now: Instant) -> Text {
-        let done = match self.share() {
+        let done = self.done();
+        match self.left(now) {
+            Some(left) => text!("{done}, about {left} left", done, left = words(left)),
+            None => done,
+        }
+    }
+
+    fn done(&self) -> Text {
+        match self.share() {
             Some(share) => text!("{percent} % done", percent = format_args!("{:.0}", (100.0 * share).floor())),
             None => match self.before + self.done {
                 1 => text!("1 step done"),
                 steps => text!("{steps} steps done", steps),
             },
-        };
-        match self.left(now) {
-            Some(left) => text!("{done}, about {left} left", done, left = words(left)),
-            None => done,
+        }
+    }
+
+    /// The same of a study of which nothing new is known after some time.
+    fn waiting(&self, begun: Duration) -> Text {
+        let time = words(begun);
+        match self.total == 0 && self.before + self.done == 0 {
+            true => text!("computing for {time}", time),
+            false => text!("{done} after {time}", done = self.done(), time),
         }
     }
 }
@@ -102,8 +118,13 @@ fn words(t: Duration) -> Text {
     }
 }
 
-/// Shows the progress of one study on standard error.
+/// Shows the progress of one study on standard error, and that it still computes where it says nothing itself.
 pub struct Bar {
+    shown: Arc<Shown>,
+    clock: Mutex<Option<JoinHandle<()>>>,
+}
+
+struct Shown {
     name: String,
     quiet: bool,
     watched: bool,
@@ -112,13 +133,15 @@ pub struct Bar {
     /// When a line was written last, and which.
     said: Mutex<(Instant, String)>,
     bar: OnceLock<ProgressBar>,
+    finished: Mutex<bool>,
+    end: Condvar,
 }
 
 impl Bar {
     /// For the study `name`; `quiet` shows nothing.
     pub fn new(name: &str, quiet: bool) -> Bar {
         let now = Instant::now();
-        Bar {
+        let shown = Arc::new(Shown {
             name: plain::line(name).into_owned(),
             quiet,
             watched: io::stderr().is_terminal(),
@@ -126,6 +149,43 @@ impl Bar {
             pace: Mutex::new(Pace::new(now)),
             said: Mutex::new((now, String::new())),
             bar: OnceLock::new(),
+            finished: Mutex::new(false),
+            end: Condvar::new(),
+        });
+        let clock = shown.clone();
+        // without the thread progress is shown where the study reports it
+        let clock = if quiet { None } else { thread::Builder::new().name("progress".into()).spawn(move || clock.look()).ok() };
+        Bar { shown, clock: Mutex::new(clock) }
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        *self.shown.finished.lock().unwrap_or_else(PoisonError::into_inner) = true;
+        self.shown.end.notify_all();
+        if let Some(clock) = self.clock.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            let _ = clock.join();
+        }
+        if let Some(bar) = self.shown.bar.get() {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.finish();
+    }
+}
+
+impl Shown {
+    /// Shows from time to time that a study computes, until it has ended.
+    fn look(&self) {
+        let mut finished = self.finished.lock().unwrap_or_else(PoisonError::into_inner);
+        while !*finished {
+            finished = self.end.wait_timeout(finished, LOOK).unwrap_or_else(PoisonError::into_inner).0;
+            if !*finished {
+                self.update(|_| {});
+            }
         }
     }
 
@@ -154,17 +214,23 @@ impl Bar {
             if now.duration_since(self.begun) > PATIENCE {
                 let bar = self.bar.get_or_init(|| self.bar());
                 bar.set_position((pace.share().unwrap_or(0.0) * STEPS as f64) as u64);
-                bar.set_message(language::said(&pace.words(now)));
+                let known = pace.total > 0 || pace.before + pace.done > 0;
+                let words = if known { pace.words(now) } else { pace.waiting(now.duration_since(self.begun)) };
+                bar.set_message(language::said(&words));
             }
             return;
         }
         // whoever finds it locked knows that a line is being written
         let Ok(mut said) = self.said.try_lock() else { return };
-        let words = language::said(&pace.words(now));
-        if now.duration_since(said.0) >= CALM && words != said.1 {
-            terminal::complain(&format!("{}: {words}\n", self.name));
-            *said = (now, words);
+        if now.duration_since(said.0) < CALM {
+            return;
         }
+        let mut words = language::said(&pace.words(now));
+        if words == said.1 || pace.total == 0 && pace.before + pace.done == 0 {
+            words = language::said(&pace.waiting(now.duration_since(self.begun)));
+        }
+        terminal::complain(&format!("{}: {words}\n", self.name));
+        *said = (now, words);
     }
 
     fn say(&self, text: &Text) {
@@ -174,37 +240,30 @@ impl Bar {
             None => say(),
         }
     }
-
-    /// Takes the bar away.
-    pub fn finish(&self) {
-        if let Some(bar) = self.bar.get() {
-            bar.finish_and_clear();
-        }
-    }
 }
 
 impl Progress for Bar {
     fn report(&self, done: u64, total: u64) {
-        self.update(|p| p.report(done, total, Instant::now()));
+        self.shown.update(|p| p.report(done, total, Instant::now()));
     }
 
     fn part(&self, share: f64) {
-        self.update(|p| p.part = share);
+        self.shown.update(|p| p.part = share);
     }
 
     fn restored(&self, done: u64, total: u64) {
         // the rate counts from here: what is done already took another run
-        self.update(|p| *p = Pace { done, total, from: done as f64, ..Pace::new(Instant::now()) });
+        self.shown.update(|p| *p = Pace { done, total, from: done as f64, ..Pace::new(Instant::now()) });
     }
 
     fn job(&self, text: &Text) {
-        if !self.quiet {
-            self.say(text);
+        if !self.shown.quiet {
+            self.shown.say(text);
         }
     }
 
     fn note(&self, text: &Text) {
-        self.say(text);
+        self.shown.say(text);
     }
 }
 
@@ -230,6 +289,17 @@ mod tests {
         assert_eq!(p.words(after(300)), "75 % done, about 5 min left");
         let unknown = Pace { total: 0, done: 1234, ..p };
         assert_eq!(unknown.words(after(300)), "1234 steps done");
+    }
+
+    /// A study that reports nothing, or nothing new, is shown with the time since its beginning.
+    #[test]
+    fn what_says_nothing_is_shown_with_its_time() {
+        let mut p = Pace::new(Instant::now());
+        assert_eq!(p.waiting(Duration::from_secs(30)), "computing for 30 s");
+        (p.done, p.total) = (1, 4);
+        assert_eq!(p.waiting(Duration::from_secs(120)), "25 % done after 2 min");
+        p.total = 0;
+        assert_eq!(p.waiting(Duration::from_secs(20)), "1 step done after 20 s");
     }
 
     #[test]

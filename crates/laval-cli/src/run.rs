@@ -119,7 +119,8 @@ const KEEP_EVERY: Duration = Duration::from_secs(2);
 /// Runs the studies of a file.
 pub fn run(args: &Args) -> u8 {
     language::request(args.shown.lang);
-    let (input, loaded) = match prepare(&args.request) {
+    let read = if args.part.is_some() { prepare_studies(&args.request) } else { prepare(&args.request) };
+    let (input, loaded) = match read {
         Ok(read) => read,
         Err(code) => return code,
     };
@@ -142,7 +143,18 @@ pub fn collect(args: &CollectArgs) -> u8 {
     }
 }
 
-/// The file, and those of its studies that are requested; what is wrong is printed.
+/// The same of a file that must have a study.
+pub fn prepare_studies(args: &Request) -> Result<(Input, Loaded), u8> {
+    let (input, loaded) = prepare(args)?;
+    if loaded.studies.is_empty() {
+        let d = Diagnostic::error("request.studies", text!("{file} contains no study", file = args.file.display()));
+        input::complain(&d.help(text!("add a [[study]] block; laval studies lists the kinds")));
+        return Err(WRONG);
+    }
+    Ok((input, loaded))
+}
+
+/// The file, and those of its studies that are requested; what is wrong is printed. Without a study the first page alone is computed.
 pub fn prepare(args: &Request) -> Result<(Input, Loaded), u8> {
     let wrong = |d: Diagnostic| {
         input::complain(&d);
@@ -155,10 +167,6 @@ pub fn prepare(args: &Request) -> Result<(Input, Loaded), u8> {
     })?;
     if !args.quiet {
         input.complain(&loaded.warnings);
-    }
-    if loaded.studies.is_empty() {
-        let d = Diagnostic::error("request.studies", text!("{file} contains no study", file = args.file.display()));
-        return Err(wrong(d.help(text!("add a [[study]] block; laval studies lists the kinds"))));
     }
     let chosen = loaded.chosen(&args.only).map_err(wrong)?;
     let mut number = 0..;
@@ -273,7 +281,7 @@ impl<'a> Run<'a> {
         bar.finish();
         self.input.complain(&Diagnostics(refusals.iter().map(|r| r.diagnostic.clone()).collect()));
         let mut written = Instant::now();
-        let last = self.loaded.studies.len() - 1;
+        let count = self.loaded.studies.len();
         for (i, study) in self.loaded.studies.iter().enumerate() {
             if CANCEL.load(Ordering::Relaxed) {
                 let left: Vec<&str> = self.loaded.studies[i..].iter().map(|s| s.name.as_str()).collect();
@@ -289,7 +297,7 @@ impl<'a> Run<'a> {
                 }
                 None => self.study(study),
             }
-            if i < last && written.elapsed() > KEEP_EVERY && self.how.work == Work::Missing {
+            if i + 1 < count && written.elapsed() > KEEP_EVERY && self.how.work == Work::Missing {
                 if let Err(code) = self.write() {
                     return code;
                 }
@@ -371,7 +379,10 @@ impl<'a> Run<'a> {
         let context = Context { name: "summary", cancel: &CANCEL, progress: &Silent, work_limit: u64::MAX, keep: None };
         let system = &self.loaded.system;
         let speeds: Vec<_> = self.loaded.studies.iter().flat_map(|s| s.study.speeds(system)).collect();
+        // its computations are short, and only how long they take is shown
+        let bar = Bar::new("summary", self.args.quiet);
         self.report.overview = guarded(|| study::overview(system, &speeds, &self.report.outcomes, &context));
+        bar.finish();
         self.paragraph(&report::summary(&self.report, terminal::findings()));
     }
 

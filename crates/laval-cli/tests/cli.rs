@@ -192,7 +192,13 @@ fn what_is_no_machine_file() {
         dir.laval([command, "empty.toml"]).refused(&["no parts", "[machine]"]);
     }
     assert_eq!(dir.laval(["check", "idle.toml"]).done(), "ok: 3 parts, 2 coordinates, no studies\n");
-    dir.laval(["run", "idle.toml"]).refused(&["contains no study", "laval studies"]);
+    // the first page needs no study; parts of studies do
+    let said = dir.laval(["run", "idle.toml"]);
+    assert!(said.done().contains("Stability") && said.done().contains("[[study]]"), "{}", said.out);
+    let written = fs::read_to_string(dir.0.join("out/idle/report.html")).unwrap();
+    assert!(written.contains("class=\"chk\""), "no first page");
+    dir.laval(["run", "idle.toml", "--part", "1/2"]).refused(&["contains no study", "laval studies"]);
+    dir.laval(["plan", "idle.toml"]).refused(&["contains no study", "laval studies"]);
 }
 
 #[test]

@@ -33,6 +33,7 @@
 mod animation;
 mod figure;
 mod finding;
+mod kept;
 mod message;
 mod number;
 mod overview;
@@ -44,6 +45,7 @@ use crate::text::Argument;
 pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text, parameter_name};
 pub use finding::{Evidence, Finding, Level};
+pub use kept::Kept;
 pub use message::{Arg, Message, Quantity, Role};
 pub(crate) use number::quantity_to;
 pub use number::{quantity, significant, unit_text};
@@ -79,6 +81,8 @@ pub struct Outcome {
     pub special_points: Vec<SpecialPoint>,
     /// Work counters (steps, factorisations, residual calls): name to count, in order of name.
     pub work: BTreeMap<String, u64>,
+    /// The study and its result, where the first page may need them.
+    pub kept: Kept,
 }
 
 /// Name and unit of the quantity a study moves along.
@@ -104,6 +108,7 @@ impl Outcome {
             animations: Vec::new(),
             special_points: Vec::new(),
             work: BTreeMap::new(),
+            kept: Kept::default(),
         }
     }
 

@@ -273,8 +273,10 @@ fn remarks(page: &Overview, report: &Report) -> Vec<String> {
         ["unstable", "unstable_mode", "unstable_range", "largest_growth", "margin", "stability_unknown", "not_balanced", "refused"];
     // what studies of parameters say of their own sampling is no news of the machine
     let machine = report.outcomes.iter().filter(|o| o.kind != "uncertainty" && o.kind != "sensitivity");
-    let mut urgent: Vec<_> =
-        machine.flat_map(|o| &o.findings).filter(|f| f.level > Level::Info && !SAID.contains(&f.id.as_str())).collect();
+    // of balls the headline names the range without a stable state
+    let slip = page.headline.iter().any(|m| m.key == "headline-slip");
+    let known = |id: &str| SAID.contains(&id) || slip && id == "no_stable_state";
+    let mut urgent: Vec<_> = machine.flat_map(|o| &o.findings).filter(|f| f.level > Level::Info && !known(&f.id)).collect();
     urgent.sort_by_key(|f| std::cmp::Reverse(f.level));
     for f in urgent {
         let text = style.sentence(f);

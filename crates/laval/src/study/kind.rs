@@ -6,7 +6,7 @@ use super::shared::{headings, size, watch};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
-use crate::outcome::Outcome;
+use crate::outcome::{Kept, Outcome};
 use crate::text;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -58,6 +58,10 @@ pub trait Study: Send + Sync + Sized + 'static {
     /// # Errors
     /// A result that is not of this machine.
     fn report(&self, system: &System, result: &Self::Result, name: &str) -> Result<Outcome, Diagnostic>;
+    /// What the first page may need of a result.
+    fn keep(&self, _: Self::Result) -> Kept {
+        Kept::default()
+    }
 }
 
 /// Running a [`Study`], with its type known or forgotten: a machine that is too large, or beyond the tables of its parts, is
@@ -103,7 +107,12 @@ impl<T: Study> ErasedStudy for T {
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         speed_range::known(self, system)?;
-        let run = || self.report(system, &self.compute(system, context)?, context.name);
+        let run = || {
+            let result = self.compute(system, context)?;
+            let mut outcome = self.report(system, &result, context.name)?;
+            outcome.kept = self.keep(result);
+            Ok(outcome)
+        };
         let mut outcome = match watch::run(self, system, context, run)? {
             Ok(outcome) => outcome,
             Err(end) => return Ok(watch::nothing_shown::<T>(context.name, end)),

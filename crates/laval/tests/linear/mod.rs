@@ -2,6 +2,7 @@
 
 mod claims;
 mod criticals;
+mod first_page;
 mod liquid_force;
 mod matrices;
 mod memory;

@@ -1331,6 +1331,8 @@ diag-add-speed-8e93 = add speed
 diag-run-up-time-needs-an-operating-a26f = run_up_time needs an operating speed, which neither [operation] nor [machine] gives
 diag-operating-speeds-begin-above-standstill-and-7f11 = operating speeds begin above standstill and have one direction of rotation
 diag-give-from-and-to-of-the-908c = give from and to of the same sign
+diag-the-operating-speeds-must-go-from-00fe = the operating speeds must go from a lower to a higher value
+diag-from-is-and-to-is-exchange-b990 = from is { $from } and to is { $to }: exchange them
 diag-the-speed-of-machine-is-not-8ca9 = the speed of [machine], { $w }, is not among the operating speeds, { $low } to { $high }
 diag-give-the-speed-in-one-of-bf60 = give the speed in one of the two places, or change one of them
 
@@ -1486,10 +1488,12 @@ diag-could-not-print-the-report-90eb = { $browser } could not print the report: 
 
 ## laval-cli/src/progress.rs
 
+diag-about-left-b4f4 = { $done }, about { $left } left
 diag-done-a112 = { $percent } % done
 diag-1-step-done-2d12 = 1 step done
 diag-steps-done-0233 = { $steps } steps done
-diag-about-left-b4f4 = { $done }, about { $left } left
+diag-computing-for-ab42 = computing for { $time }
+diag-after-7501 = { $done } after { $time }
 diag-s-b884 = { $n } s
 diag-min-4434 = { $n } min
 diag-h-76f9 = { $n } h

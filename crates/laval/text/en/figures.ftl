@@ -13,6 +13,7 @@ label-between = { $label } { $from } to { $to }
 # A multiple of the spin speed.
 label-order = { $order }×
 label-mode = mode { $number }
+label-operating-margin = operating speed ± { $margin }
 
 # Linear studies.
 campbell-alt = Frequencies and growth rates of { $modes ->

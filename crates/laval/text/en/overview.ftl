@@ -23,6 +23,7 @@ headline-unknown = Stability at { $speed } was not computed.
 headline-no-speed = No operating speed is set.
 headline-limit = Not met: { $checks }.
 headline-several = Which of several steady responses occurs depends on the run-up.
+headline-validity = Not all results are within validity.
 headline-resonance = The nearest resonance, { $resonance }, is only { $margin } away.
 headline-resonance-inside = The resonance at { $resonance } lies among the operating speeds.
 headline-near-instability = The nearest instability is only { $margin } away.
@@ -30,6 +31,7 @@ headline-crosses = { $count ->
         [one] The run-up crosses an unstable range, { $from } to { $to }.
        *[other] The run-up crosses { $count } unstable ranges between { $from } and { $to }.
     }
+headline-slip = The run-up crosses { $from } to { $to } without a stable synchronous state.
 
 # Remarks below it.
 remark-here = At { $speed }
@@ -52,6 +54,7 @@ remark-jump = { $count ->
         [one] A slow run jumps at { $speeds }.
        *[other] A slow run jumps at { $speeds }.
     }
+remark-harm = From { $from } to { $to } the balls increase the unbalance up to { $times } times.
 remark-stability = { $text }.
 remark-vibration = Vibration: { $text }.
 remark-forces = Forces: { $text }.
@@ -85,11 +88,13 @@ stability-stable = { $modes ->
        *[other] all { $modes } modes decay, the slowest at { $decay }
     }
 stability-unstable = a mode grows by the factor e in { $time }
+stability-steady = the steady response is stable at this speed (nonlinear response)
+stability-decays = the slowest mode decays at { $decay }
 stability-unknown = no mode found grows, but some may be missing
 stability-slow = no growth above { $limit }; slower growth is not resolved
 stability-neutral = the least damped mode has no damping
-stability-balanced = the balanced state is stable from { $from } to { $to }
-stability-state = a state that does not balance is stable from { $from } to { $to }
+stability-balanced = the balanced state is stable
+stability-state = a state that does not balance is stable
 stability-no-state = no stable synchronous state at this speed
 stability-needs-stationary = balls move in the rotor: needs a study "stationary"
 stability-no-steady = no steady response is stable at this speed (nonlinear response)
@@ -97,34 +102,54 @@ stability-several = { $count } stable steady responses at this speed (nonlinear 
 stability-outside-study = the study "stationary" does not cover this speed
 stability-unstable-range = unstable at operating speeds: { $range }
 damping-least = logarithmic decrement { $decrement } at { $frequency }
-stability-mode = at { $frequency }, logarithmic decrement { $decrement }
+stability-mode = { $place ->
+        [none] at { $frequency }, logarithmic decrement { $decrement }
+       *[other] at { $frequency }, logarithmic decrement { $decrement }; the least stable operating speed is { $place }
+    }
 stability-no-mode = the machine has no mode
 distance-both = { $below } below, { $above } above
 distance-below = { $below } below, none above up to { $to }
 distance-above = none below, { $above } above
-distance-stable-throughout = none found from { $from } to { $to }
-distance-inside-unstable = the operating speed is in an unstable range
+distance-stable-throughout = { $from ->
+        [none] none found up to { $to }
+       *[other] none found from { $from } to { $to }
+    }
+distance-inside-unstable = { $open ->
+        [unknown] the operating speed is in an unstable range
+        [yes] inside, unstable from { $from } on
+       *[no] inside, unstable from { $from } to { $to }
+    }
 distance-inside = among the operating speeds: { $places }
-distance-no-resonance = none found from { $from } to { $to }
+distance-no-resonance = { $from ->
+        [none] none found up to { $to }
+       *[other] none found from { $from } to { $to }
+    }
 item = { $name } { $value }
+item-force = { $rest ->
+        [none] { $name } { $value }
+       *[other] { $name } { $value } (static { $rest })
+    }
+both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak } peak velocity
 velocity-is = largest { $value } (peak)
 vibration-nonlinear = largest stable response of the nonlinear machine
+vibration-states = largest stable state of the balls
 vibration-contact = linear; { $parts } would touch, and the amplitude is not valid
 forces-without = without nonlinear parts: { $parts }
 vibration-unbounded = undamped resonance at this speed
 forces-sizes = { $sizes }
+forces-with-rest = largest value over a turn with the static load, such as weight; the vibration is counted from the static deflection
 validity-none = no part states a limit
-validity-inside = { $share } of the limits used
-validity-elsewhere = inside at this speed ({ $share } used); outside at other speeds
-validity-outside-here = { $ratio } times the limit of a part
+validity-doubt = in doubt in the studies: { $names }
+validity-statement = { $part }, { $what }
+validity-inside = { $share } of the nearest limit: { $statement }
+validity-elsewhere = inside at this speed; outside in the studies: { $outside }
+validity-outside-here = { $ratio } times the limit: { $statement }
+validity-unbounded = exceeded without bound: { $statement }
 validity-nothing = no part was assessed at this speed
 validity-studies-inside = no study of the file found anything outside
-validity-studies = { $count ->
-        [one] one finding is outside the validity of its model
-       *[other] { $count } findings are outside the validity of their model
-    }
+validity-studies = outside in the studies: { $outside }
 window-none = no speed keeps all requirements
 window-ranges = { $ranges }
 speed-is = { $speed }
@@ -132,6 +157,7 @@ limits-left-out = not assessed on this page: { $names }
 balls-no-study = needs a study "stationary" or "transient"
 balls-left = { $left } left of { $without }
 run-up-computed = largest displacement { $value } ("{ $body }")
+run-up-steady = largest displacement { $value } ("{ $body }"), at the end of the run-up
 run-up-unknown = what lies below { $speed } is not known
 run-up-grows = in unstable ranges a disturbance grows up to { $factor } times
 run-up-diverges = the motion diverges
@@ -149,6 +175,7 @@ speed-span = { $from } – { $to }
 why-refused = not available for this machine: { $reason }
 why-same = not available for the same reason
 why-too-long = takes longer than a second; add the study to the file
+from-study = from the study "{ $study }"
 why-no-speed = no operating speed is set
 
 # What to do next.
@@ -157,9 +184,11 @@ next-unstable = Choose a speed outside the unstable range, or add damping; see t
 next-stability-map = Add a study "stability_map" to find stable speeds and the damping that is needed.
 next-resonance = Move the operating speed or the resonance apart by { $margin } or more, or add damping.
 next-balls = Add a study "stationary": at which speeds the balls balance.
+next-harm = Hold the balls during the run-up, or pass the speeds below the stable range quickly.
 next-run-up = Simulate the run-up: add a study "run_up".
 next-nonlinear = Add a study "nonlinear_response": the machine has nonlinear parts, and jumps are not excluded.
-next-limits = Set [limits] displacement and force to have the vibration assessed.
+next-limits = Set { $keys } in [limits]: the results without a limit are not assessed.
+next-studies = The file has no study: add [[study]] blocks, for instance { $kinds }; laval studies lists all kinds.
 
 # What the page leaves out.
 page-left-out = What this page leaves out

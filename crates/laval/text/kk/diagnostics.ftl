@@ -776,6 +776,8 @@ diag-done-a112 = { $percent } % орындалды
 diag-1-step-done-2d12 = 1 қадам орындалды
 diag-steps-done-0233 = { $steps } қадам орындалды
 diag-about-left-b4f4 = { $done }, шамамен { $left } қалды
+diag-computing-for-ab42 = есептелуде, { $time } өтті
+diag-after-7501 = { $done }, { $time } өтті
 diag-s-b884 = { $n } с
 diag-min-4434 = { $n } мин
 diag-h-76f9 = { $n } сағ
@@ -1275,6 +1277,8 @@ diag-add-speed-8e93 = speed қосыңыз
 
 diag-run-up-time-needs-an-operating-a26f = run_up_time үшін жұмыстық айналу жиілігі керек, ол [operation] бөлімінде де, [machine] бөлімінде де берілмеген
 diag-operating-speeds-begin-above-standstill-and-7f11 = жұмыстық айналу жиіліктері нөлден жоғары басталады, айналу бағыты бір болады
+diag-the-operating-speeds-must-go-from-00fe = жұмыстық айналу жиіліктері кіші мәннен үлкен мәнге қарай берілуі керек
+diag-from-is-and-to-is-exchange-b990 = from мәні { $from }, to мәні { $to }: орындарын ауыстырыңыз
 diag-give-from-and-to-of-the-908c = from мен to мәндерін бір таңбамен беріңіз
 diag-the-speed-of-machine-is-not-8ca9 = [machine] бөліміндегі айналу жиілігі { $w } жұмыстық айналу жиіліктерінің { $low } – { $high } аралығынан тыс
 diag-give-the-speed-in-one-of-bf60 = айналу жиілігін екі орынның бірінде беріңіз немесе бірін өзгертіңіз

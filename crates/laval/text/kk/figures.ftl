@@ -13,6 +13,7 @@ label-between = { $label }: { $from } – { $to }
 # A multiple of the spin speed.
 label-order = { $order }×
 label-mode = { $number }-мода
+label-operating-margin = жұмыстық айналу жиілігі ± { $margin }
 
 # Linear studies.
 campbell-alt = Айналу жиілігіне тәуелді { $modes ->

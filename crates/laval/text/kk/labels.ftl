@@ -381,7 +381,6 @@ term-onset = қозу
 term-open = ашық
 term-open-gap = ашық саңылау
 term-operating-speed = жұмыстық айналу жиілігі
-term-operating-speed-15 = жұмыстық айналу жиілігі ± 15 %
 term-operating-window = Жұмыс аралығы
 term-opposed = қарама-қарсы
 term-optimum = оптимум

@@ -29,6 +29,7 @@ headline-crosses = { $count ->
         [one] Екпіндеу орнықсыз аралықтан өтеді: { $from } – { $to }.
        *[other] Екпіндеу { $from } – { $to } аралығында жатқан { $count } орнықсыз аралықтан өтеді.
     }
+headline-slip = Екпіндеу орнықты синхронды күйі жоқ { $from } – { $to } аралығынан өтеді.
 
 # Remarks below it.
 remark-here = { $speed } кезінде
@@ -51,6 +52,7 @@ remark-jump = { $count ->
         [one] Айналу жиілігі баяу өзгергенде секіріс болатын мән: { $speeds }.
        *[other] Айналу жиілігі баяу өзгергенде секіріс болатын мәндер: { $speeds }.
     }
+remark-harm = { $from } – { $to } аралығында шариктер дисбалансты { $times } есеге дейін арттырады.
 remark-stability = { $text }.
 remark-vibration = Тербеліс: { $text }.
 remark-forces = Күштер: { $text }.
@@ -78,38 +80,60 @@ stability-stable = { $modes ->
        *[other] барлық { $modes } мода өшеді, ең баяуының өшу жылдамдығы { $decay }
     }
 stability-unstable = бір мода өседі, e есе өсу уақыты { $time }
+stability-steady = бұл айналу жиілігінде орныққан тербеліс орнықты (бейсызық тербеліс)
+stability-decays = ең баяу мода { $decay } жылдамдықпен өшеді
 stability-unknown = табылған ешбір мода өспейді, бірақ кейбірі табылмай қалуы мүмкін
 stability-slow = ешбір мода { $limit } мәнінен тез өспейді; одан баяу өсу анықталмайды
 stability-neutral = ең әлсіз демпферленген моданың демпферлеуі жоқ
-stability-balanced = теңгерілген күй { $from } – { $to } аралығында орнықты
-stability-state = роторды теңгермейтін күй { $from } – { $to } аралығында орнықты
+stability-balanced = теңгерілген күй орнықты
+stability-state = роторды теңгермейтін күй орнықты
 stability-no-state = бұл айналу жиілігінде орнықты синхронды күй жоқ
 stability-needs-stationary = роторда шариктер қозғалады: «stationary» зерттеуі қажет
-stability-mode = жиілігі { $frequency }, логарифмдік декременті { $decrement }
+stability-mode = { $place ->
+        [none] жиілігі { $frequency }, логарифмдік декременті { $decrement }
+       *[other] жиілігі { $frequency }, логарифмдік декременті { $decrement }; орнықтылығы ең төмен жұмыстық айналу жиілігі { $place }
+    }
 stability-no-mode = машинада мода жоқ
 distance-both = төменде { $below }, жоғарыда { $above }
 distance-below = төменде { $below }, жоғарыда { $to } мәніне дейін жоқ
 distance-above = төменде жоқ, жоғарыда { $above }
-distance-stable-throughout = { $from } – { $to } аралығында табылмады
-distance-inside-unstable = жұмыстық айналу жиілігі орнықсыз аралықта
-distance-no-resonance = { $from } – { $to } аралығында жоқ
+distance-stable-throughout = { $from ->
+        [none] { $to } мәніне дейін табылмады
+       *[other] { $from } – { $to } аралығында табылмады
+    }
+distance-inside-unstable = { $open ->
+        [unknown] жұмыстық айналу жиілігі орнықсыз аралықта
+        [yes] ішінде, { $from } мәнінен бастап орнықсыз
+       *[no] ішінде, { $from } – { $to } аралығында орнықсыз
+    }
+distance-no-resonance = { $from ->
+        [none] { $to } мәніне дейін табылмады
+       *[other] { $from } – { $to } аралығында табылмады
+    }
 item = { $name } { $value }
+item-force = { $rest ->
+        [none] { $name } { $value }
+       *[other] { $name } { $value } (статикалық { $rest })
+    }
+both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name }: жылдамдық шыңы { $peak }
 vibration-unbounded = бұл айналу жиілігінде демпферленбеген резонанс
 forces-sizes = { $sizes }
+forces-with-rest = салмақ сияқты статикалық жүктемемен қоса бір айналымдағы ең үлкен мәні; тербеліс статикалық иілуден саналған
 validity-none = ешбір бөлшектің шегі көрсетілмеген
-validity-inside = шектердің { $share } бөлігі пайдаланылған
-validity-elsewhere = бұл айналу жиілігінде шек ішінде ({ $share } пайдаланылған); басқа айналу жиіліктерінде шектен тыс
-validity-outside-here = бір бөлшек шегінің { $ratio } есесі
+validity-doubt = файл зерттеулерінде күмәнді: { $names }
+validity-statement = { $part }, { $what }
+validity-inside = ең жақын шектің { $share } бөлігі: { $statement }
+validity-elsewhere = бұл айналу жиілігінде шек ішінде; файл зерттеулерінде шектен тыс: { $outside }
+validity-outside-here = шектің { $ratio } есесі: { $statement }
+validity-unbounded = шектен шексіз асады: { $statement }
 validity-nothing = бұл айналу жиілігінде ешбір бөлшек бағаланбады
-validity-studies = { $count ->
-        [one] бір нәтиже өз моделінің жарамдылық шегінен тыс
-       *[other] { $count } нәтиже өз модельдерінің жарамдылық шегінен тыс
-    }
+validity-studies = файл зерттеулерінде шектен тыс: { $outside }
 balls-no-study = «stationary» немесе «transient» зерттеуі қажет
 balls-left = { $left } қалды, шариктерсіз { $without }
 run-up-computed = ең үлкен ығысу { $value } («{ $body }»)
+run-up-steady = ең үлкен ығысу { $value } («{ $body }»), екпіндеу соңында
 run-up-unknown = { $speed } мәнінен төмен не болатыны белгісіз
 run-up-free = резонанстан да, орнықсыз аралықтан да өтпейді
 run-up-resonances = { $count ->
@@ -125,6 +149,7 @@ speed-span = { $from } – { $to }
 why-refused = бұл машина үшін есептелмейді: { $reason }
 why-same = сол себептен есептелмейді
 why-too-long = бір секундтан ұзақ есептеледі; зерттеуді файлға қосыңыз
+from-study = «{ $study }» зерттеуі бойынша
 why-no-speed = жұмыстық айналу жиілігі берілмеген
 
 # What to do next.
@@ -133,9 +158,11 @@ next-unstable = Орнықсыз аралықтан тыс айналу жиіл
 next-stability-map = Орнықты айналу жиіліктерін және қажетті демпферлеуді табу үшін «stability_map» зерттеуін қосыңыз.
 next-resonance = Жұмыстық айналу жиілігі мен резонанстың арасын { $margin } немесе одан көп алшақтатыңыз немесе демпферлеу қосыңыз.
 next-balls = «stationary» зерттеуін қосыңыз: шариктер қандай айналу жиіліктерінде теңгереді.
+next-harm = Екпіндеу кезінде шариктерді ұстап тұрыңыз немесе орнықтылық аралығынан төменгі айналу жиіліктерінен жылдам өтіңіз.
 next-run-up = Екпіндеуді модельдеңіз: «run_up» зерттеуін қосыңыз.
 next-nonlinear = «nonlinear_response» зерттеуін қосыңыз: машинада бейсызық бөлшектер бар, секірістер болуы мүмкін.
-next-limits = Тербелісті бағалау үшін [limits] бөлімінде displacement және force беріңіз.
+next-limits = [limits] бөлімінде беріңіз: { $keys }; шегі жоқ нәтижелер бағаланбайды.
+next-studies = Файлда зерттеу жоқ: [[study]] бөлімдерін қосыңыз, мысалы { $kinds }; барлық түрін laval studies көрсетеді.
 
 # Headings of the page.
 page-checks = Тексерулер
@@ -196,6 +223,7 @@ vibration-unstable = орныққан тербеліс жоқ: машина ор
 
 # Operating range, further checks and studies left out.
 headline-several = Бірнеше орныққан тербелістің қайсысы болатыны екпіндеуге байланысты.
+headline-validity = Барлық нәтиже жарамдылық шегінде емес.
 check-window = Жұмыс аралығы
 check-speed = Ең жоғары айналу жиілігі
 check-others = Басқа шектер
@@ -208,6 +236,7 @@ stability-unstable-range = жұмыстық айналу жиіліктерін�
 damping-least = логарифмдік декременті { $decrement }, жиілігі { $frequency }
 distance-inside = жұмыстық айналу жиіліктерінің арасында: { $places }
 vibration-nonlinear = бейсызық машинаның ең үлкен орнықты тербелісі
+vibration-states = шариктердің орнықты күйлері бойынша ең үлкені
 vibration-contact = сызықты есеп; мына бөлшектер жанасар еді: { $parts }; амплитуда жарамсыз
 forces-without = бейсызық бөлшектерсіз: { $parts }
 window-none = ешбір айналу жиілігі барлық талапты орындамайды

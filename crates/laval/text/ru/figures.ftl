@@ -13,6 +13,7 @@ label-between = { $label } от { $from } до { $to }
 # A multiple of the spin speed.
 label-order = { $order }×
 label-mode = мода { $number }
+label-operating-margin = рабочая частота вращения ± { $margin }
 
 # Linear studies.
 campbell-alt = Частоты и инкременты { $modes ->

@@ -381,7 +381,6 @@ term-onset = возбуждение
 term-open = открыто
 term-open-gap = открытый зазор
 term-operating-speed = рабочая частота вращения
-term-operating-speed-15 = рабочая частота вращения ± 15 %
 term-operating-window = Рабочее окно
 term-opposed = шарики диаметрально противоположны
 term-optimum = оптимум

@@ -23,6 +23,7 @@ headline-unknown = Устойчивость при { $speed } не рассчи�
 headline-no-speed = Рабочая частота вращения не задана.
 headline-limit = Не выполнено: { $checks }.
 headline-several = Какой из нескольких установившихся откликов возникнет, зависит от разгона.
+headline-validity = Не все результаты лежат в области применимости.
 headline-resonance = Ближайший резонанс, { $resonance }, отстоит всего на { $margin }.
 headline-resonance-inside = Резонанс при { $resonance } лежит среди рабочих частот вращения.
 headline-near-instability = Ближайшая неустойчивость отстоит всего на { $margin }.
@@ -32,6 +33,7 @@ headline-crosses = { $count ->
         [few] Разгон проходит через { $count } неустойчивых диапазона между { $from } и { $to }.
        *[other] Разгон проходит через { $count } неустойчивых диапазонов между { $from } и { $to }.
     }
+headline-slip = Разгон проходит диапазон от { $from } до { $to } без устойчивого синхронного состояния.
 
 # Remarks below it.
 remark-here = При { $speed }
@@ -51,6 +53,7 @@ remark-resonance = Резонанс при { $speed }, «{ $body }» { $value }.
 remark-resonance-unbounded = Резонанс без демпфирования при { $speed }: амплитуда тела «{ $body }» не ограничена.
 remark-critical = Критическая частота вращения { $speed }.
 remark-jump = При медленном изменении частоты вращения отклик меняется скачком при { $speeds }.
+remark-harm = От { $from } до { $to } шарики увеличивают дисбаланс, самое большее в { $times } раза.
 remark-stability = { $text }.
 remark-vibration = Вибрация: { $text }.
 remark-forces = Силы: { $text }.
@@ -84,11 +87,13 @@ stability-stable = { $modes ->
        *[other] затухают все моды ({ $modes }), самая медленная со скоростью { $decay }
     }
 stability-unstable = мода растёт в e раз за { $time }
+stability-steady = установившийся отклик при этой частоте вращения устойчив (нелинейный отклик)
+stability-decays = самая медленная мода затухает со скоростью { $decay }
 stability-unknown = растущих мод не найдено, но некоторые могут быть пропущены
 stability-slow = нет роста быстрее { $limit }; более медленный не разрешается
 stability-neutral = наименее демпфированная мода не имеет демпфирования
-stability-balanced = уравновешенное состояние устойчиво от { $from } до { $to }
-stability-state = от { $from } до { $to } устойчиво состояние, которое не уравновешивает ротор
+stability-balanced = уравновешенное состояние устойчиво
+stability-state = устойчиво состояние, которое не уравновешивает ротор
 stability-no-state = устойчивого синхронного состояния при этой частоте вращения нет
 stability-needs-stationary = в роторе движутся шарики: нужен расчёт «stationary»
 stability-no-steady = ни один установившийся отклик при этой частоте вращения не устойчив (нелинейный отклик)
@@ -96,36 +101,55 @@ stability-several = устойчивых установившихся откли
 stability-outside-study = расчёт «stationary» не охватывает эту частоту вращения
 stability-unstable-range = неустойчиво при рабочих частотах вращения: { $range }
 damping-least = логарифмический декремент { $decrement } на частоте { $frequency }
-stability-mode = на частоте { $frequency }, логарифмический декремент { $decrement }
+stability-mode = { $place ->
+        [none] на частоте { $frequency }, логарифмический декремент { $decrement }
+       *[other] на частоте { $frequency }, логарифмический декремент { $decrement }; наименее устойчива рабочая частота вращения { $place }
+    }
 stability-no-mode = у машины нет мод
 distance-both = { $below } снизу, { $above } сверху
 distance-below = { $below } снизу, сверху нет до { $to }
 distance-above = снизу нет, { $above } сверху
-distance-stable-throughout = не найдена от { $from } до { $to }
-distance-inside-unstable = рабочая частота вращения лежит в неустойчивом диапазоне
+distance-stable-throughout = { $from ->
+        [none] не найдена до { $to }
+       *[other] не найдена от { $from } до { $to }
+    }
+distance-inside-unstable = { $open ->
+        [unknown] рабочая частота вращения лежит в неустойчивом диапазоне
+        [yes] внутри, неустойчиво от { $from } и выше
+       *[no] внутри, неустойчиво от { $from } до { $to }
+    }
 distance-inside = среди рабочих частот вращения: { $places }
-distance-no-resonance = нет в диапазоне от { $from } до { $to }
+distance-no-resonance = { $from ->
+        [none] нет до { $to }
+       *[other] нет в диапазоне от { $from } до { $to }
+    }
 item = { $name } { $value }
+item-force = { $rest ->
+        [none] { $name } { $value }
+       *[other] { $name } { $value } (статическая { $rest })
+    }
+both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak }, пик виброскорости
 velocity-is = наибольшее значение { $value } (пик)
 vibration-nonlinear = наибольший устойчивый отклик нелинейной машины
+vibration-states = наибольшее по устойчивым состояниям шариков
 vibration-contact = линейный расчёт; возник бы контакт ({ $parts }), амплитуда недействительна
 forces-without = без нелинейных элементов: { $parts }
 vibration-unstable = установившихся колебаний нет: машина неустойчива
 vibration-unbounded = резонанс без демпфирования при этой частоте вращения
 forces-sizes = { $sizes }
+forces-with-rest = наибольшее за оборот вместе со статической нагрузкой, например весом; вибрация отсчитана от статического прогиба
 validity-none = ни один элемент не указывает предела
-validity-inside = использовано { $share } пределов
-validity-elsewhere = в пределах при этой частоте вращения (использовано { $share }); при других — вне пределов
-validity-outside-here = отношение к пределу элемента { $ratio }
+validity-doubt = в расчётах файла под сомнением: { $names }
+validity-statement = { $part }, { $what }
+validity-inside = { $share } ближайшего предела: { $statement }
+validity-elsewhere = в пределах при этой частоте вращения; в расчётах файла вне пределов: { $outside }
+validity-outside-here = отношение к пределу { $ratio }: { $statement }
+validity-unbounded = предел превышен неограниченно: { $statement }
 validity-nothing = при этой частоте вращения не оценён ни один элемент
 validity-studies-inside = ни один расчёт файла не дал результатов вне области применимости
-validity-studies = вне области применимости модели { $count ->
-        [one] { $count } вывод
-        [few] { $count } вывода
-       *[other] { $count } выводов
-    }
+validity-studies = в расчётах файла вне пределов: { $outside }
 window-none = ни одна частота вращения не удовлетворяет всем требованиям
 window-ranges = { $ranges }
 speed-is = { $speed }
@@ -133,6 +157,7 @@ limits-left-out = на этой странице не оценены: { $names }
 balls-no-study = нужен расчёт «stationary» или «transient»
 balls-left = осталось { $left } из { $without }
 run-up-computed = наибольшее перемещение { $value } («{ $body }»)
+run-up-steady = наибольшее перемещение { $value } («{ $body }»), в конце разгона
 run-up-unknown = что лежит ниже { $speed }, неизвестно
 run-up-grows = в неустойчивых диапазонах возмущение растёт с коэффициентом до { $factor }
 run-up-diverges = движение расходится
@@ -154,6 +179,7 @@ speed-span = { $from } – { $to }
 why-refused = неприменимо к этой машине: { $reason }
 why-same = неприменимо по той же причине
 why-too-long = занимает больше секунды; добавьте расчёт в файл
+from-study = по расчёту «{ $study }»
 why-no-speed = рабочая частота вращения не задана
 
 # What to do next.
@@ -162,9 +188,11 @@ next-unstable = Выберите частоту вращения вне неус
 next-stability-map = Добавьте расчёт «stability_map», чтобы найти устойчивые частоты вращения и нужное демпфирование.
 next-resonance = Разведите рабочую частоту вращения и резонанс на { $margin } или больше либо добавьте демпфирование.
 next-balls = Добавьте расчёт «stationary»: при каких частотах вращения шарики уравновешивают ротор.
+next-harm = Удерживайте шарики при разгоне или быстро проходите частоты вращения ниже диапазона устойчивости.
 next-run-up = Рассчитайте разгон: добавьте расчёт «run_up».
 next-nonlinear = Добавьте расчёт «nonlinear_response»: в машине есть нелинейные элементы, скачки не исключены.
-next-limits = Задайте displacement и force в [limits], чтобы оценить вибрацию.
+next-limits = Задайте в [limits]: { $keys }; без предела результаты не оцениваются.
+next-studies = В файле нет расчётов: добавьте блоки [[study]], например { $kinds }; все виды показывает laval studies.
 page-left-out = Что не учтено на этой странице
 left-linear = Нелинейные элементы ({ $parts }) линеаризованы около положения равновесия; для больших колебаний и скачков нужен расчёт «nonlinear_response».
 left-linear-modes = Для устойчивости и мод нелинейные элементы ({ $parts }) линеаризованы около положения равновесия.

@@ -659,6 +659,8 @@ diag-done-a112 = { $percent } % bajarildi
 diag-1-step-done-2d12 = 1 qadam bajarildi
 diag-steps-done-0233 = { $steps } ta qadam bajarildi
 diag-about-left-b4f4 = { $done }, taxminan { $left } qoldi
+diag-computing-for-ab42 = hisoblanmoqda, { $time } o‘tdi
+diag-after-7501 = { $done }, { $time } o‘tdi
 diag-s-b884 = { $n } s
 diag-min-4434 = { $n } min
 diag-h-76f9 = { $n } soat
@@ -1233,6 +1235,8 @@ diag-add-speed-8e93 = speed qo‘shing
 
 diag-run-up-time-needs-an-operating-a26f = run_up_time uchun ish tezligi kerak, u [operation] blokida ham, [machine] blokida ham berilmagan
 diag-operating-speeds-begin-above-standstill-and-7f11 = ish tezliklari noldan katta qiymatdan boshlanadi va aylanish yo‘nalishi bitta
+diag-the-operating-speeds-must-go-from-00fe = ish tezliklari kichik qiymatdan katta qiymatga qarab berilishi kerak
+diag-from-is-and-to-is-exchange-b990 = from qiymati { $from }, to qiymati { $to }: o‘rnini almashtiring
 diag-give-from-and-to-of-the-908c = from va to ishorasi bir xil bo‘lsin
 diag-the-speed-of-machine-is-not-8ca9 = [machine] blokidagi tezlik { $w } ish tezliklari oralig‘ida emas: { $low } – { $high }
 diag-give-the-speed-in-one-of-bf60 = tezlikni ikki joydan birida bering yoki ulardan birini o‘zgartiring

@@ -13,6 +13,7 @@ label-between = { $label } { $from } – { $to }
 # Aylanish tezligining karralisi.
 label-order = { $order }×
 label-mode = { $number }-moda
+label-operating-margin = ish tezligi ± { $margin }
 
 # Chiziqli hisoblar.
 campbell-alt = Aylanish tezligi bo‘yicha { $modes } ta modaning chastotalari va o‘sish sur’atlari, { $criticals } ta kritik aylanish chastotasi bilan.{ $above ->

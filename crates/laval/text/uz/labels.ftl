@@ -383,7 +383,6 @@ term-onset = qo‘zg‘alish boshlanishi
 term-open = ochiq
 term-open-gap = ochiq tirqish
 term-operating-speed = ish tezligi
-term-operating-speed-15 = ish tezligi ± 15 %
 term-operating-window = Ish oynasi
 term-opposed = qarama-qarshi
 term-optimum = optimum

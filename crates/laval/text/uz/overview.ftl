@@ -29,6 +29,7 @@ headline-crosses = { $count ->
         [1] Tezlashish { $from } – { $to } noturg‘un oralig‘idan o‘tadi.
        *[other] Tezlashish { $from } va { $to } orasidagi { $count } ta noturg‘un oraliqdan o‘tadi.
     }
+headline-slip = Tezlashish turg‘un sinxron holati yo‘q { $from } – { $to } oralig‘idan o‘tadi.
 
 # Uning ostidagi izohlar.
 remark-here = { $speed } tezlikda
@@ -51,6 +52,7 @@ remark-jump = { $count ->
         [1] Sekin tezlashish yoki sekinlashishda sakrash: { $speeds }.
        *[other] Sekin tezlashish yoki sekinlashishda sakrashlar: { $speeds }.
     }
+remark-harm = { $from } – { $to } oralig‘ida sharchalar disbalansni { $times } martagacha oshiradi.
 remark-stability = { $text }.
 remark-vibration = Tebranish: { $text }.
 remark-forces = Kuchlar: { $text }.
@@ -78,35 +80,60 @@ stability-stable = { $modes ->
        *[other] barcha { $modes } ta moda so‘nadi, eng sekini { $decay } sur’at bilan
     }
 stability-unstable = moda { $time } ichida e marta o‘sadi
+stability-steady = bu tezlikda barqaror javob turg‘un (chiziqsiz javob)
+stability-decays = eng sekin moda { $decay } sur’at bilan so‘nadi
 stability-unknown = topilgan modalar o‘smaydi, lekin ba’zilari tushib qolgan bo‘lishi mumkin
 stability-slow = birorta ham moda { $limit } qiymatidan tez o‘smaydi; undan sekin o‘sish aniqlanmagan
 stability-neutral = eng kam so‘nuvchi modada so‘nish yo‘q
-stability-balanced = balansirlangan holat { $from } – { $to } oralig‘ida turg‘un
-stability-state = balansirlamaydigan holat { $from } – { $to } oralig‘ida turg‘un
+stability-balanced = balanslangan holat turg‘un
+stability-state = rotorni balanslamaydigan holat turg‘un
 stability-no-state = bu tezlikda turg‘un sinxron holat yo‘q
 stability-needs-stationary = sharchalar rotor ichida harakatlanadi: "stationary" hisobi kerak
-stability-mode = chastotasi { $frequency }, logarifmik dekrement { $decrement }
+stability-mode = { $place ->
+        [none] chastotasi { $frequency }, logarifmik dekrement { $decrement }
+       *[other] chastotasi { $frequency }, logarifmik dekrement { $decrement }; eng kam turg‘un ish tezligi { $place }
+    }
 stability-no-mode = mashinada moda yo‘q
 distance-both = pastda { $below }, yuqorida { $above }
 distance-below = pastda { $below }, yuqorida { $to } tezlikkacha yo‘q
 distance-above = pastda yo‘q, yuqorida { $above }
-distance-stable-throughout = { $from } – { $to } oralig‘ida topilmadi
-distance-inside-unstable = ish tezligi noturg‘un oraliqda
-distance-no-resonance = { $from } – { $to } oralig‘ida yo‘q
+distance-stable-throughout = { $from ->
+        [none] { $to } tezlikkacha topilmadi
+       *[other] { $from } – { $to } oralig‘ida topilmadi
+    }
+distance-inside-unstable = { $open ->
+        [unknown] ish tezligi noturg‘un oraliqda
+        [yes] ichida, { $from } tezlikdan boshlab noturg‘un
+       *[no] ichida, { $from } dan { $to } gacha noturg‘un
+    }
+distance-no-resonance = { $from ->
+        [none] { $to } tezlikkacha topilmadi
+       *[other] { $from } – { $to } oralig‘ida topilmadi
+    }
 item = { $name } { $value }
+item-force = { $rest ->
+        [none] { $name } { $value }
+       *[other] { $name } { $value } (statik { $rest })
+    }
+both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name }: tezlik amplitudasi { $peak }
 vibration-unbounded = bu tezlikda so‘nishsiz rezonans
 forces-sizes = { $sizes }
+forces-with-rest = og‘irlik kabi statik yuklama bilan birga bir aylanishdagi eng katta qiymat; tebranish statik egilishdan hisoblangan
 validity-none = birorta ham qism chegara bermaydi
-validity-inside = chegaralarning { $share } qismi ishlatilgan
-validity-elsewhere = bu tezlikda ichida ({ $share } ishlatilgan); boshqa tezliklarda tashqarida
-validity-outside-here = qism chegarasining { $ratio } barobari
+validity-doubt = fayl hisoblarida shubhali: { $names }
+validity-statement = { $part }, { $what }
+validity-inside = eng yaqin chegaraning { $share } qismi: { $statement }
+validity-elsewhere = bu tezlikda ichida; fayl hisoblarida tashqarida: { $outside }
+validity-outside-here = chegaraning { $ratio } barobari: { $statement }
+validity-unbounded = chegara cheksiz oshib ketgan: { $statement }
 validity-nothing = bu tezlikda birorta ham qism baholanmagan
-validity-studies = { $count } ta xulosa o‘z modelining qo‘llanish sohasidan tashqarida
+validity-studies = fayl hisoblarida tashqarida: { $outside }
 balls-no-study = "stationary" yoki "transient" hisobi kerak
 balls-left = { $without } disbalansdan { $left } qoldi
 run-up-computed = eng katta siljish { $value } ("{ $body }" jismi)
+run-up-steady = eng katta siljish { $value } ("{ $body }" jismi), tezlashish oxirida
 run-up-unknown = { $speed } tezlikdan pastda nima borligi noma’lum
 run-up-free = rezonanslardan ham, noturg‘un oraliqlardan ham o‘tmaydi
 run-up-resonances = { $count ->
@@ -121,6 +148,7 @@ run-up-both = { $count ->
 speed-span = { $from } – { $to }
 why-refused = bu mashina uchun mumkin emas: { $reason }
 why-too-long = bir soniyadan ko‘p vaqt oladi; hisobni faylga qo‘shing
+from-study = "{ $study }" hisobi bo‘yicha
 why-no-speed = ish tezligi berilmagan
 
 # Keyin nima qilish kerak.
@@ -129,9 +157,11 @@ next-unstable = Noturg‘un oraliqdan tashqaridagi tezlikni tanlang yoki so‘nd
 next-stability-map = Turg‘un tezliklarni va zarur so‘ndirishni topish uchun "stability_map" hisobini qo‘shing.
 next-resonance = Ish tezligi va rezonans orasini { $margin } yoki undan ko‘proq qiling yoki so‘ndirish qo‘shing.
 next-balls = "stationary" hisobini qo‘shing: sharchalar qaysi tezliklarda balansirlashini ko‘rsatadi.
+next-harm = Tezlashishda sharchalarni ushlab turing yoki turg‘unlik oralig‘idan pastdagi tezliklardan tez o‘ting.
 next-run-up = Tezlashishni modellashtiring: "run_up" hisobini qo‘shing.
 next-nonlinear = "nonlinear_response" hisobini qo‘shing: mashinada chiziqsiz qismlar bor, sakrashlar istisno emas.
-next-limits = Tebranish baholanishi uchun [limits] bo‘limida displacement va force chegaralarini bering.
+next-limits = [limits] bo‘limida bering: { $keys }; chegarasi yo‘q natijalar baholanmaydi.
+next-studies = Faylda hisob yo‘q: [[study]] bloklarini qo‘shing, masalan { $kinds }; barcha turlarini laval studies ko‘rsatadi.
 
 # Sahifa sarlavhalari.
 page-checks = Tekshiruvlar
@@ -193,6 +223,7 @@ why-same = xuddi shu sababga ko‘ra mavjud emas
 
 # Ish oralig‘i, oyna va chegaralar.
 headline-several = Bir nechta barqaror javobdan qaysi biri yuzaga kelishi tezlashishga bog‘liq.
+headline-validity = Natijalarning hammasi ham qo‘llanish sohasi ichida emas.
 check-window = Ish oynasi
 check-speed = Eng yuqori tezlik
 check-others = Boshqa chegaralar
@@ -205,6 +236,7 @@ stability-unstable-range = ish tezliklarida noturg‘un: { $range }
 damping-least = logarifmik dekrement { $decrement }, chastota { $frequency }
 distance-inside = ish tezliklari orasida: { $places }
 vibration-nonlinear = chiziqsiz mashinaning eng katta turg‘un javobi
+vibration-states = sharchalarning turg‘un holatlari bo‘yicha eng kattasi
 vibration-contact = chiziqli; kontakt yuzaga kelar edi ({ $parts }), amplituda haqiqiy emas
 forces-without = chiziqsiz qismlarsiz: { $parts }
 window-none = birorta tezlik ham barcha talablarni bajarmaydi

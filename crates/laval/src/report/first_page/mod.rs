@@ -55,7 +55,7 @@ pub(super) fn sentence(style: &Style, m: &Message) -> String {
     }
 }
 
-/// Banner, checks, machine; the figure over the speed comes from the caller, who draws all figures alike.
+/// Banner, what to do next, checks, machine; the figure over the speed comes from the caller, who draws all figures alike.
 pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
     let say = |m: &Message| escape(&style.message(m));
     let title = |key: &str| escape(&style.message(&Message::new(key)));
@@ -69,7 +69,9 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
         }
         s.push_str("</ul>\n");
     }
-    s.push_str("</div>\n<div class=\"two\">\n");
+    s.push_str("</div>\n");
+    listed(s, "page-next", &page.next, style);
+    s.push_str("<div class=\"two\">\n");
     if !page.checks.is_empty() {
         let _ = write!(
             s,
@@ -108,7 +110,7 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
     s.push_str("</div>\n");
 }
 
-/// Modes, what to do next, what the page leaves out.
+/// Modes, what the page leaves out.
 pub(super) fn tail(s: &mut String, page: &Overview, style: &Style) {
     if let (Some(speed), false) = (page.operating, page.modes.is_empty()) {
         let heading = style.message(&Message::new("page-modes").arg("speed", Arg::speed(speed)));
@@ -116,11 +118,17 @@ pub(super) fn tail(s: &mut String, page: &Overview, style: &Style) {
         shapes::modes(s, page, style);
         s.push_str("</section>\n");
     }
-    for (key, list) in [("page-next", &page.next), ("page-left-out", &page.left_out)].into_iter().filter(|l| !l.1.is_empty()) {
-        let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", escape(&style.message(&Message::new(key))));
-        for m in list {
-            let _ = writeln!(s, "<li>{}</li>", escape(&style.message(m)));
-        }
-        s.push_str("</ul></section>\n");
+    listed(s, "page-left-out", &page.left_out, style);
+}
+
+/// Sentences under a heading; nothing without sentences.
+fn listed(s: &mut String, heading: &str, list: &[Message], style: &Style) {
+    if list.is_empty() {
+        return;
     }
+    let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", escape(&style.message(&Message::new(heading))));
+    for m in list {
+        let _ = writeln!(s, "<li>{}</li>", escape(&style.message(m)));
+    }
+    s.push_str("</ul></section>\n");
 }

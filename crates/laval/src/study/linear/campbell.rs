@@ -18,12 +18,12 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Kept, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table};
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
 use crate::solve::roots::{LEAST, transcendental};
-use crate::solve::sweep::{Branch, Sweep, sweep};
+use crate::solve::sweep::{Branch, Strongest, Sweep, sweep};
 use crate::study::shared::region;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -121,6 +121,7 @@ pub(in crate::study) fn critical_table(found: &[Critical]) -> Result<Table, Diag
 }
 
 /// See the [module](self).
+#[derive(Clone)]
 pub struct Campbell {
     /// Speeds, rad/s.
     pub speed: RangeValue,
@@ -223,6 +224,7 @@ orders = [1, 2]
         Ok(CampbellResult {
             speeds: found.points.iter().map(|p| p.0).collect(),
             branches: found.branches,
+            strongest: found.strongest,
             ambiguous: found.ambiguous,
             worst_assurance: found.worst_assurance,
             crossings,
@@ -245,6 +247,10 @@ orders = [1, 2]
         }
         outcome.checked().map_err(inconsistent)
     }
+
+    fn keep(&self, result: Self::Result) -> Kept {
+        Kept::of(self.clone(), result)
+    }
 }
 
 /// Modes followed over the spin speed, and the speeds where they meet the excitation lines.
@@ -254,6 +260,8 @@ pub struct CampbellResult {
     pub speeds: Vec<f64>,
     /// The modes, each over the speeds at which it was followed.
     pub branches: Vec<Branch>,
+    /// The mode that grows most at every speed computed.
+    pub strongest: Vec<Strongest>,
     /// Steps, from speed to speed, that were accepted although shapes had mixed.
     pub ambiguous: Vec<(f64, f64)>,
     /// Smallest assurance with which a step was accepted.

@@ -15,13 +15,14 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Arg, End, Finding, Outcome, SpecialPoint, Table};
+use crate::outcome::{Arg, End, Finding, Kept, Outcome, SpecialPoint, Table};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Curve, Extremum, above, curve, seeds};
 use crate::solve::linear_response::Response;
 use crate::solve::rest::rest;
 use crate::solve::sweep::Strongest;
+use crate::study::shared::operation;
 use crate::study::shared::probes;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -31,6 +32,7 @@ use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
+#[derive(Clone)]
 pub struct CriticalSpeeds {
     /// Speeds searched, rad/s.
     pub speed: RangeValue,
@@ -44,7 +46,7 @@ impl Study for CriticalSpeeds {
     type Result = CriticalSpeedsResult;
     const KIND: &'static str = "critical_speeds";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
-margin = 0.15
+margin = "20 %"
 "#;
     const DOC: &'static str = "Critical speeds, solved for on the dynamic stiffness of the machine, with the peaks of the unbalance response beside \
         them and the distance to the operating speed.";
@@ -54,14 +56,15 @@ margin = 0.15
         Field::optional(
             "margin",
             FieldKind::Quantity { unit: "", bounds: Bounds::up_to(1.0) },
-            "0.15",
-            "distance from lightly damped critical speeds, relative to the operating speed, that it should keep",
+            "",
+            "distance from lightly damped critical speeds, relative to the operating speed, that it should keep; resonance_margin of [operation], clearance of [limits], or 15 %, where absent",
         ),
     ];
 
-    fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
-        Some(CriticalSpeeds { speed, orders: orders(values), margin: values.number("margin").unwrap_or(0.15) })
+        let margin = values.number("margin").or_else(|| operation::required_margin(system)).unwrap_or(operation::MARGIN);
+        Some(CriticalSpeeds { speed, orders: orders(values), margin })
     }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
@@ -117,6 +120,10 @@ margin = 0.15
         }
         outcome = outcome.table(critical_table(&result.crossings)?).table(shown.peak_table()?);
         outcome.checked().map_err(inconsistent)
+    }
+
+    fn keep(&self, result: Self::Result) -> Kept {
+        Kept::of(self.clone(), result)
     }
 }
 

@@ -14,7 +14,7 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
     let Some(speed) = facts.operating else {
         page.verdict = Verdict::NotComputed;
         page.headline = vec![Message::new("headline-no-speed")];
-        page.next = vec![Message::new("next-speed")];
+        page.next = [Message::new("next-speed")].into_iter().chain(studies(facts)).collect();
         return;
     };
     let at = |key: &str| Message::new(key).arg("speed", speed.arg());
@@ -57,12 +57,15 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             verdict = verdict.max(Verdict::Attention);
             margins::resonance(o, speed)
                 .place(speed)
-                .map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
+                .map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m).digits(2)).arg("resonance", Arg::speed(p)))
         } else if set {
             None
         } else if let Some(m) = near("check-instability") {
             verdict = verdict.max(Verdict::Attention);
-            Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m)))
+            Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m).digits(2)))
+        } else if let Some((from, to)) = checks::ranges(facts, "no_stable_state").into_iter().find(|r| r.0 < speed.low && facts.balls) {
+            verdict = verdict.max(Verdict::Attention);
+            Some(Message::new("headline-slip").arg("from", Arg::speed(from)).arg("to", Arg::speed(to)))
         } else if let (Some(first), Some(last)) = (crossed.first(), crossed.last()) {
             verdict = verdict.max(Verdict::Attention);
             let m = Message::new("headline-crosses").arg("count", Arg::count(crossed.len()));
@@ -71,8 +74,12 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             None
         };
         headline.extend(more);
+        if check("check-validity").is_some_and(|c| c.verdict == Verdict::Attention) {
+            verdict = verdict.max(Verdict::Attention);
+            headline.push(Message::new("headline-validity"));
+        }
     }
-    let remarks = [here(page, speed), below(over, speed), above(over, speed)];
+    let remarks = [here(page, speed), below(facts, over, speed), above(over, speed)];
     let next = next(facts, &page.checks, over, speed);
     (page.verdict, page.headline, page.next) = (verdict, headline, next);
     page.remarks = remarks.into_iter().flatten().collect();
@@ -98,7 +105,11 @@ fn span(key: &str, u: &Unstable) -> Message {
 }
 
 /// On the way up.
-fn below(over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Message>)> {
+fn below(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Message>)> {
+    if let Some((from, to, times)) = checks::harm(facts, speed.low).filter(|_| facts.balls) {
+        let harm = Message::new("remark-harm").arg("from", Arg::speed(from)).arg("to", Arg::speed(to));
+        return Some((Message::new("remark-below"), vec![harm.arg("times", Arg::number(times))]));
+    }
     let over = over?;
     let mut out: Vec<Message> = over.unstable.iter().filter(|u| u.to < speed.low).map(|u| span("remark-unstable", u)).collect();
     for r in over.resonances.iter().filter(|r| r.speed < speed.low) {
@@ -153,16 +164,44 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: Operat
     }
     if verdict("check-balls") == Some(Verdict::NotComputed) {
         out.push(Message::new("next-balls"));
+    } else if facts.balls && checks::harm(facts, speed.low).is_some() {
+        out.push(Message::new("next-harm"));
     }
     let crosses = over.is_some_and(|o| o.unstable.iter().any(|u| u.to < speed.low) || o.resonances.iter().any(|r| r.speed < speed.low));
+    // no machine is run up to a speed at which it is unstable
+    let crosses = crosses && !checks.iter().any(|c| c.what.key == "check-stability" && checks::grows(c));
     if crosses && !runs("run_up") && facts.run_up.as_ref().and_then(Known::get).is_none() {
         out.push(Message::new("next-run-up"));
     }
     if nonlinear && !runs("nonlinear_response") && verdict("check-balls").is_none() {
         out.push(Message::new("next-nonlinear"));
     }
-    if checks.iter().any(|c| c.verdict == Verdict::NoLimit && (c.what.key == "check-vibration" || c.what.key == "check-forces")) {
-        out.push(Message::new("next-limits"));
+    // keys of limits without which a result is not assessed; a limit on the velocity assesses the vibration as well
+    let open = |name: &str| verdict(name) == Some(Verdict::NoLimit);
+    let keys = [
+        (open("check-vibration") && facts.limits.velocity.is_empty(), "displacement"),
+        (open("check-forces") && facts.limits.force.is_empty(), "force"),
+        (open("check-run-up"), "passage_displacement"),
+    ];
+    let keys: Vec<&str> = keys.iter().filter(|k| k.0).map(|k| k.1).collect();
+    if !keys.is_empty() {
+        out.push(Message::new("next-limits").arg("keys", Arg::names(keys)));
+    }
+    // the proposal of single studies says the same of one of them
+    if facts.outcomes.is_empty() {
+        out.retain(|m| m.key != "next-nonlinear" && m.key != "next-balls");
+        out.extend(studies(facts));
     }
     out
+}
+
+/// Studies for a file that has none.
+fn studies(facts: &Facts) -> Option<Message> {
+    let nonlinear = facts.system.slots().iter().any(|s| !s.is_linear());
+    let kinds: &[&str] = match (facts.balls, nonlinear) {
+        (true, _) => &["stationary", "transient"],
+        (false, true) => &["campbell", "forced_response", "nonlinear_response"],
+        (false, false) => &["campbell", "forced_response"],
+    };
+    facts.outcomes.is_empty().then(|| Message::new("next-studies").arg("kinds", Arg::names(kinds.iter().copied())))
 }

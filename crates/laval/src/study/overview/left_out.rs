@@ -1,6 +1,6 @@
 //! What the page does not take into account.
 
-use super::{Facts, NEAR, POINTS};
+use super::{Facts, NEAR};
 use crate::model::system::Drive;
 use crate::outcome::{Arg, Message};
 use crate::study::Study;
@@ -22,10 +22,10 @@ pub(super) fn left_out(facts: &Facts) -> Vec<Message> {
     if system.machine.drive == Drive::Prescribed {
         out.push(Message::new("left-drive"));
     }
-    if let (Some(row), false) = (facts.stability.get().and_then(|r| r.rows.first()), facts.balls) {
+    if let (Some(row), false) = (facts.stability.get(), facts.balls) {
         // edges are located between samples that differ; a range between two samples is not seen
-        let step = (facts.range.1 - facts.range.0) / (POINTS - 1) as f64;
-        let step = if row.samples.len() < POINTS / 2 { facts.range.1 - facts.range.0 } else { step };
+        let step = row.samples.windows(2).map(|pair| pair[1].speed - pair[0].speed).fold(0.0, f64::max);
+        let step = if step > 0.0 { step } else { facts.range.1 - facts.range.0 };
         let near = facts.near.as_ref().and(facts.operating);
         let fine = near.map(|o| ((1.0 + super::ABOUT) * o.high - (1.0 - super::ABOUT) * o.low) / (NEAR - 1) as f64);
         let m = Message::new(if fine.is_some() { "left-steps-near" } else { "left-steps" }).arg("step", Arg::speed(step).digits(2));

@@ -1,7 +1,8 @@
 //! The first page of a report: whether the machine may run at its speed, how far trouble is, and what it does over the speed.
 //!
 //! Computed from the machine itself with the linear studies ([`Modes`], [`StabilityMap`], [`CriticalSpeeds`]), each within [`SECOND`], and from
-//! what the studies of the file found. A check that would take longer is named and not computed.
+//! what the studies of the file found. What would take longer is taken from a study of the file that computed it; without one the check is named and
+//! not computed.
 //!
 //! Validity: small motions about the equilibrium; what a nonlinear study of the file found is stated beside it.
 
@@ -14,18 +15,22 @@ mod nonlinear;
 mod operating;
 mod over_speed;
 mod shapes;
+mod studied;
+mod worst;
 
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::outcome::{Message, Outcome, Overview};
-use crate::solve::roots::LEAST;
+use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
+use crate::solve::rest::rest;
+use crate::solve::roots::{LEAST, transcendental};
+use crate::solve::stability::{Row, row};
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
 use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult};
 use crate::study::linear::modes::{Modes, ModesResult};
-use crate::study::linear::stability_map::{StabilityMap, StabilityMapResult};
+use crate::study::linear::stability_map::StabilityMap;
 use crate::study::shared::limits::{self, Limits};
 pub(super) use crate::study::shared::operation::MARGIN;
 use crate::study::shared::operation::{self, Operation};
@@ -33,8 +38,11 @@ use crate::study::shared::speed_range::{self, SpinSpeeds};
 use crate::study::shared::stations::Stations;
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
+use laval_num::order::ascending;
 use laval_num::work::watched;
 use operating::Operating;
+use studied::{Found, Needed};
+use worst::Worst;
 
 /// Most units of work of one check, about a second.
 const SECOND: u64 = 1_000_000_000;
@@ -55,6 +63,8 @@ const OPERATING: usize = 40;
 pub(super) enum Known<R> {
     /// Its result.
     Yes(R),
+    /// That of a study of the file, and the study's name.
+    Studied(R, String),
     /// The machine cannot answer it, and why.
     Refused(Diagnostic),
     /// It takes longer.
@@ -64,7 +74,38 @@ pub(super) enum Known<R> {
 impl<R> Known<R> {
     fn get(&self) -> Option<&R> {
         match self {
-            Known::Yes(r) => Some(r),
+            Known::Yes(r) | Known::Studied(r, _) => Some(r),
+            _ => None,
+        }
+    }
+
+    /// That of the file where the page has no time for its own, or not for the whole of it.
+    fn or_studied(self, whole: impl FnOnce(&R) -> bool, found: impl FnOnce() -> Found<R>) -> Known<R> {
+        let open = match &self {
+            Known::TooLong => true,
+            Known::Yes(r) => !whole(r),
+            _ => false,
+        };
+        match open.then(found).flatten() {
+            Some((r, name)) => Known::Studied(r, name),
+            None => self,
+        }
+    }
+
+    /// With another form of its result.
+    fn and_then<S>(self, form: impl FnOnce(R) -> Option<S>) -> Known<S> {
+        match self {
+            Known::Yes(r) => form(r).map_or(Known::TooLong, Known::Yes),
+            Known::Studied(r, name) => form(r).map_or(Known::TooLong, |s| Known::Studied(s, name)),
+            Known::Refused(d) => Known::Refused(d),
+            Known::TooLong => Known::TooLong,
+        }
+    }
+
+    /// Where it was taken from, unless the page computed it.
+    fn source(&self) -> Option<Message> {
+        match self {
+            Known::Studied(_, name) => Some(Message::new("from-study").arg("study", Arg::name(name))),
             _ => None,
         }
     }
@@ -78,6 +119,12 @@ impl<R> Known<R> {
     }
 }
 
+/// The lowest and the highest of some speeds.
+fn ends(speeds: &[f64]) -> Option<(f64, f64)> {
+    let (low, high) = speeds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), w| (a.min(*w), b.max(*w)));
+    (low <= high).then_some((low, high))
+}
+
 fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::Result> {
     let run = || {
         // coefficients beyond a table that refuses them are not known
@@ -85,6 +132,14 @@ fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::R
         study.admit(system)?;
         study.compute(system, context)
     };
+    limited(context, run)
+}
+
+/// A computation of about a second; none under a work limit of 0, with which the page rests on the studies of the file alone.
+fn limited<R>(context: &Context, run: impl FnOnce() -> Result<R, Diagnostic>) -> Known<R> {
+    if context.work_limit == 0 {
+        return Known::TooLong;
+    }
     match watched(Some(context.cancel), SECOND, run) {
         Ok(Ok(result)) => Known::Yes(result),
         Ok(Err(d)) => Known::Refused(d),
@@ -108,9 +163,11 @@ pub(super) struct Facts<'a> {
     range: (f64, f64),
     /// Direction of the rotation, 1 or -1.
     sign: f64,
-    stability: Known<StabilityMapResult>,
+    stability: Known<Row>,
     /// The same about the operating speeds, in smaller steps.
-    near: Option<StabilityMapResult>,
+    near: Option<Row>,
+    /// The least stable of a range of operating speeds.
+    worst: Option<Worst>,
     /// Growth from which on a mode counts as unstable over the range, 1/s.
     threshold: f64,
     /// Steady responses of the nonlinear machine at the operating speed.
@@ -127,7 +184,15 @@ pub(super) struct Facts<'a> {
 impl Facts<'_> {
     /// The distance from resonances that the file requires.
     fn resonance_margin(&self) -> Option<f64> {
-        self.operation.resonance_margin.or(self.limits.clearance)
+        operation::required_margin(self.system)
+    }
+
+    /// Speeds in which resonances were looked for.
+    fn searched(&self, over: &OverSpeed) -> (f64, f64) {
+        let criticals = self.criticals.get().map_or(&[][..], |c| &c.strongest);
+        let along: Vec<f64> = criticals.iter().map(|s| self.sign * s.speed).collect();
+        let own = if over.response_speed.is_empty() { &along } else { &over.response_speed };
+        ends(own).unwrap_or(over.range)
     }
 }
 
@@ -143,7 +208,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let speed = RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(POINTS) };
     let modes = rated.map(|speed| {
         let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
-        let known = within(&study, system, context);
+        let known = within(&study, system, context).or_studied(|r| r.end.is_complete(), || studied::modes(outcomes, speed));
         (study, known)
     });
     let ordered = |low: f64, high: f64, points: usize| {
@@ -152,27 +217,49 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     };
     let response = operating.map(|o| {
         let speed = ordered(o.low, o.high, if o.is_one() { 1 } else { OPERATING });
-        within(&ForcedResponse { speed }, system, context)
+        let known = within(&ForcedResponse { speed }, system, context);
+        known.or_studied(|r| r.end.is_complete(), || studied::response(outcomes, Needed::of(o, sign)))
     });
+    let needed = operating.map(|o| Needed::of(o, sign));
     let map =
         |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
-    let stability = within(&map(speed), system, context);
-    let near = operating.filter(|_| stability.get().is_some()).and_then(|o| {
-        let about = map(ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR));
-        match within(&about, system, context) {
+    let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
+    let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
+    let worst = operating.and_then(|o| {
+        speed_range::known(&map(ordered(o.low, o.high, 2)), system).ok()?;
+        worst::worst(system, o, sign, context)
+    });
+    let near = operating.filter(|_| matches!(stability, Known::Yes(_))).and_then(|o| {
+        let about = ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR);
+        let known = match &worst {
+            // the boundaries of what is unstable between two of the speeds as well
+            Some(worst) if !transcendental(system) => limited(context, || {
+                speed_range::known(&map(about), system)?;
+                let mut speeds = about.linspace(NEAR);
+                speeds.extend(&worst.peaks);
+                ascending(&mut speeds);
+                speeds.dedup();
+                row(system, &|w| rest(system, w), &speeds, 0.0, |done| context.goes_on(done))
+            }),
+            _ => within(&map(about), system, context).and_then(|r| r.rows.into_iter().next()),
+        };
+        match known {
             Known::Yes(r) => Some(r),
             _ => None,
         }
     });
     let limits = limits::of(system);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
+    let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
     // slower waves of a liquid that nothing inside it damps are within rounding
     let fastest = range.1;
     let threshold = if system.domains(fastest).iter().any(Domain::undamped) { LEAST * fastest } else { 0.0 };
     let forced = match criticals {
-        Known::Yes(_) => None,
-        _ => match within(&ForcedResponse { speed }, system, context) {
-            Known::Yes(r) => Some(r),
+        Known::Yes(_) | Known::Studied(..) => None,
+        _ => match within(&ForcedResponse { speed }, system, context)
+            .or_studied(|r| r.end.is_complete(), || studied::forced(outcomes, needed?))
+        {
+            Known::Yes(r) | Known::Studied(r, _) => Some(r),
             _ => None,
         },
     };
@@ -193,6 +280,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         sign,
         stability,
         near,
+        worst,
         threshold,
         steady: None,
         criticals,
@@ -232,4 +320,19 @@ fn range(operating: Option<Operating>, sign: f64, speeds: &[SpinSpeeds]) -> (f64
         (from, to) = (10.0, 1000.0);
     }
     (from.max(SLOWEST * to), to)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A computation that the page ended early gives way to that of the file, a whole one does not; without a study what there is stays.
+    #[test]
+    fn a_study_of_the_file_replaces_what_ended_early() {
+        let own = |whole: bool| Known::Yes(1).or_studied(|_| whole, || Some((2, "map".to_string())));
+        assert!(matches!(own(false), Known::Studied(2, _)) && matches!(own(true), Known::Yes(1)));
+        assert!(matches!(Known::Yes(1).or_studied(|_| false, || None), Known::Yes(1)));
+        assert!(matches!(Known::<i32>::TooLong.or_studied(|_| true, || Some((2, "map".to_string()))), Known::Studied(2, _)));
+        assert!(matches!(Known::<i32>::TooLong.or_studied(|_| true, || None), Known::TooLong));
+    }
 }

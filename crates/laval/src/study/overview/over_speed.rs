@@ -22,10 +22,10 @@ const RISE: f64 = 1e-3;
 /// What is known over the speed; none where nothing is.
 pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
-    if let Some(row) = facts.stability.get().and_then(|r| r.rows.first()) {
+    if let Some(row) = facts.stability.get() {
         out.unstable = unstable(row, facts);
         // ranges narrower than the steps over the whole range
-        let near = facts.near.iter().flat_map(|r| r.rows.first()).flat_map(|row| unstable(row, facts));
+        let near = facts.near.iter().flat_map(|row| unstable(row, facts));
         let found: Vec<Unstable> = near.filter(|u| !out.unstable.iter().any(|k| k.from <= u.to && u.from <= k.to)).collect();
         out.unstable.extend(found);
         out.unstable.sort_by_number(|a| a.from);

@@ -84,6 +84,12 @@ pub fn among(extras: &[Extra]) -> Operation {
     extras.iter().find(|e| e.word == "operation").map(read).unwrap_or_default()
 }
 
+/// Least distance of resonances that the file requires, over the speed: that of `[operation]`, else the clearance of `[limits]`.
+pub fn required_margin(system: &System) -> Option<f64> {
+    let clearance = || system.machine.extras.iter().find(|e| e.word == "limits").and_then(|e| e.values.number("clearance"));
+    among(&system.machine.extras).resonance_margin.or_else(clearance)
+}
+
 /// Says what is wrong with the block.
 pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
     let operation = read(extra);
@@ -97,10 +103,18 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
     let place = extra.values.span_of("speed");
     if from * to <= 0.0 {
         let message = text!("operating speeds begin above standstill and have one direction of rotation");
-        out.push(Diagnostic::error("operation.speed", message).at(place.clone()).help(text!("give from and to of the same sign")));
+        out.push(Diagnostic::error("operation.speed", message).at(place).help(text!("give from and to of the same sign")));
+        return;
+    }
+    if from > to {
+        let message = text!("the operating speeds must go from a lower to a higher value");
+        let (from, to) = (format_si(from, "rad/s"), format_si(to, "rad/s"));
+        let help = text!("from is {from} and to is {to}: exchange them", from, to);
+        out.push(Diagnostic::error("operation.speed", message).at(place).help(help));
+        return;
     }
     // the speed of [machine] is one of those at which it runs
-    let (low, high) = (from.min(to), from.max(to));
+    let (low, high) = (from, to);
     let slack = 1e-9 * high.abs().max(low.abs());
     if let Some(w) = system.machine.speed.filter(|w| !(low - slack..=high + slack).contains(w)) {
         let message = text!(

@@ -18,7 +18,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, RangeValue, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{End, Outcome};
+use crate::outcome::{End, Kept, Outcome};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{Curve, Extremum, curve, seeds};
 use crate::solve::linear_response::{Response, response};
@@ -37,6 +37,7 @@ pub use orbits::{AtSpeed, Gap, Orbits, Reason};
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
+#[derive(Clone)]
 pub struct ForcedResponse {
     /// Speeds, rad/s.
     pub speed: RangeValue,
@@ -128,6 +129,10 @@ impl Study for ForcedResponse {
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
         report::Shown::new(self, system, result).outcome(name)
+    }
+
+    fn keep(&self, result: Self::Result) -> Kept {
+        Kept::of(self.clone(), result)
     }
 }
 

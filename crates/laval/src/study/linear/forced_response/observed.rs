@@ -22,10 +22,24 @@ pub struct Observations {
     pub quantities: Vec<Shows>,
     /// Largest use of validity at every speed.
     pub validity: Vec<f64>,
+    /// Use of every statement of validity at every speed.
+    pub uses: Vec<Use>,
     /// Statements of validity that do not hold throughout.
     pub outside: Vec<Outside>,
     /// Gaps that are open at rest and that the response would close.
     pub closed: Vec<Closed>,
+}
+
+/// Use of a statement of validity of a part; above 1 is outside.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Use {
+    /// Name of the part.
+    pub part: String,
+    /// The statement.
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub what: Text,
+    /// Largest ratio over a turn at every speed; NaN where it is not known.
+    pub ratios: Vec<f64>,
 }
 
 /// A gap, open at rest, that the amplitudes of the response exceed.
@@ -163,6 +177,7 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
     let (mut validity, mut outside) = (vec![0.0f64; points.len()], Vec::<Outside>::new());
     let mut ws = Workspace::default();
     let mut closed = Vec::<Closed>::new();
+    let mut each = BTreeMap::<(usize, Text), Vec<f64>>::new();
     let known = |r: &Response| r.x.iter().all(|x| x.is_finite());
     for (row, r) in points.iter().enumerate() {
         if !known(r) {
@@ -186,6 +201,7 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
             if !(ratio <= 1.0) {
                 leave(&mut outside, system, (slot, what, ratio), r.speed);
             }
+            each.entry((slot, what)).or_insert_with(|| vec![0.0; points.len()])[row] = ratio;
         }
         for instant in &turn {
             for (slot, o) in system.observe(&instant.at(r.speed), &mut ws) {
@@ -202,7 +218,7 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
         }
     }
     for (row, _) in points.iter().enumerate().filter(|(_, r)| !known(r)) {
-        out.values_mut().for_each(|column| column[row] = f64::NAN);
+        out.values_mut().chain(each.values_mut()).for_each(|column| column[row] = f64::NAN);
     }
     for pole in curve.poles() {
         let sides = [1.0, -1.0].into_iter();
@@ -228,8 +244,10 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
             }
         }
     }
+    let of = |((slot, what), ratios): ((usize, Text), Vec<f64>)| Use { part: system.slots()[slot].name.clone(), what, ratios };
+    let statements = each.into_iter().map(of).collect();
     let quantities = out.into_iter().map(|((part, what, unit), values)| Shows { part, what, unit, values }).collect();
-    Ok(Observations { quantities, validity, outside, closed })
+    Ok(Observations { quantities, validity, uses: statements, outside, closed })
 }
 
 /// Enters that a part is outside a statement of its validity at a speed.

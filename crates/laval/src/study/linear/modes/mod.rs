@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{End, Outcome};
+use crate::outcome::{End, Kept, Outcome};
 use crate::solve::characteristic::{Characteristic, Equilibrium};
 use crate::solve::exact::growing;
 use crate::solve::pencil::{MachineMode, Spectrum, holds_fit, modes_about};
@@ -31,6 +31,7 @@ use serde::{Deserialize, Serialize};
 pub use shapes::Shapes;
 
 /// See the [module](self).
+#[derive(Clone)]
 pub struct Modes {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -125,6 +126,10 @@ impl Study for Modes {
 
     fn report(&self, system: &System, result: &ModesResult, name: &str) -> Result<Outcome, Diagnostic> {
         report::Shown::new(self, system, result).outcome(name)
+    }
+
+    fn keep(&self, result: Self::Result) -> Kept {
+        Kept::of(self.clone(), result)
     }
 }
 

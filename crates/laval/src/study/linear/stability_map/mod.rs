@@ -19,7 +19,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::outcome::{End, Outcome, quantity};
+use crate::outcome::{End, Kept, Outcome, quantity};
 use crate::solve::counted;
 use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::stability::{Row, row};
@@ -38,6 +38,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 const MOST_CELLS: usize = 1_000_000;
 
 /// See the [module](self).
+#[derive(Clone)]
 pub struct StabilityMap {
     /// Speeds, rad/s.
     pub speed: RangeValue,
@@ -180,6 +181,10 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
 
     fn report(&self, system: &System, result: &StabilityMapResult, name: &str) -> Result<Outcome, Diagnostic> {
         report::Shown::new(self, system, result).outcome(name)
+    }
+
+    fn keep(&self, result: Self::Result) -> Kept {
+        Kept::of(self.clone(), result)
     }
 }
 

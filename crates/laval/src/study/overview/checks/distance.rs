@@ -2,13 +2,27 @@
 
 use super::super::margins::{self, Nearest};
 use super::super::operating::Operating;
-use super::super::{Facts, MARGIN};
+use super::super::{Facts, MARGIN, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
 
+/// The unstable range that holds the lowest of the operating speeds that lie in one.
+fn inside(over: &OverSpeed, speed: Operating) -> Message {
+    let m = Message::new("distance-inside-unstable");
+    let Some(u) = over.unstable.iter().find(|u| u.to >= speed.low && u.from <= speed.high) else {
+        return m.arg("open", Arg::word("unknown"));
+    };
+    m.arg("open", Arg::word(if u.open.1 { "yes" } else { "no" })).arg("from", Arg::speed(u.from)).arg("to", Arg::speed(u.to))
+}
+
+/// Share of the operating speed below which a range searched begins at rest.
+const LOW: f64 = 0.25;
+
 /// A distance in speed with its requirement.
-fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operating, required: f64, within: (f64, f64)) -> Check {
+pub(super) fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operating, required: f64, within: (f64, f64)) -> Check {
     let places = |key: &str| {
-        let mut m = Message::new(key).arg("from", Arg::speed(within.0)).arg("to", Arg::speed(within.1));
+        // a search that begins well below the operating speeds needs no lower end
+        let from = if within.0 <= LOW * speed.low { Arg::word("none") } else { Arg::speed(within.0) };
+        let mut m = Message::new(key).arg("from", from).arg("to", Arg::speed(within.1));
         for (name, place) in [("below", nearest.below), ("above", nearest.above)] {
             m = m.arg(name, place.map_or(Arg::word("none"), Arg::speed));
         }
@@ -31,17 +45,27 @@ fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operating, require
 }
 
 pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, unstable: bool) -> Option<Check> {
-    let Some(over) = over.filter(|o| !o.growth.is_empty()) else {
+    // what ended early below the operating speeds tells nothing of them
+    let covered = |o: &&OverSpeed| ends(&o.growth_speed).is_some_and(|(_, high)| high >= speed.high * (1.0 - 1e-9));
+    let Some(over) = over.filter(|o| unstable || covered(o)) else {
         return Some(Check::new("check-instability", facts.stability.why(), Verdict::NotComputed));
     };
     let required = facts.operation.instability_margin.unwrap_or(MARGIN);
     let nearest = margins::instability(over, speed);
-    let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, required, over.range);
+    let mut check = distance(
+        "check-instability",
+        "distance-stable-throughout",
+        &nearest,
+        speed,
+        required,
+        ends(&over.growth_speed).unwrap_or(over.range),
+    );
+    check.detail = facts.stability.source();
     // a band may be narrower than the steps over the range
     if unstable || nearest.margin(speed) == Some(0.0) {
         check.verdict = Verdict::Failed;
         check.margin = None;
-        check.result = Message::new("distance-inside-unstable");
+        check.result = inside(over, speed);
     } else if check.verdict == Verdict::Attention && facts.operation.instability_margin.is_some() {
         check.verdict = Verdict::Failed;
     }
@@ -50,11 +74,14 @@ pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operat
 
 pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
     let set = facts.resonance_margin();
-    let Some(over) = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some()) else {
+    let over = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some());
+    let covered = |o: &&OverSpeed| facts.searched(o).1 >= speed.high * (1.0 - 1e-9);
+    let Some(over) = over.filter(covered) else {
         return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
     };
     let nearest = margins::resonance(over, speed);
-    let mut check = distance("check-resonance", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), over.range);
+    let mut check = distance("check-resonance", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), facts.searched(over));
+    check.detail = facts.criticals.source();
     if check.verdict == Verdict::Attention && set.is_some() {
         check.verdict = Verdict::Failed;
     }

@@ -1,10 +1,12 @@
 //! Requirements at the operating speed, and how they are met.
 
+mod balls;
 mod distance;
 mod response;
 mod run_up;
 mod stability;
 
+pub(super) use balls::{harm, ranges};
 pub(super) use run_up::simulate;
 pub(super) use stability::grows;
 
@@ -14,9 +16,9 @@ use crate::outcome::{Arg, Check, Data, Message, Outcome, OverSpeed, Verdict};
 use crate::study::Study;
 use crate::study::centrifuge::operating_window::OperatingWindow;
 use distance::{instability, resonance};
-use response::{forces, validity, vibration};
+use response::{forces, steady, validity, vibration};
 use run_up::run_up;
-use stability::{balanced, balls, damping, stability};
+use stability::{damping, stability};
 
 /// Bodies and parts named in one result.
 const MOST_NAMED: usize = 3;
@@ -25,12 +27,17 @@ const MOST_NAMED: usize = 3;
 pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     let Some(speed) = facts.operating else { return Vec::new() };
     if facts.balls {
-        let mut out = vec![balanced(facts, speed), validity(facts)];
-        out.extend(balls(facts));
-        out.extend(run_up(facts, over, speed));
+        let mut out = vec![balls::balanced(facts, speed)];
+        out.extend(balls::nearest(facts, speed));
+        let vibration = balls::vibration(facts, speed);
+        let assessed = vibration.as_ref().is_some_and(|c| c.verdict != Verdict::NotComputed);
+        out.extend(vibration);
+        out.push(validity(facts));
+        out.extend(balls::balls(facts));
+        out.extend(run_up(facts, over, speed, Vec::new()));
         out.extend(window(facts, speed));
         out.extend(highest(facts, speed));
-        out.extend(left_out(facts, true));
+        out.extend(left_out(facts, true, assessed));
         return out;
     }
     let mut out = vec![stability(facts, over, speed)];
@@ -46,10 +53,11 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
         out.extend(forces(facts));
     }
     out.push(validity(facts));
-    out.extend(run_up(facts, over, speed));
+    let after = if unstable { Vec::new() } else { steady(facts) };
+    out.extend(run_up(facts, over, speed, after));
     out.extend(window(facts, speed));
     out.extend(highest(facts, speed));
-    out.extend(left_out(facts, false));
+    out.extend(left_out(facts, false, true));
     // a reason that holds for several stands once
     let mut reasons: Vec<Message> = Vec::new();
     for c in out.iter_mut().filter(|c| c.result.key == "why-refused") {
@@ -86,7 +94,7 @@ fn highest(facts: &Facts, speed: Operating) -> Option<Check> {
 }
 
 /// Limits that this page does not assess.
-fn left_out(facts: &Facts, balls: bool) -> Option<Check> {
+fn left_out(facts: &Facts, balls: bool, vibration: bool) -> Option<Check> {
     let l = &facts.limits;
     let mut names = Vec::new();
     let mut add = |given: bool, name: &'static str| names.extend(given.then_some(name));
@@ -94,7 +102,7 @@ fn left_out(facts: &Facts, balls: bool) -> Option<Check> {
     add(!l.moment.is_empty(), "moment");
     add(l.torque.is_some(), "drive_torque");
     add(l.self_centring.is_some(), "self_centring");
-    add(balls && !l.displacement.is_empty(), "displacement");
+    add(!vibration && !l.displacement.is_empty(), "displacement");
     add(balls && !l.velocity.is_empty(), "velocity");
     add(balls && !l.force.is_empty(), "force");
     add(balls && l.clearance.is_some(), "clearance");

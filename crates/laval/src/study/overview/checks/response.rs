@@ -2,13 +2,18 @@
 
 use super::super::{Facts, Known};
 use super::{MOST_NAMED, against};
-use crate::model::part::Link;
+use crate::model::part::{At, Link};
 use crate::model::probe::Probe;
-use crate::outcome::{Arg, Check, Level, Message, Verdict};
+use crate::model::system::Workspace;
+use crate::outcome::{Arg, Check, Finding, Level, Message, Verdict};
 use crate::solve::extrema::Curve;
+use crate::solve::rest::rest;
 use crate::study::shared::limits::Limit;
 use crate::study::shared::support::{larger, largest};
 use laval_num::order::SortByNumber;
+
+/// Share of a force from which on its part at rest is given beside it.
+const STATIC: f64 = 0.01;
 
 /// The response at the operating speeds.
 fn response<'f>(facts: &'f Facts) -> Result<&'f Curve, Message> {
@@ -27,22 +32,39 @@ fn sizes(curve: &Curve, probes: &[Probe], probe: &Probe) -> (f64, f64) {
     (largest(all.iter().map(|a| a.1)), largest(all.iter().map(|a| a.0 * a.1)))
 }
 
+/// Displacements of the bodies on the steady response at the highest operating speed, m; none where there is no such response.
+pub(super) fn steady(facts: &Facts) -> Vec<(String, f64)> {
+    if let Some(s) = facts.steady.as_ref().filter(|s| !s.sizes.is_empty()) {
+        return s.sizes.clone();
+    }
+    let Ok(curve) = response(facts) else { return Vec::new() };
+    // the linear response passes through a gap that would close
+    if facts.response.as_ref().and_then(Known::get).is_some_and(|r| !r.observed.closed.is_empty()) {
+        return Vec::new();
+    }
+    let Some(last) = curve.points.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs())) else { return Vec::new() };
+    let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
+    bodies.map(|p| (p.name.clone(), last.size(p))).collect()
+}
+
 /// Displacements of bodies against their limits.
 pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
+    // what a nonlinear study found counts before the linear response
+    let nonlinear = facts.steady.as_ref().filter(|s| !s.sizes.is_empty());
     let curve = match response(facts) {
-        Ok(curve) => curve,
-        Err(why) => {
+        Ok(curve) => Some(curve),
+        Err(why) if nonlinear.is_none() || why.key == "vibration-unbounded" => {
             let verdict = if why.key == "vibration-unbounded" { Verdict::Failed } else { Verdict::NotComputed };
             return vec![Check::new("check-vibration", why, verdict)];
         }
+        Err(_) => None,
     };
-    // what a nonlinear study found counts before the linear response
-    let nonlinear = facts.steady.as_ref().filter(|s| !s.sizes.is_empty());
     let probes = facts.system.probes();
     let known = |p: &Probe| nonlinear.and_then(|s| s.sizes.iter().find(|x| p.is_reference() && x.0 == p.name)).map(|x| x.1);
     let fastest = facts.operating.map_or(0.0, |o| o.high);
-    let size = |p: &Probe| known(p).unwrap_or_else(|| sizes(curve, probes, p).0);
-    let velocity = |p: &Probe| known(p).map_or_else(|| sizes(curve, probes, p).1, |x| x * fastest);
+    let linear = |p: &Probe| curve.map_or((f64::NAN, f64::NAN), |c| sizes(c, probes, p));
+    let size = |p: &Probe| known(p).unwrap_or_else(|| linear(p).0);
+    let velocity = |p: &Probe| known(p).map_or_else(|| linear(p).1, |x| x * fastest);
     let mut named: Vec<(&Probe, f64)> = probes.iter().filter(|p| p.is_reference()).map(|p| (p, size(p))).collect();
     named.sort_by_number_down(|a| a.1);
     named.truncate(MOST_NAMED);
@@ -69,7 +91,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         // the linear response passes through a part that would hold it
         (Some(Message::new("vibration-contact").arg("parts", Arg::names(closes.iter().copied()))), Verdict::Attention)
     } else {
-        (detail, verdict)
+        (facts.response.as_ref().and_then(Known::source).or(detail), verdict)
     };
     let mut out = vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }];
     if let Some(worst) = kept(&facts.limits.velocity, &velocity) {
@@ -83,9 +105,9 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
 
 /// Forces of the parts against their limits.
 pub(super) fn forces(facts: &Facts) -> Option<Check> {
-    let result = facts.response.as_ref()?.get()?;
+    let result = facts.response.as_ref().and_then(Known::get);
     let mut all: Vec<(&str, f64)> = Vec::new();
-    for q in result.observed.quantities.iter().filter(|q| q.unit == "N") {
+    for q in result.iter().flat_map(|r| &r.observed.quantities).filter(|q| q.unit == "N") {
         let x = largest(q.values.iter().copied());
         match all.iter_mut().find(|a| a.0 == q.part) {
             Some(a) => a.1 = larger(a.1, x),
@@ -115,41 +137,106 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
     let (required, verdict) = against(worst.map(|w| (w, "N")));
     all.sort_by_number_down(|a| a.1);
     all.truncate(MOST_NAMED);
-    let item = |(name, x): &(&str, f64)| Arg::from(Message::new("item").arg("name", Arg::name(*name)).arg("value", Arg::quantity(*x, "N")));
+    // the force of a turn holds that at rest, of weight and preload; the displacement of the vibration is counted from rest
+    let rest = at_rest(facts);
+    let share = |name: &str, x: f64| rest.iter().find(|r| r.0 == name).map(|r| r.1).filter(|r| *r > STATIC * x);
+    let item = |(name, x): &(&str, f64)| {
+        let still = share(name, *x).map_or(Arg::word("none"), |r| Arg::quantity(r, "N"));
+        Arg::from(Message::new("item-force").arg("name", Arg::name(*name)).arg("value", Arg::quantity(*x, "N")).arg("rest", still))
+    };
+    let loaded = all.iter().any(|(name, x)| share(name, *x).is_some());
     let result = Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect()));
     let limited = missing.iter().any(|n| facts.limits.force.iter().any(|l| l.body == *n));
     let verdict = if limited && verdict != Verdict::Failed { Verdict::Attention } else { verdict };
-    let detail = (!missing.is_empty()).then(|| Message::new("forces-without").arg("parts", Arg::names(missing)));
+    let without = (!missing.is_empty()).then(|| Message::new("forces-without").arg("parts", Arg::names(missing)));
+    let still = loaded.then(|| Message::new("forces-with-rest"));
+    let detail = match (still, without) {
+        (Some(a), Some(b)) => Some(Message::new("both").arg("first", a).arg("second", b)),
+        (a, b) => a.or(b),
+    };
     Some(Check { detail, required, ..Check::new("check-forces", result, verdict) })
+}
+
+/// Largest force of each part at rest, N: of weight, preload and other constant loads.
+fn at_rest(facts: &Facts) -> Vec<(String, f64)> {
+    let Some(o) = facts.operating else { return Vec::new() };
+    let (system, speed) = (facts.system, facts.sign * o.high);
+    let Ok(rest) = rest(system, speed) else { return Vec::new() };
+    let zero = vec![0.0; system.n()];
+    let at = At { q: &rest.q, v: &zero, a: &zero, z: &rest.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    let mut out: Vec<(String, f64)> = Vec::new();
+    for (slot, o) in system.observe(&at, &mut Workspace::default()) {
+        let name = &system.slots()[slot].name;
+        if o.unit != "N" {
+            continue;
+        }
+        match out.iter_mut().find(|known| known.0 == *name) {
+            Some(known) => known.1 = larger(known.1, o.value.abs()),
+            None => out.push((name.clone(), o.value.abs())),
+        }
+    }
+    out
+}
+
+/// A part and its statement of validity.
+fn statement(part: &str, what: &'static str) -> Arg {
+    Message::new("validity-statement").arg("part", Arg::name(part)).arg("what", Arg::term(what)).into()
+}
+
+/// What a finding outside the validity of its model names: the part with its statement, the part, or what it is about.
+fn outside(f: &Finding) -> Arg {
+    match (f.message.arg_named("part"), f.message.arg_named("what")) {
+        (Some(part), Some(what)) => Message::new("validity-statement").arg("part", part.clone()).arg("what", what.clone()).into(),
+        (Some(part), None) => part.clone(),
+        _ if f.subject.is_empty() => Arg::name(&f.id),
+        _ => Arg::name(&f.subject),
+    }
 }
 
 /// Validity of the parts at the operating speed, and what the studies of the file found outside.
 pub(super) fn validity(facts: &Facts) -> Check {
-    let outside: Vec<&str> = facts
-        .outcomes
-        .iter()
-        .flat_map(|o| &o.findings)
-        .filter(|f| f.level == Level::Invalid)
-        .map(|f| if f.subject.is_empty() { f.id.as_str() } else { f.subject.as_str() })
-        .collect();
-    let here = facts
-        .response
-        .as_ref()
-        .and_then(Known::get)
-        .filter(|r| !r.observed.validity.is_empty())
-        .map(|r| largest(r.observed.validity.iter().copied()));
+    let mut outside: Vec<Arg> = Vec::new();
+    for f in facts.outcomes.iter().flat_map(|o| &o.findings).filter(|f| f.level == Level::Invalid) {
+        let named = self::outside(f);
+        if !outside.contains(&named) {
+            outside.push(named);
+        }
+    }
+    let observed = facts.response.as_ref().and_then(Known::get).map(|r| &r.observed).filter(|o| !o.validity.is_empty());
+    let here = observed.map(|o| largest(o.validity.iter().copied()));
+    // the statement whose limit is exceeded most, or is nearest
+    let uses = observed.iter().flat_map(|o| &o.uses).map(|u| (u, largest(u.ratios.iter().copied())));
+    let nearest = uses.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(Arg::word("none"), |(u, _)| statement(&u.part, u.what));
+    let uses_any = nearest != Arg::word("none");
+    let listed = || Arg::List(outside.iter().take(MOST_NAMED).cloned().collect());
     let required = Some(Arg::from(Message::new("required-validity")));
     let (result, verdict) = match here {
-        Some(x) if !(x <= 1.0) => (Message::new("validity-outside-here").arg("ratio", Arg::number(x)), Verdict::Failed),
-        Some(0.0) if outside.is_empty() => (Message::new("validity-none"), Verdict::NoLimit),
+        // beside a resonance without damping, or where a use is infinite
+        Some(x) if x.is_nan() && uses_any => (Message::new("validity-unbounded").arg("statement", nearest), Verdict::Failed),
         Some(x) if x.is_nan() => (Message::new("validity-nothing"), Verdict::NotComputed),
-        Some(x) if outside.is_empty() => (Message::new("validity-inside").arg("share", Arg::percent(x)), Verdict::Passed),
-        Some(x) => (Message::new("validity-elsewhere").arg("share", Arg::percent(x)), Verdict::Passed),
+        Some(x) if !(x <= 1.0) => {
+            (Message::new("validity-outside-here").arg("statement", nearest).arg("ratio", Arg::number(x)), Verdict::Failed)
+        }
+        Some(0.0) if outside.is_empty() => (Message::new("validity-none"), Verdict::NoLimit),
+        Some(x) if outside.is_empty() => {
+            (Message::new("validity-inside").arg("statement", nearest).arg("share", Arg::percent(x)), Verdict::Passed)
+        }
+        Some(_) => (Message::new("validity-elsewhere").arg("outside", listed()), Verdict::Passed),
         None if outside.is_empty() && facts.outcomes.iter().any(|o| o.end.is_complete()) => {
             (Message::new("validity-studies-inside"), Verdict::Passed)
         }
         None if outside.is_empty() => (Message::new("validity-nothing"), Verdict::NotComputed),
-        None => (Message::new("validity-studies").arg("count", Arg::count(outside.len())), Verdict::Attention),
+        None => (Message::new("validity-studies").arg("outside", listed()), Verdict::Attention),
+    };
+    // numbers beyond the limits of a model put its results in doubt, which is less than outside
+    let doubts = facts.outcomes.iter().flat_map(|o| &o.findings).filter(|f| f.level == Level::Warning && f.id.starts_with("validity_"));
+    let mut named: Vec<Arg> = doubts.filter_map(|f| f.message.arg_named("name").cloned()).collect();
+    named.dedup();
+    let (result, verdict) = match verdict {
+        Verdict::Passed | Verdict::NoLimit if !named.is_empty() => {
+            (Message::new("validity-doubt").arg("names", Arg::List(named)), Verdict::Attention)
+        }
+        _ => (result, verdict),
     };
     Check { required, ..Check::new("check-validity", result, verdict) }
 }

@@ -1,14 +1,19 @@
 //! What lies on the way to the operating speeds.
 
 use super::super::operating::{Operating, span};
-use super::super::{Facts, Known, within};
+use super::super::{Facts, Known, ends, within};
 use super::{against, speeds};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{Value, Values};
 use crate::model::system::System;
 use crate::outcome::{Arg, Check, End, Message, Outcome, OverSpeed, Verdict};
 use crate::study::motion::run_up::RunUp;
+use crate::study::shared::limits::Limit;
+use crate::study::shared::support::larger;
 use crate::study::{Context, Study};
+
+/// A run-up is known where it is known from this share of the lowest operating speed on.
+const BEGINS: f64 = 0.25;
 
 /// Rows of the motion kept: the page needs the largest displacement alone.
 const ROWS: i64 = 100;
@@ -21,53 +26,91 @@ pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context
     values.set("points", Value::Integer(ROWS), None);
     let mut wrong = Diagnostics::default();
     let Some(study) = RunUp::build(&values, system, &mut wrong) else { return Known::Refused(wrong.into_error()) };
-    match within(&study, system, context) {
-        Known::Yes(result) => study.report(system, &result, RunUp::KIND).map_or(Known::TooLong, Known::Yes),
-        Known::Refused(d) => Known::Refused(d),
-        Known::TooLong => Known::TooLong,
-    }
+    within(&study, system, context).and_then(|result| study.report(system, &result, RunUp::KIND).ok())
 }
 
-/// The largest displacement of the run-ups of the file that begin below what is crossed and reach the operating speed, with its body; infinite where one of
-/// them diverges.
-fn simulated(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(String, f64)> {
+/// The largest displacement of each body on the run-ups of the file that begin below what is crossed and reach the operating speed; infinite where one of them
+/// diverges, none where there is no such run-up.
+fn simulated(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Vec<(String, f64)> {
     let events = over.into_iter().flat_map(|o| o.resonances.iter().map(|r| r.speed).chain(o.unstable.iter().map(|u| u.from)));
     let lowest = events.fold(0.2 * speed.low, f64::min);
-    let one = |o: &Outcome| {
+    let one = |o: &Outcome| -> Vec<(String, f64)> {
         if matches!(o.end, End::Unbounded { .. }) {
-            return Some((String::new(), f64::INFINITY));
+            return vec![(String::new(), f64::INFINITY)];
         }
         let covered: Vec<f64> = speeds(o).into_iter().map(|w| facts.sign * w).collect();
         let whole =
             o.end.is_complete() && covered.iter().any(|w| *w >= 0.999 * speed.high) && covered.first().is_some_and(|w| *w <= lowest);
         let largest = o.findings.iter().filter(|f| f.id == "largest_displacement").filter_map(|f| Some((f.subject.clone(), f.value?)));
-        largest.filter(|_| whole).max_by(|a, b| a.1.total_cmp(&b.1))
+        largest.filter(|_| whole).collect()
     };
-    let all = facts.outcomes.iter().filter(|o| o.kind == RunUp::KIND).chain(facts.run_up.as_ref().and_then(Known::get)).filter_map(one);
-    all.max_by(|a, b| a.1.total_cmp(&b.1))
+    let all = facts.outcomes.iter().filter(|o| o.kind == RunUp::KIND).chain(facts.run_up.as_ref().and_then(Known::get)).flat_map(one);
+    let mut out: Vec<(String, f64)> = Vec::new();
+    for (body, x) in all {
+        match out.iter_mut().find(|known| known.0 == body) {
+            Some(known) => known.1 = larger(known.1, x),
+            None => out.push((body, x)),
+        }
+    }
+    out
 }
 
-/// What a run-up to the operating speed crosses.
-pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
-    let largest = simulated(facts, over, speed);
-    let known = over.is_some_and(|o| !o.growth.is_empty() && (!o.response_speed.is_empty() || facts.criticals.get().is_some()));
-    if !known && largest.is_none() {
+/// The limit that is used up most, with the displacement it is on, m. A limit on a point that the run-up does not list is held against the largest displacement
+/// of all.
+fn nearest(facts: &Facts, sizes: &[(String, f64)]) -> Option<(f64, f64)> {
+    let most = sizes.iter().map(|s| s.1).fold(0.0, larger);
+    let one = |l: &Limit| {
+        let own = sizes.iter().find(|s| s.0 == l.name || l.at.is_none() && s.0 == l.body);
+        (l.value, own.map_or(most, |s| s.1))
+    };
+    facts.limits.passage.iter().map(one).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)))
+}
+
+/// The lowest speed from which on it is known up to the operating speeds what a run-up crosses.
+fn known_from(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<f64> {
+    let over = over.filter(|o| !o.growth.is_empty() && (!o.response_speed.is_empty() || facts.criticals.get().is_some()))?;
+    let (growth, searched) = (ends(&over.growth_speed)?, facts.searched(over));
+    (growth.1.min(searched.1) >= speed.high * (1.0 - 1e-9)).then_some(growth.0.max(searched.0))
+}
+
+/// What a run-up to the operating speed crosses, and how far the bodies move: on the way, or at its end, where the steady response may still be larger. `steady`
+/// holds the displacements of that response; none where it is not stable.
+pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, steady: Vec<(String, f64)>) -> Option<Check> {
+    let passing = simulated(facts, over, speed);
+    let lowest = known_from(facts, over, speed);
+    if lowest.is_none() && passing.is_empty() {
         let result = Message::new("run-up-unknown").arg("speed", Arg::speed(speed.low));
         return Some(Check::new("check-run-up", result, Verdict::NotComputed));
     }
+    let largest = |sizes: &[(String, f64)]| sizes.iter().max_by(|a, b| a.1.total_cmp(&b.1)).cloned();
+    let (most, after) = (largest(&passing), if passing.is_empty() { None } else { largest(&steady) });
+    let ends_higher = most.as_ref().zip(after.as_ref()).is_some_and(|(a, b)| !(b.1 <= a.1));
+    let mut sizes = passing;
+    for (body, x) in steady.into_iter().filter(|_| most.is_some()) {
+        match sizes.iter_mut().find(|known| known.0 == body) {
+            Some(known) => known.1 = larger(known.1, x),
+            None => sizes.push((body, x)),
+        }
+    }
+    let most = if ends_higher { after } else { most };
     let below = |o: &OverSpeed| {
         let resonances: Vec<Arg> = o.resonances.iter().filter(|r| r.speed < speed.high).map(|r| Arg::speed(r.speed)).collect();
         let unstable = o.unstable.iter().filter(|u| u.from < speed.high);
         (resonances, unstable.map(|u| span(u.from, u.to.min(speed.high))).collect::<Vec<Arg>>())
     };
     let (resonances, ranges) = over.map(below).unwrap_or_default();
-    let limit = facts.limits.passage.iter().map(|l| l.value).reduce(f64::min);
-    let (result, required, verdict) = match (largest, resonances.is_empty() && ranges.is_empty()) {
+    let (result, required, verdict) = match (most, resonances.is_empty() && ranges.is_empty()) {
         (Some((_, x)), _) if !x.is_finite() => (Message::new("run-up-diverges"), None, Verdict::Failed),
         (Some((body, x)), _) => {
-            let result = Message::new("run-up-computed").arg("body", Arg::name(body)).arg("value", Arg::quantity(x, "m"));
-            let (required, verdict) = against(limit.map(|l| ((l, x), "m")));
+            let key = if ends_higher { "run-up-steady" } else { "run-up-computed" };
+            let result = Message::new(key).arg("body", Arg::name(body)).arg("value", Arg::quantity(x, "m"));
+            let (required, verdict) = against(nearest(facts, &sizes).map(|l| (l, "m")));
             (result, required, verdict)
+        }
+        // slower speeds than a study of the file covers may hold more
+        (None, true) if lowest.is_some_and(|w| w > BEGINS * speed.low) => {
+            let result = Message::new("run-up-unknown").arg("speed", lowest.map_or(Arg::word("none"), Arg::speed));
+            (result, None, Verdict::NotComputed)
         }
         (None, true) => {
             let verdict = if facts.limits.passage.is_empty() { Verdict::Passed } else { Verdict::NotComputed };

@@ -2,12 +2,11 @@
 
 use super::super::margins;
 use super::super::operating::{Operating, span};
-use super::super::{Facts, Known};
-use super::speeds;
+use super::super::worst::decrement;
+use super::super::{Facts, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
-use crate::solve::pencil::MachineMode;
 use crate::study::Study;
-use crate::study::nonlinear::stationary::Stationary;
+use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
 
 /// The check of stability found motions that grow.
@@ -24,49 +23,61 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     let required = Some(Arg::from(Message::new("required-decay").arg("margin", decay)));
     let of = |result: Message, verdict| Check { required: required.clone(), ..Check::new("check-stability", result, verdict) };
     let Some((study, known)) = &facts.modes else { return of(Message::new("why-no-speed"), Verdict::NotComputed) };
-    let Known::Yes(result) = known else { return of(known.why(), Verdict::NotComputed) };
+    let Some(result) = known.get() else {
+        let (result, detail, verdict) = along(facts, over, speed).unwrap_or_else(|| (known.why(), None, Verdict::NotComputed));
+        return Check { detail, ..of(result, verdict) };
+    };
     let Ok(outcome) = study.report(facts.system, result, "modes") else {
         return of(Message::new("why-too-long"), Verdict::NotComputed);
     };
     let has = |id: &str| outcome.findings.iter().any(|f| f.id == id);
-    let modes = &result.spectrum.modes;
     let Some(least) = result.spectrum.least_stable() else { return of(Message::new("stability-no-mode"), Verdict::NotComputed) };
+    // of a range of speeds the least stable one counts
+    let (value, modes, place) = match &facts.worst {
+        Some(w) if !(w.value.re <= least.growth()) => (w.value, w.modes, Some(w.speed)),
+        _ => (least.value, result.spectrum.modes.len(), facts.worst.as_ref().map(|_| study.speed.abs())),
+    };
+    let (growth, frequency) = (value.re, value.im.abs());
     let threshold = study.threshold.max(facts.threshold);
-    let slow = least.growth() > 0.0 && least.growth() <= threshold;
-    let detail = (least.frequency() > 0.0 && !slow).then(|| {
+    let slow = growth > 0.0 && growth <= threshold;
+    let detail = (frequency > 0.0 && !slow).then(|| {
         Message::new("stability-mode")
-            .arg("frequency", Arg::frequency(least.frequency()))
-            .arg("decrement", Arg::number(-TAU * least.growth() / least.frequency()))
+            .arg("frequency", Arg::frequency(frequency))
+            .arg("decrement", Arg::number(-TAU * growth / frequency))
+            .arg("place", place.map_or(Arg::word("none"), Arg::speed))
     });
+    let detail = known.source().or(detail);
     let named = |key: &str| {
         Message::new(key)
-            .arg("modes", Arg::count(modes.len()))
-            .arg("growth", Arg::quantity(least.growth(), "1/s"))
-            .arg("decay", Arg::quantity(-least.growth(), "1/s"))
-            .arg("time", Arg::quantity(1.0 / least.growth().abs(), "s"))
+            .arg("modes", Arg::count(modes))
+            .arg("growth", Arg::quantity(growth, "1/s"))
+            .arg("decay", Arg::quantity(-growth, "1/s"))
+            .arg("time", Arg::quantity(1.0 / growth.abs(), "s"))
+    };
+    // unstable at other operating speeds than that of the modes
+    let elsewhere = || {
+        let first = *margins::instability(over?, speed).inside.first()?;
+        let found = over?.unstable.iter().find(|u| u.to >= first);
+        Some(found.map_or(speed.arg(), |u| span(u.from.max(speed.low), u.to.min(speed.high))))
     };
     let (message, verdict) = if has("unstable_mode") {
         (named("stability-unstable"), Verdict::Failed)
+    } else if let Some(range) = elsewhere().filter(|_| !speed.is_one()) {
+        return of(Message::new("stability-unstable-range").arg("range", range), Verdict::Failed);
+    } else if facts.worst.as_ref().is_some_and(|w| w.value.re.is_nan()) {
+        return of(Message::new("stability-unknown"), Verdict::Attention);
     } else if slow && (has("stability_unknown") || has("slow_growth")) {
         // modes that grow below the threshold of the study: waves of an ideal liquid are not resolved further
         (Message::new("stability-slow").arg("limit", Arg::quantity(threshold, "1/s")), Verdict::Attention)
     } else if has("stability_unknown") || has("slow_growth") {
         (named("stability-unknown"), Verdict::Attention)
-    } else if facts.limits.growth > 0.0 && !(-least.growth() >= facts.limits.growth) {
+    } else if facts.limits.growth > 0.0 && !(-growth >= facts.limits.growth) {
         (named("stability-stable"), Verdict::Failed)
-    } else if outcome.findings.iter().any(|f| f.id == "stable" && f.value == Some(0.0)) {
+    } else if !(growth < 0.0) || outcome.findings.iter().any(|f| f.id == "stable" && f.value == Some(0.0)) {
         (named("stability-neutral"), Verdict::Attention)
     } else {
         (named("stability-stable"), Verdict::Passed)
     };
-    // the modes are those of one speed
-    if let (Some(over), Verdict::Passed | Verdict::Attention, false) = (over, verdict, speed.is_one())
-        && let Some(first) = margins::instability(over, speed).inside.first()
-    {
-        let within =
-            over.unstable.iter().find(|u| u.to >= *first).map_or(speed.arg(), |u| span(u.from.max(speed.low), u.to.min(speed.high)));
-        return of(Message::new("stability-unstable-range").arg("range", within), Verdict::Failed);
-    }
     // the response that unbalance drives may be unstable where the machine at rest is stable
     if let (Some(s), Verdict::Passed | Verdict::Attention) = (&facts.steady, verdict) {
         match s.stable {
@@ -80,45 +91,54 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     Check { detail, ..of(message, verdict) }
 }
 
-/// Whether a state of the balls is stable at the speed, of a study of stationary states.
-pub(super) fn balanced(facts: &Facts, speed: Operating) -> Check {
-    let found: Vec<_> = facts.outcomes.iter().filter(|o| o.kind == Stationary::KIND).flat_map(|o| &o.findings).collect();
-    if found.is_empty() {
-        return Check::new("check-stability", Message::new("stability-needs-stationary"), Verdict::NotComputed);
-    }
-    let range = |id: &str| {
-        let all = found.iter().filter(|f| f.id == id).filter_map(|f| Some((f.number("from")?, f.value?)));
-        let all = all.map(|(a, b)| (facts.sign * a, facts.sign * b)).map(|(a, b)| (a.min(b), a.max(b)));
-        all.filter(|(from, to)| *from <= speed.low && speed.high <= *to).max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
+/// Stability at the operating speeds without modes there: by the growth along the speed, or by the steady responses that a study of the file found.
+fn along(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Option<Message>, Verdict)> {
+    let by_steady = || {
+        let detail = Some(Message::new("vibration-nonlinear"));
+        match facts.steady.as_ref()?.stable? {
+            0 => Some((Message::new("stability-no-steady"), None, Verdict::Failed)),
+            1 => Some((Message::new("stability-steady"), None, Verdict::Passed)),
+            n => Some((Message::new("stability-several").arg("count", Arg::count(n)), detail, Verdict::Attention)),
+        }
     };
-    let of = |key: &str, (from, to): (f64, f64)| Message::new(key).arg("from", Arg::speed(from)).arg("to", Arg::speed(to));
-    let covered: Vec<f64> = facts.outcomes.iter().filter(|o| o.kind == Stationary::KIND).flat_map(speeds).map(|w| facts.sign * w).collect();
-    if !covered.iter().any(|w| *w >= speed.high * (1.0 - 1e-9)) || !covered.iter().any(|w| *w <= speed.low * (1.0 + 1e-9)) {
-        return Check::new("check-stability", Message::new("stability-outside-study"), Verdict::NotComputed);
+    let Some((over, row)) = over.zip(facts.stability.get()) else { return by_steady() };
+    let (w, g) = (&over.growth_speed, &over.growth);
+    let covered = ends(w).is_some_and(|(low, high)| low <= speed.low * (1.0 + 1e-9) && speed.high * (1.0 - 1e-9) <= high);
+    if !covered {
+        return by_steady();
     }
-    let (result, verdict) = match (range("balanced_stable"), range("stable_states")) {
-        (Some(r), _) => (of("stability-balanced", r), Verdict::Passed),
-        (None, Some(r)) => (of("stability-state", r), Verdict::Attention),
-        (None, None) => (Message::new("stability-no-state"), Verdict::Failed),
+    let at = |x: f64| {
+        let k = w.iter().position(|s| *s >= x * (1.0 - 1e-9)).unwrap_or(w.len() - 1);
+        if k == 0 || w[k] <= x { g[k] } else { g[k - 1] + (g[k] - g[k - 1]) * (x - w[k - 1]) / (w[k] - w[k - 1]) }
     };
-    Check {
-        required: Some(Message::new("required-decay").arg("margin", Arg::word("none")).into()),
-        ..Check::new("check-stability", result, verdict)
+    let inside = w.iter().zip(g).filter(|(w, _)| speed.contains(**w)).map(|p| *p.1);
+    let growth = [at(speed.low), at(speed.high)].into_iter().chain(inside).fold(f64::NEG_INFINITY, larger);
+    let source = facts.stability.source();
+    if let Some(first) = margins::instability(over, speed).inside.first() {
+        let u = over.unstable.iter().find(|u| u.to >= *first && u.from <= speed.high)?;
+        let result = match speed.is_one() {
+            true => Message::new("stability-unstable").arg("time", Arg::quantity(1.0 / u.growth.abs(), "s")),
+            false => Message::new("stability-unstable-range").arg("range", span(u.from.max(speed.low), u.to.min(speed.high))),
+        };
+        return Some((result, source, Verdict::Failed));
     }
-}
-
-/// What balls leave of the unbalance, of a study of stationary states.
-pub(super) fn balls(facts: &Facts) -> Option<Check> {
-    let found = facts.outcomes.iter().filter(|o| o.kind == Stationary::KIND).flat_map(|o| &o.findings);
-    let left = found.clone().find(|f| f.id == "residual_unbalance");
-    let Some((left, value)) = left.and_then(|f| Some((f, f.value?))) else {
-        return Some(Check::new("check-balls", Message::new("balls-no-study"), Verdict::NotComputed));
+    // where roots are counted, a count that does not agree leaves some open
+    let open = row.samples.iter().any(|s| s.counted && s.growing.is_none());
+    let (result, verdict) = if growth.is_nan() || open {
+        (Message::new("stability-unknown"), Verdict::Attention)
+    } else if facts.threshold > 0.0 && growth > -facts.threshold {
+        (Message::new("stability-slow").arg("limit", Arg::quantity(facts.threshold, "1/s")), Verdict::Attention)
+    } else if growth >= 0.0 {
+        (Message::new("stability-neutral"), Verdict::Attention)
+    } else {
+        let kept = !(facts.limits.growth > 0.0) || -growth >= facts.limits.growth;
+        let result = Message::new("stability-decays").arg("decay", Arg::quantity(-growth, "1/s"));
+        (result, if kept { Verdict::Passed } else { Verdict::Failed })
     };
-    let number = |what: &str| left.evidence.iter().find(|e| e.what == what).map(|e| e.value);
-    let without = number("without the masses").unwrap_or(f64::NAN);
-    let result = Message::new("balls-left").arg("left", Arg::quantity(value, "kg m")).arg("without", Arg::quantity(without, "kg m"));
-    let verdict = if value < without { Verdict::Passed } else { Verdict::Attention };
-    Some(Check { required: Some(Message::new("required-less-unbalance").into()), ..Check::new("check-balls", result, verdict) })
+    match by_steady() {
+        Some(steady) if steady.2 != Verdict::Passed && verdict != Verdict::Failed => Some(steady),
+        _ => Some((result, source, verdict)),
+    }
 }
 
 /// The least logarithmic decrement of the modes, where one is required.
@@ -129,10 +149,13 @@ pub(super) fn damping(facts: &Facts) -> Option<Check> {
         Some(Check { required: Some(needed.into()), ..Check::new("check-damping", result, verdict) })
     };
     let (_, known) = facts.modes.as_ref()?;
-    let Known::Yes(result) = known else { return of(known.why(), Verdict::NotComputed) };
-    let decrement = |m: &MachineMode| -TAU * m.growth() / m.frequency();
-    let least = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).min_by(|a, b| decrement(a).total_cmp(&decrement(b)));
-    let Some(m) = least else { return of(Message::new("stability-no-mode"), Verdict::NotComputed) };
-    let found = Message::new("damping-least").arg("decrement", Arg::number(decrement(m))).arg("frequency", Arg::frequency(m.frequency()));
-    of(found, if decrement(m) >= required { Verdict::Passed } else { Verdict::Failed })
+    let Some(result) = known.get() else { return of(known.why(), Verdict::NotComputed) };
+    let oscillating = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).map(|m| (decrement(m), m.frequency()));
+    // of a range of speeds the least counts
+    let all = oscillating.chain(facts.worst.as_ref().and_then(|w| w.decrement));
+    let Some((least, frequency)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return of(Message::new("stability-no-mode"), Verdict::NotComputed);
+    };
+    let found = Message::new("damping-least").arg("decrement", Arg::number(least)).arg("frequency", Arg::frequency(frequency));
+    of(found, if least >= required { Verdict::Passed } else { Verdict::Failed })
 }

@@ -1,0 +1,226 @@
+//! Results of the studies of the file, for what would take the page itself too long.
+
+use super::operating::Operating;
+use crate::model::field::RangeValue;
+use crate::outcome::Outcome;
+use crate::solve::extrema::Curve;
+use crate::solve::linear_response::Response;
+use crate::solve::stability::{Edge, Row, Sample};
+use crate::solve::sweep::Strongest;
+use crate::study::linear::campbell::{Campbell, CampbellResult};
+use crate::study::linear::criterion::Criterion;
+use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
+use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult};
+use crate::study::linear::modes::{Modes, ModesResult};
+use crate::study::linear::stability_map::{StabilityMap, StabilityMapResult};
+use crate::study::shared::support::About;
+use laval_num::complex::c;
+
+/// Two speeds that differ by less than this share are one.
+const SAME: f64 = 1e-9;
+
+/// A result and the name of the study that computed it.
+pub(super) type Found<R> = Option<(R, String)>;
+
+/// Studies of one kind that reached their end.
+fn complete<'o, S: 'static, R: 'static>(outcomes: &'o [Outcome]) -> impl Iterator<Item = (&'o S, &'o R, &'o str)> {
+    let whole = outcomes.iter().filter(|o| o.end.is_complete());
+    whole.filter_map(|o| o.kept.get::<S, R>().map(|(study, result)| (study, result, o.name.as_str())))
+}
+
+/// Speeds with their sign that a study must cover.
+#[derive(Clone, Copy)]
+pub(super) struct Needed {
+    from: f64,
+    to: f64,
+}
+
+impl Needed {
+    pub fn of(operating: Operating, sign: f64) -> Needed {
+        let ends = [sign * operating.low, sign * operating.high];
+        Needed { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]) }
+    }
+
+    fn within(self, range: &RangeValue) -> bool {
+        let slack = SAME * self.to.abs().max(self.from.abs());
+        range.from <= self.from + slack && self.to - slack <= range.to
+    }
+}
+
+/// Modes about the equilibrium at this speed.
+pub(super) fn modes(outcomes: &[Outcome], speed: f64) -> Found<ModesResult> {
+    let fits = |s: &Modes| s.about == About::Rest && s.threshold == 0.0 && (s.speed - speed).abs() <= SAME * speed.abs();
+    let found = complete::<Modes, ModesResult>(outcomes).find(|(s, ..)| fits(s));
+    found.map(|(_, r, name)| (r.clone(), name.to_string()))
+}
+
+/// Growth over the speed: of a stability map, else the mode that grows most along another study.
+pub(super) fn growth(outcomes: &[Outcome], needed: Needed) -> Found<Row> {
+    let fits = |s: &StabilityMap| {
+        let plain = s.parameter.is_none() && s.about == About::Rest && s.criterion == Criterion::Growth && s.threshold == 0.0;
+        plain && needed.within(&s.speed)
+    };
+    let map = complete::<StabilityMap, StabilityMapResult>(outcomes).filter(|(s, ..)| fits(s));
+    let mut map = map.filter_map(|(_, r, name)| Some((r.rows.first()?.clone(), name.to_string())));
+    let campbell = || {
+        let all = complete::<Campbell, CampbellResult>(outcomes).filter(|(s, ..)| needed.within(&s.speed));
+        all.map(|(_, r, name)| (&r.strongest, name)).find(|(s, _)| !s.is_empty())
+    };
+    let criticals = || {
+        let all = complete::<CriticalSpeeds, CriticalSpeedsResult>(outcomes).filter(|(s, ..)| needed.within(&s.speed));
+        all.map(|(_, r, name)| (&r.strongest, name)).find(|(s, _)| !s.is_empty())
+    };
+    let forced = || {
+        let all = complete::<ForcedResponse, ForcedResponseResult>(outcomes).filter(|(s, ..)| needed.within(&s.speed));
+        all.map(|(_, r, name)| (&r.strongest, name)).find(|(s, _)| !s.is_empty())
+    };
+    let along = || campbell().or_else(criticals).or_else(forced).map(|(all, name)| (row(all), name.to_string()));
+    map.next().or_else(along)
+}
+
+/// The growth along the speed with its crossings of zero, each between two speeds.
+fn row(strongest: &[Strongest]) -> Row {
+    // a growth within its error is none
+    let value = |s: &Strongest| if s.grows { s.value } else { c(s.value.re.min(0.0), s.value.im) };
+    let sample = |s: &Strongest| Sample {
+        speed: s.speed,
+        value: value(s),
+        sector: None,
+        size: s.value.abs(),
+        on_grid: true,
+        other: false,
+        growing: None,
+        counted: false,
+    };
+    let samples: Vec<Sample> = strongest.iter().map(sample).collect();
+    let mut out = Row::default();
+    for pair in samples.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        if out.unstable(&a, 0.0) == out.unstable(&b, 0.0) {
+            continue;
+        }
+        let share = (a.value.re / (a.value.re - b.value.re)).clamp(0.0, 1.0);
+        let share = if share.is_nan() { 0.5 } else { share };
+        out.edges.push(Edge {
+            speed: a.speed + share * (b.speed - a.speed),
+            onset: out.unstable(&b, 0.0),
+            value: b.value,
+            double: false,
+            bracket: (a.speed, b.speed),
+            located: false,
+            step: b.speed - a.speed,
+        });
+    }
+    Row { samples, ..out }
+}
+
+/// Critical speeds of these orders, with the response beside them where a study of the file computed it.
+pub(super) fn criticals(outcomes: &[Outcome], needed: Needed, orders: &[f64]) -> Found<CriticalSpeedsResult> {
+    let all = |have: &[f64]| orders.iter().all(|k| have.contains(k));
+    let own = complete::<CriticalSpeeds, CriticalSpeedsResult>(outcomes).find(|(s, ..)| needed.within(&s.speed) && all(&s.orders));
+    let own = own.map(|(_, r, name)| (r.clone(), name.to_string()));
+    let campbell = || {
+        let mut fits = complete::<Campbell, CampbellResult>(outcomes);
+        let (_, r, name) = fits.find(|(s, ..)| needed.within(&s.speed) && all(&s.orders))?;
+        let found = CriticalSpeedsResult {
+            crossings: r.crossings.clone(),
+            strongest: r.strongest.clone(),
+            spectra: r.speeds.len() as u64,
+            response: forced(outcomes, needed).map(|f| f.0.curve),
+            states: r.states.clone(),
+            end: r.end,
+        };
+        Some((found, name.to_string()))
+    };
+    let (mut found, name) = own.or_else(campbell)?;
+    found.crossings.retain(|c| orders.contains(&c.order));
+    Some((found, name))
+}
+
+/// The response over a range that holds the speeds needed.
+pub(super) fn forced(outcomes: &[Outcome], needed: Needed) -> Found<ForcedResponseResult> {
+    let wide = |s: &ForcedResponse| !s.speed.is_one() && needed.within(&s.speed);
+    let found = complete::<ForcedResponse, ForcedResponseResult>(outcomes).find(|(s, ..)| wide(s));
+    found.map(|(_, r, name)| (r.clone(), name.to_string()))
+}
+
+/// The response at the speeds needed alone, taken from one that covers them.
+pub(super) fn response(outcomes: &[Outcome], needed: Needed) -> Found<ForcedResponseResult> {
+    let found = complete::<ForcedResponse, ForcedResponseResult>(outcomes).find(|(s, ..)| needed.within(&s.speed));
+    found.and_then(|(_, r, name)| Some((part(r, needed)?, name.to_string())))
+}
+
+/// A row between two others, by its first and the share of the second.
+type Between = (usize, f64);
+
+/// Rows at the ends of the speeds needed and those between them.
+fn rows(speeds: &[f64], needed: Needed) -> Option<Vec<Between>> {
+    let slack = SAME * needed.to.abs().max(needed.from.abs());
+    let at = |w: f64| {
+        if let Some(k) = speeds.iter().position(|s| (s - w).abs() <= slack) {
+            return Some((k, 0.0));
+        }
+        let k = speeds.windows(2).position(|p| p[0] < w && w < p[1])?;
+        Some((k, (w - speeds[k]) / (speeds[k + 1] - speeds[k])))
+    };
+    let inside = (0..speeds.len()).filter(|&k| speeds[k] > needed.from + slack && speeds[k] < needed.to - slack);
+    let first = at(needed.from)?;
+    let one = needed.to - needed.from <= slack;
+    let last = if one { None } else { Some(at(needed.to)?) };
+    Some([first].into_iter().chain(inside.map(|k| (k, 0.0))).chain(last).collect())
+}
+
+fn part(result: &ForcedResponseResult, needed: Needed) -> Option<ForcedResponseResult> {
+    let points = &result.curve.points;
+    let speeds: Vec<f64> = points.iter().map(|p| p.speed).collect();
+    let rows = rows(&speeds, needed)?;
+    let mix = |v: &[f64], (k, x): Between| if x == 0.0 { v[k] } else { v[k] + x * (v[k + 1] - v[k]) };
+    let each = |v: &[f64]| rows.iter().map(|&r| mix(v, r)).collect::<Vec<f64>>();
+    let point = |&(k, x): &Between| {
+        let a = &points[k];
+        if x == 0.0 {
+            return a.clone();
+        }
+        let b = &points[k + 1];
+        let both = a.x.iter().zip(&b.x).map(|(a, b)| *a + (*b - *a).scale(x)).collect();
+        Response { speed: a.speed + x * (b.speed - a.speed), x: both, residual: a.residual.max(b.residual) }
+    };
+    let inside = |w: f64| (needed.from..=needed.to).contains(&w);
+    let mut out = result.clone();
+    out.curve = Curve {
+        points: rows.iter().map(point).collect(),
+        extrema: result.curve.extrema.iter().filter(|e| inside(e.speed)).copied().collect(),
+        singular: result.curve.singular.iter().filter(|w| inside(**w)).copied().collect(),
+        unknown: result.curve.unknown.iter().filter(|w| inside(**w)).copied().collect(),
+        ..result.curve.clone()
+    };
+    out.observed.validity = each(&result.observed.validity);
+    out.observed.quantities.iter_mut().for_each(|q| q.values = each(&q.values));
+    out.observed.uses.iter_mut().for_each(|u| u.ratios = each(&u.ratios));
+    out.observed.closed.retain(|gap| gap.from <= needed.to && needed.from <= gap.to);
+    Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_at_and_between_speeds() {
+        let speeds = [10.0, 20.0, 30.0, 40.0];
+        let of = |from, to| rows(&speeds, Needed { from, to });
+        assert_eq!(of(20.0, 20.0), Some(vec![(1, 0.0)]));
+        assert_eq!(of(12.5, 12.5), Some(vec![(0, 0.25)]));
+        assert_eq!(of(12.5, 30.0), Some(vec![(0, 0.25), (1, 0.0), (2, 0.0)]));
+        assert_eq!(of(12.5, 37.5), Some(vec![(0, 0.25), (1, 0.0), (2, 0.0), (2, 0.75)]));
+        assert_eq!((of(5.0, 5.0), of(30.0, 50.0)), (None, None));
+    }
+
+    #[test]
+    fn crossings_between_two_speeds() {
+        let strongest = |speed, growth, grows| Strongest { speed, value: c(growth, 5.0), grows };
+        let r = row(&[strongest(1.0, -1.0, false), strongest(2.0, 3.0, true), strongest(3.0, 1e-12, false)]);
+        assert_eq!(r.edges.iter().map(|e| (e.speed, e.onset)).collect::<Vec<_>>(), [(1.25, true), (3.0, false)]);
+        assert_eq!(r.unstable_ranges(0.0), [(1.25, 3.0)]);
+    }
+}
