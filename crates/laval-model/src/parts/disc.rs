@@ -153,7 +153,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
         };
         if let Some(u) = sizes.iter().find(|u| !(0.0..=1e4).contains(*u)) {
             refuse(
-                text!("an unbalance of {u}", u = text::quantity(u, "kg m")),
+                text!("an unbalance of {u}", u = text::quantity(*u, "kg m")),
                 text!("sizes are positive; phase = \"180 deg\" turns one round"),
             );
             return None;
