@@ -130,7 +130,7 @@ pub fn unit_of(text: &str) -> Option<&str> {
 /// ```
 /// use laval_model::units::read_in;
 /// assert_eq!(read_in(&["lbf/in", "in"], 0.0508, "m"), ("2".into(), "in".into()));
-/// assert_eq!(read_in(&[], 314.159265, "rad/s"), ("3000".into(), "rpm".into()));
+/// assert_eq!(read_in(&[""; 0], 314.159265, "rad/s"), ("3000".into(), "rpm".into()));
 /// ```
 pub fn read_in(units: &[impl AsRef<str>], x: f64, unit: &str) -> (String, String) {
     let n = |x: f64| format_number(x, 4);

@@ -1,6 +1,6 @@
 //! Axes of figures.
 
-use crate::outcome::message::{Arg, Message};
+use crate::outcome::message::Arg;
 
 /// Scale of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -26,8 +26,8 @@ pub(in crate::report) fn cut(series: &[Series], x: &AxisView, y: &AxisView) -> V
         let mut run: Option<Cut> = None;
         for (px, py) in &s.points {
             let (a, b) = (x.place(*px), y.place(*py));
-            let beyond = (-1e-9..=1.0 + 1e-9).contains(&a) && (b > 1.0 + LEAST || b < -LEAST);
-            let here = beyond.then(|| Cut { x: *px, to: *py, up: b > 1.0 });
+            let beyond = (-1e-9..=1.0 + 1e-9).contains(&a) && b.is_finite() && !(-LEAST..=1.0 + LEAST).contains(&b);
+            let here = beyond.then_some(Cut { x: *px, to: *py, up: b > 1.0 });
             match (&mut run, here) {
                 (Some(r), Some(h)) if r.up == h.up => {
                     if (h.to > r.to) == h.up {
