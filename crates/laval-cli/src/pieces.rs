@@ -5,7 +5,7 @@ use crate::progress::Bar;
 use crate::run::{self, CANCEL, Request};
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, language, terminal};
 use laval::build;
-use laval::diagnostic::Diagnostics;
+use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{Loaded, NamedStudy};
 use laval::hash::sha256;
 use laval::plain;
@@ -15,6 +15,7 @@ use laval::study::{Context, Progress};
 use laval::text;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
 
@@ -47,6 +48,35 @@ struct Long<'a> {
     chained: bool,
 }
 
+/// Whether a study divides, and how.
+enum Divided<'a> {
+    /// It is short.
+    Not,
+    Long(Long<'a>),
+    Refused(Diagnostic),
+    /// It has no rows.
+    Nothing,
+    /// A fault of the program, which has been reported.
+    Failed,
+}
+
+fn divided<'a>(study: &'a NamedStudy, loaded: &Loaded, dir: &Path) -> Divided<'a> {
+    let Some(keep) = run::keep(loaded, dir, &study.name, Work::Plan).filter(|_| study.study.in_chunks()) else {
+        return Divided::Not;
+    };
+    let planned = Planned::default();
+    let context = Context { name: &study.name, cancel: &CANCEL, progress: &planned, work_limit: u64::MAX, keep: Some(&keep) };
+    match guarded(|| study.study.run(&loaded.system, &context)) {
+        None => return Divided::Failed,
+        Some(Err(d)) if d.code != NO_RESULT => return Divided::Refused(d),
+        Some(_) => {}
+    }
+    match planned.0.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        Some((plan, chained)) => Divided::Long(Long { study, keep, plan, chained }),
+        None => Divided::Nothing,
+    }
+}
+
 /// Says how the long studies of a file divide.
 pub fn plan(args: &PlanArgs) -> u8 {
     let (input, loaded) = match run::prepare_studies(&args.request) {
@@ -57,25 +87,18 @@ pub fn plan(args: &PlanArgs) -> u8 {
     let dir = args.request.dir(&input);
     let (mut long, mut short, mut code) = (Vec::new(), Vec::new(), DONE);
     for study in &loaded.studies {
-        let Some(keep) = run::keep(&loaded, &dir, &study.name, Work::Plan).filter(|_| study.study.in_chunks()) else {
-            short.push(plain::line(&study.name).into_owned());
-            continue;
-        };
-        let planned = Planned::default();
-        let context = Context { name: &study.name, cancel: &CANCEL, progress: &planned, work_limit: u64::MAX, keep: Some(&keep) };
-        match guarded(|| study.study.run(&loaded.system, &context)) {
-            None => return FAILED,
-            Some(Err(d)) if d.code != NO_RESULT => {
+        match divided(study, &loaded, &dir) {
+            Divided::Not => short.push(plain::line(&study.name).into_owned()),
+            Divided::Long(l) => long.push(l),
+            Divided::Refused(d) => {
                 input.complain(&Diagnostics(vec![d]));
                 code = WRONG;
             }
-            Some(_) => {}
+            Divided::Nothing => {}
+            Divided::Failed => return FAILED,
         }
         if CANCEL.load(Ordering::Relaxed) {
             return STOPPED;
-        }
-        if let Some((plan, chained)) = planned.0.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            long.push(Long { study, keep, plan, chained });
         }
     }
     let text = if args.json { format!("{:#}\n", as_json(&input, &long)) } else { as_text(&args.request, &long, &short) };
@@ -138,6 +161,34 @@ fn as_text(request: &Request, long: &[Long], short: &[String]) -> String {
     s
 }
 
+/// Into how many parts a file divides at most.
+enum Most {
+    /// It has no long studies.
+    None,
+    Parts(usize),
+    /// A study could not be planned, or the user has stopped it.
+    Unknown,
+    /// A fault of the program, which has been reported.
+    Failed,
+}
+
+fn most(loaded: &Loaded, dir: &Path) -> Most {
+    let mut most = Most::None;
+    for study in loaded.studies.iter().filter(|s| s.study.in_chunks()) {
+        most = match (divided(study, loaded, dir), most) {
+            (Divided::Failed, _) => return Most::Failed,
+            (Divided::Refused(_), _) => return Most::Unknown,
+            (Divided::Long(l), Most::Parts(n)) => Most::Parts(n.max(parts(&l))),
+            (Divided::Long(l), _) => Most::Parts(parts(&l)),
+            (Divided::Not | Divided::Nothing, most) => most,
+        };
+        if CANCEL.load(Ordering::Relaxed) {
+            return Most::Unknown;
+        }
+    }
+    most
+}
+
 /// Computes one part of the long studies.
 pub fn compute(request: &Request, input: &Input, loaded: &Loaded, piece: Piece) -> u8 {
     run::listen();
@@ -150,6 +201,31 @@ pub fn compute(request: &Request, input: &Input, loaded: &Loaded, piece: Piece) 
             return WRONG;
         }
     };
+    match most(loaded, &dir) {
+        Most::None => {
+            let d = Diagnostic::error(
+                "part.none",
+                text!("no study of {file} divides into parts", file = plain::line(&request.file.to_string_lossy())),
+            );
+            input::complain(&d.help(text!("leave out --part: laval run computes all of them")));
+            return WRONG;
+        }
+        Most::Parts(most) if piece.of() > most => {
+            let message = text!(
+                "{of} parts are requested, and no study of {file} divides into more than {most}",
+                of = piece.of(),
+                most,
+                file = plain::line(&request.file.to_string_lossy())
+            );
+            let help =
+                text!("number the parts from 1/{most} to {most}/{most}, or take fewer; laval plan says how each study divides", most);
+            input::complain(&Diagnostic::error("part.many", message).help(help));
+            return WRONG;
+        }
+        // a study that cannot be planned is refused where it is computed
+        Most::Parts(_) | Most::Unknown => {}
+        Most::Failed => return FAILED,
+    }
     let mut code = DONE;
     for study in loaded.studies.iter().filter(|s| s.study.in_chunks()) {
         if CANCEL.load(Ordering::Relaxed) {

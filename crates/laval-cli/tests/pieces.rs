@@ -130,6 +130,14 @@ fn the_plan_names_what_divides() {
     assert!(!dir.0.join("out").exists());
     dir.file("small.toml", machine().split("[[study]]\nkind = \"uncertainty\"").next().unwrap());
     assert!(dir.laval(["plan", "small.toml"]).done().contains("No study of small.toml divides"));
+    dir.laval(["run", "small.toml", "--part", "1/3", "--out", "s"]).refused(&[
+        "part.none",
+        "no study of small.toml divides into parts",
+        "leave out --part",
+    ]);
+    // more parts than there are chunks: some would have nothing to do
+    dir.laval(["run", "m.toml", "--part", "1/30", "--out", "p"]).refused(&["part.many", "30 parts", "more than 13", "laval plan"]);
+    dir.laval(["run", "m.toml", "--part", "30/30", "--out", "p"]).refused(&["part.many"]);
     for wrong in ["0/3", "4/3", "3", "a/b"] {
         dir.laval(["run", "m.toml", "--part", wrong]).refused(&["--part", wrong]);
     }

@@ -1,5 +1,6 @@
 //! A sentence for people as data: its English template and what stands in it, so that other languages can say it too.
 
+use crate::units::{format_number, format_si};
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 
@@ -13,8 +14,12 @@ pub struct Text {
 /// What stands in a place of a template.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Arg {
-    /// The same in all languages: a name, a word of the file, a number with its unit.
+    /// The same in all languages: a name, a word of the file, what is to be written there.
     Plain(String),
+    /// A number without unit, as English writes it.
+    Number(String),
+    /// A value in its SI unit; who shows it chooses the unit of the reader.
+    Quantity(Value),
     /// A count: chooses plural forms.
     Count(u64),
     /// A fixed English phrase of a declaration, such as what a key means.
@@ -26,6 +31,23 @@ pub enum Arg {
     /// Several, joined.
     List(Vec<Arg>, Joint),
 }
+
+/// A value in an SI unit (`""` is a pure number).
+#[derive(Clone, Debug)]
+pub struct Value {
+    /// In the SI unit.
+    pub value: f64,
+    /// The SI unit.
+    pub unit: Cow<'static, str>,
+}
+
+/// Bit by bit, so that what is not a number equals itself and a sentence always does.
+impl PartialEq for Value {
+    fn eq(&self, other: &Value) -> bool {
+        self.value.to_bits() == other.value.to_bits() && self.unit == other.unit
+    }
+}
+impl Eq for Value {}
 
 /// What stands between the entries of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -226,6 +248,16 @@ pub fn quoted(word: &(impl fmt::Debug + ?Sized)) -> Arg {
     Arg::Plain(format!("{word:?}"))
 }
 
+/// A value in its SI unit, for the reader in the unit of the file.
+pub fn quantity(value: f64, unit: impl Into<Cow<'static, str>>) -> Arg {
+    Arg::Quantity(Value { value, unit: unit.into() })
+}
+
+/// A number without unit, with at most `significant` digits.
+pub fn number(x: f64, significant: usize) -> Arg {
+    Arg::Number(format_number(x, significant))
+}
+
 /// Fixed phrase of a declaration.
 pub fn term(phrase: &'static str) -> Arg {
     Arg::Term(phrase)
@@ -245,7 +277,8 @@ impl fmt::Display for Arg {
     /// In English.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Arg::Plain(text) => f.write_str(text),
+            Arg::Plain(text) | Arg::Number(text) => f.write_str(text),
+            Arg::Quantity(q) => f.write_str(&format_si(q.value, &q.unit)),
             Arg::Count(n) => write!(f, "{n}"),
             Arg::Term(text) => f.write_str(text),
             Arg::Text(text) => text.fmt(f),
@@ -314,7 +347,7 @@ macro_rules! plain {
         }
     })* };
 }
-plain!(str, String, char, f64, i32, i64, std::io::Error, std::path::Display<'_>, fmt::Arguments<'_>);
+plain!(str, String, char, i32, i64, std::io::Error, std::path::Display<'_>, fmt::Arguments<'_>);
 
 macro_rules! count {
     ($($t:ty),*) => { $(impl Argument for $t {
@@ -324,6 +357,12 @@ macro_rules! count {
     })* };
 }
 count!(u8, u16, u32, u64);
+
+impl Argument for f64 {
+    fn argument(&self) -> Arg {
+        Arg::Number(self.to_string())
+    }
+}
 
 impl Argument for usize {
     fn argument(&self) -> Arg {

@@ -226,7 +226,7 @@ impl Journey {
                     Leaves::Piece => {
                         pieces += 1;
                         if pieces > MOST_PIECES {
-                            return Err(Lost(text!("the drag law changes its piece again and again at {t} s", t)));
+                            return Err(Lost(text!("the drag law changes its piece again and again at {t}", t = text::quantity(t, "s"))));
                         }
                         equations.change(t, &y, per_speed);
                     }
@@ -329,8 +329,8 @@ impl Leg<'_> {
 fn lost(run: &Run) -> Lost {
     match &run.end {
         End::Failed { what, .. } => Lost(text!("{what}", what)),
-        End::StepTooSmall { t, .. } => Lost(text!("the step became too small at {t} s", t)),
-        _ => Lost(text!("stopped at {t} s after {steps} steps", t = run.t, steps = run.work.steps)),
+        End::StepTooSmall { t, .. } => Lost(text!("the step became too small at {t}", t = text::quantity(*t, "s"))),
+        _ => Lost(text!("stopped at {t} after {steps} steps", t = text::quantity(run.t, "s"), steps = run.work.steps)),
     }
 }
 

@@ -538,8 +538,11 @@ pub fn modes_about(system: &System, about: &Equilibrium, always: bool) -> Result
     }
     let linear = Linearised::new(system, about)?;
     let mut spectrum = linear.spectrum().map_err(|e| {
-        Diagnostic::error("modes.eigenvalues", text!("the modes at {speed} rad/s could not be computed: {e}", speed = about.speed, e))
-            .help(text!("a coordinate with neither mass, damping nor stiffness leaves the modes undetermined"))
+        Diagnostic::error(
+            "modes.eigenvalues",
+            text!("the modes at {speed} could not be computed: {e}", speed = text::quantity(about.speed, "rad/s"), e),
+        )
+        .help(text!("a coordinate with neither mass, damping nor stiffness leaves the modes undetermined"))
     })?;
     if holds_fit(system) {
         super::exact::settle(&mut Characteristic::new(system, about), &linear, &mut spectrum);

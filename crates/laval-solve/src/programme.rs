@@ -163,7 +163,11 @@ impl Programme {
             return Err(Unusable(text!("times and speeds must be finite")));
         }
         if let Some(w) = times.windows(2).find(|w| w[1] <= w[0]) {
-            return Err(Unusable(text!("the times must increase; {first} s is followed by {second} s", first = w[0], second = w[1])));
+            return Err(Unusable(text!(
+                "the times must increase; {first} is followed by {second}",
+                first = text::quantity(w[0], "s"),
+                second = text::quantity(w[1], "s")
+            )));
         }
         let h: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
         let slope: Vec<f64> = speeds.windows(2).zip(&h).map(|(w, h)| (w[1] - w[0]) / h).collect();

@@ -376,7 +376,7 @@ fn not_held(system: &System, speed: f64) -> Diagnostic {
 fn no_equilibrium(step: f64) -> Diagnostic {
     Diagnostic::error(
         "rest.not_found",
-        text!("no equilibrium was found (Newton's method stopped with a step of {step} typical sizes)", step = format_args!("{step:.1e}")),
+        text!("no equilibrium was found (Newton's method stopped with a step of {step} typical sizes)", step = text::number(step, 2)),
     )
     .help(text!("check the load and the characteristics of nonlinear parts, or start from another state"))
 }

@@ -4,7 +4,6 @@
 use crate::diagnostic::Span;
 use crate::text;
 use crate::text::Text;
-use crate::units;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -42,10 +41,7 @@ impl Bounds {
     }
     /// In words, for numbers of an SI unit: "above 0 and at most 1e15 N/m".
     pub fn text(&self, unit: &str) -> Text {
-        let n = |x: f64| match unit {
-            "rad/s" | "rad" | "K" => units::format_si(x, unit),
-            _ => units::write_si(x, unit),
-        };
+        let n = |x: f64| text::quantity(x, unit.to_string());
         let low = match (self.min, self.min_open) {
             (m, _) if m == f64::NEG_INFINITY => None,
             (0.0, true) => Some(text!("above 0")),

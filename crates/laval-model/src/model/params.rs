@@ -2,8 +2,7 @@
 
 use super::field::{Bounds, Field, FieldKind};
 use crate::text;
-use crate::text::Text;
-use crate::units::format_si;
+use crate::text::{Arg, Text};
 use laval_num::scalar::Scalar;
 
 /// One scalar parameter after lateral pairs have been split.
@@ -22,7 +21,7 @@ pub struct ParamSlot {
 #[derive(PartialEq)]
 enum Wrong {
     Missing,
-    Value(String, Text),
+    Value(Arg, Text),
 }
 
 /// What is wrong with values of parameters, in the names and units of a machine file: a lateral pair by its one name where both halves are alike.
@@ -30,7 +29,7 @@ pub fn inadmissible(slots: &[ParamSlot], values: &[f64]) -> Vec<Text> {
     let wrong = |slot: &ParamSlot, x: f64| match slot.bounds.contains(x) {
         true => None,
         false if x.is_nan() => Some(Wrong::Missing),
-        false => Some(Wrong::Value(format_si(x, slot.unit), slot.bounds.text(slot.unit))),
+        false => Some(Wrong::Value(text::quantity(x, slot.unit), slot.bounds.text(slot.unit))),
     };
     let mut out: Vec<(&str, Wrong)> = Vec::new();
     for (slot, &x) in slots.iter().zip(values) {

@@ -21,7 +21,6 @@ use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params,
 use crate::params;
 use crate::text;
 use crate::text::{Argument, Text};
-use crate::units;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
@@ -48,10 +47,10 @@ fn warn_of_reversal(values: &Values, params: &ParamValues, diagnostics: &mut Dia
     if let Some(d) = reversals.into_iter().flatten().reduce(f64::min)
         && d < reach
     {
-        let message = text!("the force no longer restores beyond a deflection of {d}: it pushes away", d = units::format_si(d, "m"));
+        let message = text!("the force no longer restores beyond a deflection of {d}: it pushes away", d = text::quantity(d, "m"));
         let place = match valid_to > 0.0 {
             true => text!("valid_to, the deflection the law holds for").argument(),
-            false => units::format_si(reach, "m").argument(),
+            false => text::quantity(reach, "m"),
         };
         diagnostics.push(
             Diagnostic::warning("bearing_cubic.reversal", message)

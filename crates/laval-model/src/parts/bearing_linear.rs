@@ -32,7 +32,6 @@ use crate::model::part::{At, Beyond, Energy, ErasedPart, Layout, Link, Observed,
 use crate::params;
 use crate::text;
 use crate::text::Text;
-use crate::units::format_si;
 use laval_num::interpolate::{Interpolant, TableError};
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
@@ -76,7 +75,7 @@ impl Table {
         } else if let Err(error) = Interpolant::new(speed, &vec![0.0; speed.len()]) {
             wrong.push(match error {
                 TableError::NotIncreasing(row) => {
-                    let shown = |w: f64| format_si(w, "rad/s");
+                    let shown = |w: f64| text::quantity(w, "rad/s");
                     text!(
                         "speeds must increase from row to row: row {number} has {speed} after {before}",
                         number = row + 1,

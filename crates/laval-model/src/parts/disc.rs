@@ -35,7 +35,6 @@ use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Params, 
 use crate::params;
 use crate::text;
 use crate::text::Text;
-use crate::units::format_si;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
@@ -153,7 +152,10 @@ skew = "0.1 mrad"                   # dynamic unbalance
             diagnostics.push(Diagnostic::error("disc.unbalances", message).at(values.span_of("unbalances")).help(help));
         };
         if let Some(u) = sizes.iter().find(|u| !(0.0..=1e4).contains(*u)) {
-            refuse(text!("an unbalance of {u} kg m", u), text!("sizes are positive; phase = \"180 deg\" turns one round"));
+            refuse(
+                text!("an unbalance of {u}", u = text::quantity(*u, "kg m")),
+                text!("sizes are positive; phase = \"180 deg\" turns one round"),
+            );
             return None;
         }
         if (0..sizes.len()).any(|k| !(entry("phase", k).abs() <= 1e3 && entry("at", k).abs() <= 100.0)) {
@@ -269,7 +271,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
         if self.tilts && p.polar_inertia > 2.0 * p.diametral_inertia {
             wrong.push((
                 "polar_inertia",
-                text!("no body has a polar inertia ({polar_inertia}) above twice its diametral inertia ({diametral_inertia}); a thin disc has just twice", polar_inertia = format_si(p.polar_inertia, "kg m^2"), diametral_inertia = format_si(p.diametral_inertia, "kg m^2")),
+                text!("no body has a polar inertia ({polar_inertia}) above twice its diametral inertia ({diametral_inertia}); a thin disc has just twice", polar_inertia = text::quantity(p.polar_inertia, "kg m^2"), diametral_inertia = text::quantity(p.diametral_inertia, "kg m^2")),
             ));
         }
         if !self.tilts && (p.skew != 0.0 || p.centre_of_mass != 0.0) {

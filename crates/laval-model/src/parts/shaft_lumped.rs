@@ -39,7 +39,6 @@ use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params,
 use crate::params;
 use crate::text;
 use crate::text::Text;
-use crate::units::format_si;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -312,10 +311,10 @@ material_damping = "2e-5 s"         # loss of the material, turning with the sha
         let [kx, ky] = p.stiffness;
         let mut wrong = Vec::new();
         if p.cross_stiffness * p.cross_stiffness > kx * ky {
-            let limit = format_si(below((kx * ky).sqrt()), "N/m");
+            let limit = text::quantity(below((kx * ky).sqrt()), "N/m");
             wrong.push(("cross_stiffness", text!("cross_stiffness is at most sqrt(kx ky) = {limit}: more would push outwards", limit)));
         } else if p.coupling != 0.0 && p.coupling * p.coupling > p.tilt_stiffness * least(p) {
-            let limit = format_si(below((p.tilt_stiffness * least(p)).sqrt()), "N/rad");
+            let limit = text::quantity(below((p.tilt_stiffness * least(p)).sqrt()), "N/rad");
             wrong.push((
                 "coupling",
                 text!("coupling is at most sqrt(stiffness tilt_stiffness) = {limit}: more would give energy when bent (a clamped shaft has 0.87 of that)", limit),
@@ -386,7 +385,9 @@ impl Round {
         }
         for (held, length, name) in [(self.lower, p.below, "below"), (self.upper, p.above, "above")] {
             match held {
-                Some(_) if !(length >= 1e-4) => wrong.push((name, text!("{name} is at least {value}", name, value = format_si(1e-4, "m")))),
+                Some(_) if !(length >= 1e-4) => {
+                    wrong.push((name, text!("{name} is at least {value}", name, value = text::quantity(1e-4, "m"))))
+                }
                 None if length != 0.0 => wrong.push((name, text!("this shaft was built without {name}", name))),
                 _ => {}
             }

@@ -1,6 +1,6 @@
 //! Quantities for people, and quantities that read back exactly.
 
-use super::read_quantity;
+use super::{Dimension, Unit, check_dimension, parse, parse_unit, read_quantity};
 use std::f64::consts::{PI, TAU};
 
 /// Units in which values of an SI unit are shown: text and its power of ten in the SI unit, ascending.
@@ -115,6 +115,58 @@ pub fn format_si(x: f64, unit: &str) -> String {
             format!("{} {text}", plain(neg, &d, e - shift))
         }
     }
+}
+
+/// The unit behind the number of a quantity, as it is written there: `mm` of `46.7 mm`. Nothing where it is no quantity or has no unit.
+pub fn unit_of(text: &str) -> Option<&str> {
+    let number = parse::number(text).ok()?;
+    let unit = text[number.rest..].trim();
+    parse_unit(unit).ok().filter(|_| !unit.is_empty()).map(|_| unit)
+}
+
+/// A value in SI units with four digits as number and unit: in the first of the units a reader has chosen that measures it readably, else in the first that
+/// measures it at all, else with a readable prefix; speeds then in rpm, angles in degrees.
+///
+/// ```
+/// use laval_model::units::read_in;
+/// assert_eq!(read_in(&["lbf/in", "in"], 0.0508, "m"), ("2".into(), "in".into()));
+/// assert_eq!(read_in(&[""; 0], 314.159265, "rad/s"), ("3000".into(), "rpm".into()));
+/// ```
+pub fn read_in(units: &[impl AsRef<str>], x: f64, unit: &str) -> (String, String) {
+    let n = |x: f64| format_number(x, 4);
+    if !x.is_finite() {
+        return (n(x), String::new());
+    }
+    let in_unit = |u: &Unit| (x - u.offset) / u.factor();
+    let fitting = |name: &&str| {
+        let u = parse_unit(name).ok()?;
+        // a rate in Hz is another number than a speed in Hz
+        let same = parse_unit(unit).is_ok_and(|si: Unit| dimension_fits(&u.dimension, &si.dimension));
+        (same && check_dimension(name, unit).is_ok()).then_some(u)
+    };
+    let own: Vec<(&str, Unit)> = units.iter().map(AsRef::as_ref).filter_map(|name| Some((name, fitting(&name)?))).collect();
+    let readable = |u: &Unit| x == 0.0 || (1e-2..1e5).contains(&in_unit(u).abs());
+    if let Some((name, u)) = own.iter().find(|o| readable(&o.1)).or(own.first()) {
+        return (n(in_unit(u)), name.to_string());
+    }
+    match unit {
+        "" => (n(x), String::new()),
+        "rad/s" => (n(x * 60.0 / TAU), "rpm".into()),
+        "rad" => (n(x * 180.0 / PI), "deg".into()),
+        "K" if x > 0.0 => (n(x - 273.15), "degC".into()),
+        _ => {
+            let (neg, d, e) = digits(&format!("{x:.3e}"));
+            let (text, shift) = if x == 0.0 { (unit.to_string(), 0) } else { rung(unit, e) };
+            (plain(neg, &d, e - shift), text)
+        }
+    }
+}
+
+/// The same dimension; a radian below the line may be left out.
+fn dimension_fits(given: &Dimension, si: &Dimension) -> bool {
+    const ANGLE: usize = 5;
+    let apart = |i: usize| (given.0[i] - si.0[i]).abs() > 1e-9;
+    !(0..ANGLE).any(apart) && (!apart(ANGLE) || si.0[ANGLE] < 0.0 && given.0[ANGLE].abs() < 1e-9)
 }
 
 /// A value in SI units as a person would write it, which [`read_quantity`] reads back to the very same number; a speed in rpm

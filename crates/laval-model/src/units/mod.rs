@@ -20,7 +20,7 @@ mod format;
 mod parse;
 mod table;
 
-pub use format::{format_number, format_si, write_number, write_si};
+pub use format::{format_number, format_si, read_in, unit_of, write_number, write_si};
 pub use parse::parse_unit;
 pub use table::{Listed, describe, examples, list, quantities};
 
@@ -212,6 +212,24 @@ pub fn check_dimension(given: &str, expected: &str) -> Result<(), UnitError> {
     compatible(&unit, &parse_unit(expected)?).map(|_| ()).map_err(|why| why.error(given, 0..given.len(), given, &unit, expected))
 }
 
+/// The quantity with pounds of force where pounds of mass stand, when that is what is wanted.
+fn pounds_as_force(text: &str, unit_text: &str, expected: &str) -> Option<String> {
+    let mut force = String::new();
+    let mut rest = unit_text;
+    while let Some(at) = rest.find(char::is_alphabetic) {
+        let end = rest[at..].find(|c: char| !c.is_alphabetic()).map_or(rest.len(), |e| at + e);
+        force.push_str(&rest[..at]);
+        force.push_str(match &rest[at..end] {
+            "lb" => "lbf",
+            word => word,
+        });
+        rest = &rest[end..];
+    }
+    force.push_str(rest);
+    (force != unit_text && check_dimension(&force, expected).is_ok())
+        .then(|| format!("{}{force}", text.strip_suffix(unit_text).unwrap_or_default()))
+}
+
 enum Mismatch {
     Dimension,
     /// A rate without angle where a rotational speed is wanted.
@@ -257,11 +275,15 @@ impl Mismatch {
                 } else {
                     table::describe_dimension(&unit.dimension, unit.joules)
                 };
-                UnitError::new(
+                let error = UnitError::new(
                     "unit.dimension",
                     range,
                     text!("{need} is needed ({ex}); {text} is {is}", need, ex, text = text::quoted(&text), is),
-                )
+                );
+                match pounds_as_force(text, unit_text, expected) {
+                    Some(meant) => error.help(text!("lb is a mass; the force is lbf: write {meant}", meant = text::quoted(&meant))),
+                    None => error,
+                }
             }
             Mismatch::AngleLeftOut => UnitError::new(
                 "unit.angle",

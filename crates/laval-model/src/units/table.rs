@@ -62,7 +62,7 @@ static ATOMS: &[Atom] = &[
     u("ohm", 1.0, 0, [1, 2, -3, -2, 0, 0], Si), u("Ω", 1.0, 0, [1, 2, -3, -2, 0, 0], Si), u("Ω", 1.0, 0, [1, 2, -3, -2, 0, 0], Si),
     u("H", 1.0, 0, [1, 2, -2, -2, 0, 0], Si), u("Wb", 1.0, 0, [1, 2, -2, -1, 0, 0], Si), u("T", 1.0, 0, [1, 0, -2, -1, 0, 0], Si),
     u("in", 2.54, -2, LENGTH, No), u("inch", 2.54, -2, LENGTH, No), u("ft", 0.3048, 0, LENGTH, No), u("mil", 2.54, -5, LENGTH, No),
-    u("thou", 2.54, -5, LENGTH, No), u("lb", 0.45359237, 0, MASS, No), u("oz", 0.028349523125, 0, MASS, No),
+    u("thou", 2.54, -5, LENGTH, No), u("lb", 0.45359237, 0, MASS, No), u("oz", 0.028349523125, 0, MASS, No), u("slug", 14.593902937206365, 0, MASS, No),
     u("lbf", 4.4482216152605, 0, FORCE, No), u("kgf", 9.80665, 0, FORCE, No), u("psi", 6894.757293168361, 0, PRESSURE, No),
     u("atm", 101325.0, 0, PRESSURE, No), u("gn", 9.80665, 0, [0, 1, -2, 0, 0, 0], No),
 ];
@@ -165,6 +165,9 @@ pub(super) fn suggest(word: &str) -> Option<String> {
         "liter" | "litre" | "liters" | "litres" => Some("l"),
         "hour" | "hours" | "hr" => Some("h"),
         "kilo" | "kgs" => Some("kg"),
+        "slugs" => Some("slug"),
+        "lbs" | "lbm" | "pound" | "pounds" => Some("lb"),
+        "lbsf" => Some("lbf"),
         "newton" | "newtons" => Some("N"),
         "c" | "celsius" => Some("degC"),
         "percent" => Some("%"),

@@ -72,6 +72,8 @@ fn conversions() {
         ("0.001 in", "m", 2.54e-5),
         ("1 mil", "m", 2.54e-5),
         ("2 lb", "kg", 0.90718474),
+        ("1 slug", "kg", 14.593902937206365),
+        ("1000 lbf/in", "N/m", 175126.83524647637),
         ("1 gn", "m/s^2", 9.80665),
         ("5 W/(m^2 K)", "W/(m^2 K)", 5.0),
         ("1 N/m/s", "N/(m s)", 1.0),
@@ -131,6 +133,11 @@ fn mistakes_are_said_well() {
         ("3000 RPM", "rad/s", "\"RPM\" is not a known unit (did you mean \"rpm\"?)"),
         ("5 kn", "N", "\"kn\" is not a known unit (did you mean \"kN\"?)"),
         ("5 mPas", "Pa s", "\"mPas\" is not a known unit (did you mean \"mPa s\"?)"),
+        (
+            "1000 lb/in",
+            "N/m",
+            "a stiffness is needed (N/m, N/mm, MN/m); \"1000 lb/in\" is a mass per length (lb is a mass; the force is lbf: write \"1000 lbf/in\")",
+        ),
         ("5 gmm", "kg m", "\"gmm\" is not a known unit (did you mean \"g mm\"?)"),
         ("fast", "rad/s", "a quantity is a number and a unit; \"fast\" begins with no number (write it as in \"70 mm\")"),
         ("", "m", "a quantity is a number and a unit; this text is empty (write it as in \"70 mm\")"),
@@ -181,6 +188,32 @@ fn display() {
         (1200.0, "m", "1200 m"),
     ] {
         assert_eq!(format_si(x, unit), text);
+    }
+}
+
+#[test]
+fn values_are_read_in_the_units_of_the_file() {
+    let imperial = ["lbf/in", "in", "slug", "rpm", "degC", "N m/deg", "%"];
+    for (x, unit, number, name) in [
+        (-0.0508, "m", "-2", "in"),
+        (2.54e-7, "m", "1e-5", "in"),
+        (175_126.835, "N/m", "1000", "lbf/in"),
+        (29.1878, "kg", "2", "slug"),
+        (314.159265, "rad/s", "3000", "rpm"),
+        (293.15, "K", "20", "degC"),
+        (180.0 / PI, "N m/rad", "1", "N m/deg"),
+        (1.1e7, "N s/m", "11", "MN s/m"),
+        (0.25, "", "25", "%"),
+        (f64::NAN, "m", "not a number", ""),
+    ] {
+        assert_eq!(read_in(&imperial, x, unit), (number.into(), name.into()), "{x} {unit}");
+    }
+    // the first that measures it readably; a torque is no energy, a rate no speed
+    assert_eq!(read_in(&["m", "µm"], 2e-5, "m"), ("20".into(), "µm".into()));
+    assert_eq!(read_in(&["J", "Hz"], 5.0, "N m"), ("5".into(), "N m".into()));
+    assert_eq!(read_in(&["Hz"], 5.0, "1/s"), ("5".into(), "1/s".into()));
+    for (text, unit) in [("46.7mm", Some("mm")), ("3 N m/rad", Some("N m/rad")), ("5", None), ("fast", None), ("3 furlongs", None)] {
+        assert_eq!(unit_of(text), unit);
     }
 }
 

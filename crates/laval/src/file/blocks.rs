@@ -2,6 +2,7 @@
 
 use super::draft::{Draft, Drafted};
 use super::naming::{read_kind, read_name};
+use super::syntax::brackets;
 use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, StudyTable, clip};
 use super::{Block, Catalog, Drive, MACHINE_FIELDS, MachineBlock, RotorAxis};
@@ -82,6 +83,9 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
                 let once = catalog.blocks.iter().any(|x| !x.several && x.word == info.kind);
                 let implicit: &[&str] = if once { &[] } else { &["kind", "name"] };
                 unread = read_fields(&mut cx, info, implicit, b.table, b.span.clone(), &mut values);
+                if b.word != "study" {
+                    super::unusual::check(info, &values, &b.who, out);
+                }
             }
             let block = Block {
                 kind: b.info.map_or("", |k| k.kind),
@@ -114,12 +118,17 @@ fn top<'n, 'a>(entry: &'n Entry<'a>, root: &[Entry], catalog: &'n Catalog, out: 
     if let Some(kind) = of(&catalog.studies) {
         return Top { entry, word: Some("study"), kind: Some(kind) };
     }
-    let several = |word: &str| matches!(word, "part" | "study") || catalog.blocks.iter().any(|b| b.several && b.word == word);
+    let several = |word: &str| several(catalog, word);
     // taken for what it resembles only where that is plain: blocks with a kind, or the only one of its sort
     let kinds = tables(entry).iter().any(|(t, _)| get(t, "kind").is_some());
     let alone = |word: &str| get(root, word).is_none() && entry.node.table().is_some();
     let word = meant(key, words()).filter(|w| if several(w) { kinds } else { alone(w) });
     Top { entry, word, kind: None }
+}
+
+/// There may be several blocks of this word.
+pub(super) fn several(catalog: &Catalog, word: &str) -> bool {
+    matches!(word, "part" | "study") || catalog.blocks.iter().any(|b| b.several && b.word == word)
 }
 
 /// The word a misspelt header resembles.
@@ -222,12 +231,7 @@ fn gather<'n, 'a>(
             Data::List(list) => nodes.extend(list.iter().map(|n| (n, t))),
             Data::Table(_) => {
                 if e.key == what {
-                    out.push(
-                        Diagnostic::error("file.brackets", text!("[{what}] needs double brackets", what))
-                            .at(e.node.span.clone())
-                            .label(text!("single brackets"))
-                            .help(text!("write [[{what}]]: there may be several", what)),
-                    );
+                    out.push(brackets(what, e.node.span.clone()));
                 }
                 nodes.push((&e.node, t));
             }

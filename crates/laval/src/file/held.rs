@@ -31,16 +31,29 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
         if names.is_empty() {
             continue;
         }
-        let message = text!(
-            "nothing holds \"{name}\" in {names}: it can move away, alone or with the bodies it is joined to",
-            name = slot.name,
-            names = names.join(", ")
-        );
-        out.push(
-            Diagnostic::warning("body.free", message)
-                .at(slot.span.clone())
-                .help(text!("join it to \"ground\" or to a foundation with a bearing or a shaft; a damper holds nothing in place")),
-        );
+        // springs that act on displacement alone hold a body and not its tilt
+        let tilts = free.iter().filter(own).all(|&i| matches!(system.coordinates()[i].dof.kind, DofKind::TiltX | DofKind::TiltY));
+        let (message, help) = match tilts {
+            true => (
+                text!(
+                    "nothing holds the tilt of \"{name}\" ({names}), alone or with that of the bodies it is joined to",
+                    name = slot.name,
+                    names = names.join(", ")
+                ),
+                text!(
+                    "let a shaft act on the tilt (tilt_stiffness, or a round shaft), hold the body at two heights, or leave out its diametral_inertia: then it does not tilt"
+                ),
+            ),
+            false => (
+                text!(
+                    "nothing holds \"{name}\" in {names}: it can move away, alone or with the bodies it is joined to",
+                    name = slot.name,
+                    names = names.join(", ")
+                ),
+                text!("join it to \"ground\" or to a foundation with a bearing or a shaft; a damper holds nothing in place"),
+            ),
+        };
+        out.push(Diagnostic::warning("body.free", message).at(slot.span.clone()).help(help));
     }
 }
 

@@ -27,6 +27,7 @@ mod stages;
 mod stand_in;
 mod syntax;
 mod tree;
+mod unusual;
 mod values;
 mod written_units;
 

@@ -7,7 +7,7 @@ use crate::model::field::KindInfo;
 use crate::text;
 use crate::text::Text;
 
-/// Longest name of a block.
+/// Longest name of a block, characters.
 const MAX_NAME: usize = 64;
 
 /// The kind of a block, one of those known.
@@ -73,10 +73,11 @@ pub(super) fn read_name(e: &Entry, what: &str, out: &mut Diagnostics) -> Option<
         return Some(t.to_string());
     }
     let d = bad(text!("{t} cannot be the name of a {what}", t = text::quoted(&clip(t)), what), text!("not a name"));
-    let mut clean: String =
-        t.chars().map(|c| if c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | ' ') { c } else { '_' }).take(MAX_NAME).collect();
-    clean = clean.trim_matches(|c: char| !c.is_ascii_alphanumeric()).to_string();
-    let mut help = text!("a name is made of letters, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters");
+    let mut clean: String = t.chars().map(|c| if inner(c) { c } else { '_' }).take(MAX_NAME).collect();
+    clean = clean.trim_matches(|c: char| !letter(c)).to_string();
+    let mut help = text!(
+        "a name is made of letters of any script, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters"
+    );
     if valid_name(&clean) {
         help = text!("for instance {name}: {help}", name = text::quoted(&clean), help);
     }
@@ -84,8 +85,36 @@ pub(super) fn read_name(e: &Entry, what: &str, out: &mut Diagnostics) -> Option<
     None
 }
 
+/// Letters and digits of all scripts, but for letters that show nothing.
+fn letter(c: char) -> bool {
+    c.is_alphanumeric() && !matches!(c, '\u{115f}' | '\u{1160}' | '\u{3164}' | '\u{ffa0}')
+}
+
+fn inner(c: char) -> bool {
+    letter(c) || matches!(c, '_' | '-' | ' ')
+}
+
 /// Letters, digits, inner spaces, `_` and `-` (no dot: `drum.x` is a coordinate of `drum`); names become folders and columns.
 pub(super) fn valid_name(t: &str) -> bool {
-    let inner = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | ' ');
-    t.len() <= MAX_NAME && t.starts_with(|c: char| c.is_ascii_alphanumeric()) && !t.ends_with(' ') && t.chars().all(inner) && t != "ground"
+    t.chars().count() <= MAX_NAME && t.starts_with(letter) && !t.ends_with(' ') && t.chars().all(inner) && t != "ground"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_made_of_the_letters_of_all_scripts() {
+        for fine in
+            ["drum", "2nd disc", "барабан", "қозғалтқыш-2", "Әуе желдеткіші", "oʻqʻ".replace('ʻ', "").as_str(), "回転体", "Läufer_1"]
+        {
+            assert!(valid_name(fine), "{fine}");
+        }
+        assert!(valid_name(&"ж".repeat(64)) && !valid_name(&"ж".repeat(65)));
+        for wrong in
+            ["", "ground", "a.b", " a", "a ", "-a", "а/б", "..", "a\u{202e}b", "a\u{3164}", "\u{301}a", "a\nb", "a\u{0}", "a<b", "a\"b"]
+        {
+            assert!(!valid_name(wrong), "{wrong:?}");
+        }
+    }
 }

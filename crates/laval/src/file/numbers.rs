@@ -40,10 +40,11 @@ impl Context<'_> {
             return None;
         }
         if !bounds.contains(x) {
-            let value = units::format_si(x, unit);
+            let value = text::quantity(x, unit.to_string());
             let message = text!("{who} is {value}; it must be {bounds}", who = subject(self.who, field), value, bounds = bounds.text(unit));
-            let share = unit.is_empty() && bounds.max == 1.0 && (2.0..=100.0).contains(&x);
+            let share = bare && unit.is_empty() && bounds.max == 1.0 && (2.0..=100.0).contains(&x);
             let help = share.then(|| text!("write \"{x} %\" if you mean percent", x = units::write_number(x)));
+            let help = help.or_else(|| (!bare).then(|| text!("give a value {bounds}", bounds = bounds.text(unit))));
             let help = help.or_else(|| {
                 (bare && !unit.is_empty()).then(|| {
                     text!(
@@ -205,7 +206,7 @@ impl Context<'_> {
             let message = text!(
                 "{who} begins and ends at {from}",
                 who = subject(self.who, field),
-                from = units::format_si(from, unit.map_or("", |u| u.0))
+                from = text::quantity(from, unit.map_or("", |u| u.0).to_string())
             );
             self.error("range.empty", node.span.clone(), message, text!("empty range"), text!("from and to must differ"));
             return None;

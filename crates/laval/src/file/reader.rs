@@ -46,7 +46,7 @@ pub(super) fn read_draft(text: &str, catalog: &Catalog) -> (Option<Draft>, Diagn
     let root = tree::from_table(table.into_inner());
     let draft = blocks::read_tree(text, &root, catalog, &mut out);
     if !errors.is_empty() {
-        syntax::merge(text, &errors, &mut out);
+        syntax::merge(text, &errors, |word| blocks::several(catalog, word), &mut out);
     }
     out.sort_by_place();
     (errors.is_empty().then_some(draft), out)

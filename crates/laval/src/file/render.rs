@@ -1,10 +1,12 @@
 //! Diagnostics for people and for tools.
 
+use super::written_units;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span};
 use crate::language::Language;
 use crate::plain;
 use crate::text;
 use crate::text::Text;
+use crate::units;
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
 use serde_json::{Value as Json, json};
 use std::fmt::{self, Write as _};
@@ -41,7 +43,7 @@ const LONGEST_LINE: usize = 400;
 
 struct Shown<'a> {
     d: &'a Diagnostic,
-    language: Language,
+    voice: &'a Voice,
     message: String,
     source: &'a NamedSource<String>,
     span: Span,
@@ -69,13 +71,13 @@ impl miette::Diagnostic for Shown<'_> {
         })
     }
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.d.help.as_ref().map(|h| Box::new(line(self.language, h)) as Box<dyn fmt::Display>)
+        self.d.help.as_ref().map(|h| Box::new(self.voice.line(h)) as Box<dyn fmt::Display>)
     }
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {
         Some(self.source)
     }
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let label = self.d.label.as_deref().map(|l| line(self.language, l));
+        let label = self.d.label.as_deref().map(|l| self.voice.line(l));
         let s = LabeledSpan::new_primary_with_span(label, (self.span.start, self.span.len()));
         Some(Box::new(std::iter::once(s)))
     }
@@ -104,9 +106,47 @@ fn line_column(text: &str, at: usize) -> (usize, usize) {
     (before.bytes().filter(|&b| b == b'\n').count() + 1, text[line_start..at].chars().count() + 1)
 }
 
-/// A sentence in one line.
-fn line(language: Language, text: &Text) -> String {
-    plain::line(&language.said(text)).into_owned()
+/// How sentences are written: in a language, with values in the units of the file, those at the place that is meant first.
+struct Voice {
+    language: Language,
+    units: Vec<String>,
+}
+
+impl Voice {
+    fn new(language: Language, file: &[String], text: &str, span: Option<&Span>) -> Voice {
+        let here = span.map_or_else(Vec::new, |s| units_at(text, s));
+        Voice { language, units: here.into_iter().chain(file.iter().cloned()).collect() }
+    }
+
+    fn say(&self, text: &Text) -> String {
+        self.language.said_in(text, &self.units)
+    }
+
+    /// In one line.
+    fn line(&self, text: &Text) -> String {
+        plain::line(&self.say(text)).into_owned()
+    }
+}
+
+/// Units of a file, the most frequent first.
+fn units_of(text: &str) -> Vec<String> {
+    written_units(text).into_iter().map(|u| u.0).collect()
+}
+
+/// Units of the quantities in quotation marks at a place.
+fn units_at(text: &str, span: &Span) -> Vec<String> {
+    const LONGEST: usize = 2000;
+    let here = text.get(span.clone()).filter(|t| t.len() < LONGEST).unwrap_or_default();
+    let mut out = Vec::new();
+    let mut rest = here;
+    while let Some(at) = rest.find(['"', '\'']) {
+        let quote = &rest[at..=at];
+        let inside = &rest[at + 1..];
+        let Some(end) = inside.find(quote) else { break };
+        out.extend(units::unit_of(&inside[..end]).map(str::to_string));
+        rest = &inside[end + 1..];
+    }
+    out
 }
 
 fn word(s: Severity) -> Text {
@@ -140,12 +180,12 @@ fn message(d: &Diagnostic, text: &str) -> Text {
     }
 }
 
-fn one_line(out: &mut String, d: &Diagnostic, text: &str, file: &str, language: Language) {
+fn one_line(out: &mut String, d: &Diagnostic, text: &str, file: &str, voice: &Voice) {
     let place = d.span.as_ref().map(|s| line_column(text, clamp(text, s).start)).map_or(String::new(), |(l, c)| format!(":{l}:{c}"));
-    let (severity, message) = (line(language, &word(d.severity)), line(language, &message(d, text)));
+    let (severity, message) = (voice.line(&word(d.severity)), voice.line(&message(d, text)));
     let _ = writeln!(out, "{}{place}: {severity}[{}]: {message}", plain::line(file), d.code);
     if let Some(h) = &d.help {
-        let _ = writeln!(out, "  {}: {}", language.said(&help_word()), line(language, h));
+        let _ = writeln!(out, "  {}: {}", voice.say(&help_word()), voice.line(h));
     }
 }
 
@@ -173,10 +213,12 @@ pub fn render_in(language: Language, diagnostics: &Diagnostics, text: &str, file
     let (excerpts, ends) = plain::lines_at(text, &ends);
     let mut ends = ends.into_iter();
     let source = NamedSource::new(plain::line(file), excerpts.to_string());
+    let written = units_of(text);
     for (d, span) in sorted.0.iter().zip(spans) {
+        let voice = Voice::new(language, &written, text, d.span.as_ref());
         let span = span.and_then(|_| Some(ends.next()?..ends.next()?));
         let Form::Excerpts { width, colour } = form else {
-            one_line(&mut out, d, text, file, language);
+            one_line(&mut out, d, text, file, &voice);
             continue;
         };
         let span = span.filter(|s| {
@@ -188,19 +230,19 @@ pub fn render_in(language: Language, diagnostics: &Diagnostics, text: &str, file
         let handler = GraphicalReportHandler::new_themed(theme).with_width(width.clamp(40, 400)).with_links(false).with_context_lines(1);
         let written = match span {
             Some(span) => {
-                let message = line(language, &message(d, text));
+                let message = voice.line(&message(d, text));
                 let begin = out.len();
-                let written = handler.render_report(&mut out, &Shown { d, language, message, source: &source, span });
+                let written = handler.render_report(&mut out, &Shown { d, voice: &voice, message, source: &source, span });
                 name_help(&mut out, begin, language);
                 written
             }
             None => {
-                one_line(&mut out, d, text, file, language);
+                one_line(&mut out, d, text, file, &voice);
                 Ok(())
             }
         };
         if written.is_err() {
-            one_line(&mut out, d, text, file, language);
+            one_line(&mut out, d, text, file, &voice);
         }
         out.push('\n');
     }
@@ -220,7 +262,9 @@ pub fn to_json(diagnostics: &Diagnostics, text: &str) -> Json {
 pub fn to_json_in(language: Language, diagnostics: &Diagnostics, text: &str) -> Json {
     let mut sorted = diagnostics.clone();
     sorted.sort_by_place();
+    let written = units_of(text);
     let one = |d: &Diagnostic| {
+        let voice = Voice::new(language, &written, text, d.span.as_ref());
         let place = |s: &Span| {
             let s = clamp(text, s);
             let ((line, column), (end_line, end_column)) = (line_column(text, s.start), line_column(text, s.end));
@@ -228,11 +272,11 @@ pub fn to_json_in(language: Language, diagnostics: &Diagnostics, text: &str) -> 
         };
         let also: Vec<Json> = d.also().iter().map(place).collect();
         let place = d.span.as_ref().map(place);
-        let said = |t: &Option<Box<Text>>| t.as_ref().map(|t| language.said(t));
+        let said = |t: &Option<Box<Text>>| t.as_ref().map(|t| voice.say(t));
         json!({
             "code": d.code,
             "severity": word(d.severity).to_string(),
-            "message": language.said(&d.message),
+            "message": voice.say(&d.message),
             "place": place,
             "also": also,
             "label": said(&d.label),

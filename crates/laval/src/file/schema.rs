@@ -62,7 +62,7 @@ pub fn schema(catalog: &Catalog) -> Json {
 }
 
 fn block(k: &KindInfo) -> Json {
-    let name = json!({ "type": "string", "pattern": "^[A-Za-z0-9]([A-Za-z0-9 _-]{0,62}[A-Za-z0-9_-])?$", "not": { "const": "ground" },
+    let name = json!({ "type": "string", "pattern": "^[\\p{L}\\p{N}]([\\p{L}\\p{M}\\p{N} _-]{0,62}[\\p{L}\\p{M}\\p{N}_-])?$", "not": { "const": "ground" },
         "description": "name by which others refer to it; the kind when left out" });
     object(&k.fields, &[("kind", json!({ "const": k.kind, "description": k.doc })), ("name", name)], k.doc)
 }

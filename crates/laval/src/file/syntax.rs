@@ -16,7 +16,7 @@ fn line_at(text: &str, at: usize) -> Span {
 
 /// Adds the syntax errors, and keeps of the others what can be trusted beside them: nothing is called missing when the text
 /// around it could not be read, and nothing is said twice about one line.
-pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
+pub(super) fn merge(text: &str, errors: &[Error], several: impl Fn(&str) -> bool, out: &mut Diagnostics) {
     let mut lines: Vec<Span> = Vec::new();
     let mut found = Vec::new();
     let open = errors.iter().filter_map(Error::span).map(|s| s.start).min().and_then(|first| unclosed(text, first));
@@ -52,6 +52,18 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
             repeated.iter().any(|b| b.contains(&at) && repeated.iter().any(|a| a.start < b.start && header(a.start) == header(b.start)))
         };
         if e.span().is_some_and(|s| swallowed(s.start) || again(s.start)) {
+            continue;
+        }
+        // a block of which there may be several, in single brackets: that is the mistake, not that it stands twice
+        if let Some(block) = repeated_block(text, e)
+            && let Some((word, place)) = single_brackets(text, header(block.start)).filter(|b| several(b.0))
+        {
+            out.0.retain(|d| d.code != "file.brackets" || d.span.as_ref().is_none_or(|s| s.start != place.start));
+            if !lines.contains(&line_at(text, place.start)) {
+                lines.push(line_at(text, place.start));
+                found.push(brackets(word, place));
+            }
+            lines.push(line_at(text, block.start));
             continue;
         }
         let mut at = e.span().unwrap_or(text.len()..text.len());
@@ -98,6 +110,30 @@ fn repeated_block(text: &str, e: &Error) -> Option<Span> {
     let line = line_at(text, e.span().filter(|_| e.message().starts_with("duplicate key"))?.start);
     let block = line.start..text[line.end..].find("\n[").map_or(text.len(), |i| line.end + i);
     text[line].trim_start().starts_with('[').then_some(block)
+}
+
+/// The word of a header and the first place where it stands in single brackets.
+fn single_brackets<'a>(text: &str, header: &'a str) -> Option<(&'a str, Span)> {
+    let word = header.split('#').next()?.trim().trim_matches(['[', ']']).trim();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let body = line.split('#').next().unwrap_or_default().trim();
+        let inside = body.strip_prefix('[').and_then(|b| b.strip_suffix(']'));
+        if inside.is_some_and(|i| i.trim() == word) {
+            let from = start + line.len() - line.trim_start().len();
+            return Some((word, from..from + body.len()));
+        }
+        start += line.len();
+    }
+    None
+}
+
+/// A block of which there may be several stands in single brackets.
+pub(super) fn brackets(what: &str, place: impl Into<Option<Span>>) -> Diagnostic {
+    Diagnostic::error("file.brackets", text!("[{what}] needs double brackets", what))
+        .at(place)
+        .label(text!("single brackets"))
+        .help(text!("write [[{what}]]: there may be several", what))
 }
 
 /// What a file with mistakes of syntax was not examined for.

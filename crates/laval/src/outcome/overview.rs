@@ -181,6 +181,17 @@ pub enum Block {
         /// What it is made of.
         joint: Joint,
     },
+    /// The liquid in the cavity of a body.
+    Liquid {
+        /// Name of the part.
+        name: String,
+        /// Body that holds it.
+        body: String,
+        /// Share of the cavity that it fills.
+        fill: f64,
+        /// Density, kg/m^3.
+        density: f64,
+    },
     /// Masses that move in a body.
     Balls {
         /// Name of the part.

@@ -40,7 +40,7 @@ pub(super) fn table(s: &mut String, report: &Report) {
         say(style, "page-evidence-number"),
     );
     for (i, k, o, f) in known {
-        let subject = if f.subject.is_empty() { String::new() } else { format!(" {}", escape(&f.subject)) };
+        let subject = if f.subject.is_empty() { String::new() } else { format!(" {}", escape(&style.subject(&f.subject))) };
         let value = f.message.args.iter().find(|a| a.0 == "value").map_or(String::new(), |a| escape(&style.arg(&a.1)));
         for (row, e) in f.evidence.iter().enumerate() {
             let Evidence { what, value: number, unit } = e;

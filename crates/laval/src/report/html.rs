@@ -377,7 +377,7 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     );
     for p in o.special_points.iter().take(MOST_ROWS) {
         let SpecialPoint { kind, subject, at, status, evidence, .. } = p;
-        let of = if subject.is_empty() { String::new() } else { format!(", {}", escape(&style.word(subject))) };
+        let of = if subject.is_empty() { String::new() } else { format!(", {}", escape(&style.subject(subject))) };
         let status = match status {
             Status::Doubtful(reason) => {
                 format!("! {}", escape(&style.message(&Message::new("page-doubtful").arg("reason", Arg::term(reason)))))
@@ -441,7 +441,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
                 Data::Float(v) if v[r].is_nan() => "–".into(),
                 Data::Float(v) => style.language.number(&significant(v[r] / size, digits)),
                 Data::Int(v) => v[r].to_string(),
-                Data::Text(v) if c.names => escape(&v[r]),
+                Data::Text(v) if c.names => escape(&style.owner(&v[r])),
                 Data::Text(v) => escape(&style.word(&v[r])),
                 Data::Flag(v) => say(style, if v[r] { "page-yes" } else { "page-no" }),
             };

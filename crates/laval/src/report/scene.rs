@@ -1,10 +1,12 @@
 //! A figure with its columns looked up: values in display units, axis ranges, colours, legend. Layout and drawing follow from it.
 
 mod axes;
+mod cut;
 mod paths;
 pub(super) mod whirl;
 
 use self::axes::{axis_view, extent, x_axis, y_axis};
+use self::cut::{Cut, cut};
 use self::paths::{ends, pieces_of, smooth, split, unwrap};
 use super::colour::Colour;
 use super::heat::HeatView;
@@ -35,6 +37,8 @@ pub(super) struct PanelView {
     pub series: Vec<Series>,
     pub rules: Vec<RuleView>,
     pub texts: Vec<(f64, f64, String)>,
+    /// Where curves leave a range that the axis was given.
+    pub cut: Vec<Cut>,
     /// Curves whose ends are named, in display units.
     pub ends: Vec<(Vec<(f64, f64)>, String)>,
     /// Height over that of the other panels.
@@ -135,6 +139,9 @@ impl Scene {
         let mut x = x_axis(&figure.x, &drafts, style);
         for (draft, panel) in drafts.iter_mut().zip(&figure.panels) {
             draft.y = y_axis(&panel.y, draft, &x, style);
+            if panel.y.range.is_some() {
+                draft.cut = cut(&draft.series, &x, &draft.y);
+            }
         }
         if figure.equal {
             let span = drafts.iter().map(|d| d.y.hi - d.y.lo).fold(x.hi - x.lo, f64::max);
@@ -222,7 +229,7 @@ impl Build<'_> {
         let label = || self.say(&c.label);
         let key = |value: &str| format!("{} {value}", c.name);
         match &c.data {
-            Data::Text(v) if c.names => (v[row].clone(), v[row].clone()),
+            Data::Text(v) if c.names => (v[row].clone(), self.style.owner(&v[row])),
             Data::Text(v) => (v[row].replace('_', " "), self.style.word(&v[row])),
             Data::Int(v) => (key(&v[row].to_string()), format!("{} {}", label(), v[row])),
             Data::Flag(v) => (key(&v[row].to_string()), if v[row] { label() } else { self.negated(&c.label) }),
@@ -324,6 +331,7 @@ impl Build<'_> {
             series: Vec::new(),
             rules: Vec::new(),
             texts: Vec::new(),
+            cut: Vec::new(),
             ends: Vec::new(),
             height: panel.height,
         };

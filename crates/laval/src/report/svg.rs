@@ -4,7 +4,7 @@ use super::colour::Colour;
 use super::layout::{LABEL, LEADING, Layout, PanelBox, TICK, TITLE, is_line};
 use super::payload::drawn;
 use super::scene::{ARROW, CLASS, Entry, Glyph, Kind, PanelView, SMALL, Scene, Series};
-use super::text::{escape, px};
+use super::text::{escape, px, width};
 use super::thin;
 use super::tiles;
 use super::words::Style;
@@ -222,9 +222,15 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
         }
     }
     s.push_str(r#"</g><g class="tx">"#);
+    // a word that would lie upon another is left out: a table has what it says
+    let mut taken: Vec<[f64; 4]> = Vec::new();
     for (x, y, text) in &p.texts {
         let (a, c) = at(&(*x, *y));
-        if a.is_finite() && c.is_finite() {
+        let half = 0.5 * width(text, TICK);
+        let own = [a - half, a + half, c - TICK, c + 2.0];
+        let free = !taken.iter().any(|t| own[0] < t[1] && t[0] < own[1] && own[2] < t[3] && t[2] < own[3]);
+        if a.is_finite() && c.is_finite() && free {
+            taken.push(own);
             let _ = write!(
                 s,
                 r##"<text class="t ha" x="{}" y="{}" text-anchor="middle" fill="{INK}" stroke="#ffffff" stroke-width="3" paint-order="stroke" stroke-linejoin="round">{}</text>"##,
@@ -233,6 +239,24 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
                 escape(text)
             );
         }
+    }
+    for c in &p.cut {
+        let (place, sign) = (x0 + scene.x.place(c.x) * w, if c.up { '▲' } else { '▼' });
+        let (near, anchor) = if place < x0 + EDGE {
+            (place.max(x0 + 3.0), "start")
+        } else if place > x0 + w - EDGE {
+            (place.min(x0 + w - 3.0), "end")
+        } else {
+            (place, "middle")
+        };
+        let value = scene.style.shown(c.to, 3);
+        let _ = write!(
+            s,
+            r##"<text class="t ha cut" x="{}" y="{}" text-anchor="{anchor}" fill="{INK}" stroke="#ffffff" stroke-width="3" paint-order="stroke" stroke-linejoin="round">{sign} {}</text>"##,
+            px(near),
+            px(if c.up { y0 + 20.0 } else { y0 + h - 6.0 }),
+            escape(&value)
+        );
     }
     s.push_str("</g></g>");
 
@@ -343,6 +367,9 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
         }
     }
 }
+
+/// Half width of the mark of a curve that goes on beyond the range, px.
+const EDGE: f64 = 26.0;
 
 /// What a curve is wider than the next one drawn upon it, px.
 const NEST: f64 = 2.4;
@@ -488,6 +515,27 @@ mod tests {
         let gap = (f64::NAN, 0.0);
         let line = path(&[(0.0, 0.0), (5.0, 5.0), gap, (9.0, 9.0), (12.0, 1.0), gap, (20.0, 3.0), gap, gap], 1.0);
         assert_eq!(line, "M0 0L5 5M9 9L12 1M19 3h2");
+    }
+
+    /// Of words that would lie upon each other the first stands.
+    #[test]
+    fn words_in_a_panel_do_not_overlap() {
+        let place = |x: f64, text: &str| crate::outcome::Text::new(x, 1.0, Arg::name(text));
+        let panel = Panel::new(Axis::new("y", "m")).mark(Line::new("t", "x", "y")).mark(place(1.0, "3000 rpm"));
+        let figure =
+            Figure::new("f", "t", "a").x(Axis::new("x", "s")).panel(panel.mark(place(1.05, "3010 rpm")).mark(place(1.6, "3500 rpm")));
+        let svg = draw(&figure, &[table(vec![0.0, 1.0, 2.0])]).unwrap();
+        assert!(svg.contains("3000 rpm") && svg.contains("3500 rpm") && !svg.contains("3010 rpm"));
+    }
+
+    /// A curve that leaves the range of its axis has a mark with the value that it reaches there; one that stays inside has none.
+    #[test]
+    fn what_goes_on_beyond_the_range_is_marked() {
+        let ys = vec![0.0, 1.0, 250.0, 1.0, 0.0, -3.0, 0.0];
+        let svg = draw(&with(Line::new("t", "x", "y"), Axis::new("y", "m").range(-1.0, 40.0)), &[table(ys.clone())]).unwrap();
+        assert!(svg.contains(">▲ 250</text>") && svg.contains(">▼ −3</text>"), "{svg}");
+        let svg = draw(&with(Line::new("t", "x", "y"), Axis::new("y", "m").range(-10.0, 400.0)), &[table(ys)]).unwrap();
+        assert!(!svg.contains('▲') && !svg.contains('▼'));
     }
 
     #[test]

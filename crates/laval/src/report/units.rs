@@ -23,6 +23,8 @@ impl Rung {
 pub struct Units {
     /// SI unit, and the unit preferred to it.
     preferred: Vec<(String, Rung)>,
+    /// SI units whose preferred unit follows from inches and pounds that the file writes: it has no prefixes, and is kept whatever the size.
+    imperial: Vec<&'static str>,
     /// Angles in degrees, unbalance in g mm, small masses in g.
     everyday: bool,
 }
@@ -57,6 +59,28 @@ fn everyday(unit: &str) -> Vec<Rung> {
 const INCH: f64 = 0.0254;
 const MIL: f64 = 1e-3 * INCH;
 const LONG: f64 = 0.1 * INCH;
+/// Who writes lengths in inches or feet, or forces in pounds, reads these.
+const IMPERIAL: [(&str, &str, f64); 17] = [
+    ("m", "in", INCH),
+    ("kg", "lb", POUND),
+    ("kg m", "oz in", POUND / 16.0 * INCH),
+    ("kg m^2", "lb in^2", POUND * INCH * INCH),
+    ("kg/m^3", "lb/in^3", POUND / (INCH * INCH * INCH)),
+    ("N", "lbf", POUND_FORCE),
+    ("N m", "lbf in", POUND_FORCE * INCH),
+    ("N/m", "lbf/in", POUND_FORCE / INCH),
+    ("N/m^3", "lbf/in^3", POUND_FORCE / (INCH * INCH * INCH)),
+    ("N s/m", "lbf s/in", POUND_FORCE / INCH),
+    ("N m/rad", "lbf in/rad", POUND_FORCE * INCH),
+    ("N m s/rad", "lbf in s/rad", POUND_FORCE * INCH),
+    ("Pa", "psi", POUND_FORCE / (INCH * INCH)),
+    ("m/s", "in/s", INCH),
+    ("m/s^2", "in/s^2", INCH),
+    ("m^3", "in^3", INCH * INCH * INCH),
+    ("1/m", "1/in", 1.0 / INCH),
+];
+const POUND: f64 = 0.453_592_37;
+const POUND_FORCE: f64 = 4.448_221_615_260_5;
 /// Beginnings of columns and axes of how far something moves.
 const MOTIONS: [&str; 11] = [
     "amplitude",
@@ -72,6 +96,12 @@ const MOTIONS: [&str; 11] = [
     "marked",
 ];
 
+/// A unit that takes no prefixes.
+fn imperial(unit: &str) -> bool {
+    unit.split(|c: char| !c.is_alphabetic())
+        .any(|w| matches!(w, "in" | "inch" | "ft" | "mil" | "thou" | "lb" | "lbf" | "oz" | "slug" | "psi"))
+}
+
 /// Largest number that a preferred unit is used for; beyond, and below its reciprocal, prefixes read better.
 const LARGEST: f64 = 1e5;
 const SMALLEST: f64 = 1e-2;
@@ -80,7 +110,13 @@ impl Units {
     /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first. SI units with prefixes are
     /// chosen by size.
     pub fn new(written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
-        let mut out = Units { preferred: Vec::new(), everyday: true };
+        let mut out = Units::written(written);
+        out.complete();
+        out
+    }
+
+    fn written(written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
+        let mut out = Units { preferred: Vec::new(), imperial: Vec::new(), everyday: true };
         for (name, size, si) in written {
             let multiple = prefixes(&si).into_iter().chain(everyday(&si)).any(|r| r.name == name || r.name == name.replacen('u', "µ", 1));
             if (si == "rad/s" || !multiple) && out.of(&si).is_none() {
@@ -93,14 +129,29 @@ impl Units {
 
     /// Units chosen by the reader, whatever their size, then those that a machine file writes; both as in [`new`](Units::new).
     pub fn chosen(chosen: Vec<(String, f64, String)>, written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
-        let mut out = Units::new(written);
+        let mut out = Units::written(written);
         out.preferred.retain(|p| !chosen.iter().any(|c| c.2 == p.0));
         for (name, size, si) in chosen {
             if out.of(&si).is_none() {
                 out.preferred.push((si, Rung { name: if name == "deg" { "°".into() } else { name }, size }));
             }
         }
+        out.complete();
         out
+    }
+
+    /// Units of quantities that the file does not write, where it writes others in inches and pounds.
+    fn complete(&mut self) {
+        let pounds = self.of("N").or(self.of("N/m")).is_some_and(|r| r.name.starts_with("lbf"));
+        if !(self.inches() || pounds && self.of("m").is_none()) {
+            return;
+        }
+        for (si, name, size) in IMPERIAL {
+            if self.of(si).is_none() {
+                self.preferred.push((si.into(), Rung::new(name, size)));
+                self.imperial.push(si);
+            }
+        }
     }
 
     /// Speeds in rpm, displacements in mm, unbalance in g mm: where no machine file says otherwise.
@@ -147,7 +198,8 @@ impl Units {
         if si == "m" && self.inches() && size.is_finite() {
             return self.inch_or_mil(size >= LONG || size == 0.0);
         }
-        if let Some(r) = self.of(si).filter(|r| (SMALLEST..LARGEST).contains(&(size / r.size))) {
+        let kept = |r: &&Rung| self.imperial.contains(&si) || !self.imperial.is_empty() && imperial(&r.name);
+        if let Some(r) = self.of(si).filter(|r| kept(r) || (SMALLEST..LARGEST).contains(&(size / r.size))) {
             return r.clone();
         }
         let rungs = if self.everyday && !everyday(si).is_empty() { everyday(si) } else { prefixes(si) };
@@ -282,6 +334,40 @@ mod tests {
         let metric = Units::new([("mm".into(), 1e-3, "m".into())]);
         let figure = Figure::new("f", "", "").x(Axis::new("x", "µm").factor(1e6));
         assert_eq!(metric.figure(&figure).x.unit, "µm");
+    }
+
+    /// A file in inches and pounds: what it does not write is read in inches and pounds, too.
+    #[test]
+    fn an_imperial_file_has_no_metric_unit() {
+        let file = Units::new([
+            ("rpm".into(), TAU / 60.0, "rad/s".into()),
+            ("lb".into(), POUND, "kg".into()),
+            ("lbf/in".into(), POUND_FORCE / INCH, "N/m".into()),
+            ("in".into(), INCH, "m".into()),
+        ]);
+        for (value, unit, want) in [
+            (5e-3, "m/s", "0.197 in/s"),
+            (4.448_221_615_260_5e-7, "N", "10⁻⁷ lbf"),
+            (1e12, "N/m", "5.71·10⁹ lbf/in"),
+            (1.0, "N m", "8.85 lbf in"),
+            (2e3, "N s/m", "11.4 lbf s/in"),
+            (1e-5, "kg m", "0.0139 oz in"),
+            (0.01, "kg m^2", "34.2 lb in²"),
+            (6.9e6, "Pa", "1000 psi"),
+            (1e-6, "kg", "2.2·10⁻⁶ lb"),
+        ] {
+            assert_eq!(shown(&file, value, unit, Role::Plain), want);
+        }
+        for (name, unit, want) in
+            [("velocity.drum", "m/s", "in/s"), ("force of front", "N", "lbf"), ("tilt over displacement", "1/m", "1/in")]
+        {
+            assert_eq!(file.column(name, unit).map(|r| r.name).as_deref(), Some(want));
+        }
+        // what a reader chooses stands, and an imperial mass alone makes no imperial file
+        let chosen = Units::chosen(vec![("mm".into(), 1e-3, "m".into())], [("in".into(), INCH, "m".into())]);
+        assert_eq!(shown(&chosen, 5e-3, "m/s", Role::Plain), "5 mm/s");
+        let mass = Units::new([("lb".into(), POUND, "kg".into()), ("N/mm".into(), 1e3, "N/m".into())]);
+        assert_eq!(shown(&mass, 20.0, "N", Role::Plain), "20 N");
     }
 
     #[test]

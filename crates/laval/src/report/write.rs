@@ -184,9 +184,22 @@ pub fn folders<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     };
     let folder = |name: &&str| {
         let plain = file_name(name);
-        if taken.get(&fold(&plain)).is_some_and(|all| all.len() > 1) { marked(name) } else { plain }
+        let shared = taken.get(&fold(&plain)).is_some_and(|all| all.len() > 1);
+        if shared || name.chars().any(composed) { marked(name) } else { plain }
     };
     names.iter().map(folder).collect()
+}
+
+/// Letters that some file systems take for a sequence of others: two names that differ are one to them. Plain letters of the scripts of living languages
+/// that are written without combining marks are not among them.
+fn composed(c: char) -> bool {
+    let plain = matches!(c,
+        '\0'..='\u{24f}' | '\u{370}'..='\u{373}' | '\u{376}'..='\u{377}' | '\u{37b}'..='\u{37d}' | '\u{37f}' | '\u{386}' | '\u{388}'..='\u{3ff}'
+        | '\u{400}'..='\u{482}' | '\u{48a}'..='\u{52f}' | '\u{531}'..='\u{587}' | '\u{5d0}'..='\u{5ea}' | '\u{620}'..='\u{64a}'
+        | '\u{660}'..='\u{669}' | '\u{671}'..='\u{6d3}' | '\u{10d0}'..='\u{10ff}' | '\u{1c90}'..='\u{1cbf}' | '\u{1e00}'..='\u{1eff}'
+        | '\u{3041}'..='\u{3096}' | '\u{30a1}'..='\u{30fa}' | '\u{3400}'..='\u{4dbf}' | '\u{4e00}'..='\u{9fff}' | '\u{ac00}'..='\u{d7a3}'
+    );
+    c.is_alphabetic() && !plain
 }
 
 /// Names that differ by this alone are one name to some file systems.

@@ -61,7 +61,7 @@ fn the_response_has_a_resonance_of_the_tilt() {
     // the model of a small tilt ends before
     assert!(finding(&o, "validity").sentence().contains("tilt over 0.1 rad"));
     let criticals = run(&machine(0.0, ""), "critical_speeds", RANGE);
-    let tilts = |f: &&Finding| f.sentence().contains("Response peak of the tilt of \"d\" at 1000 rad/s");
+    let tilts = |f: &&Finding| f.sentence().contains("Response peak at 1000 rad/s: the tilt of \"d\"");
     let peak = criticals.findings.iter().find(tilts).and_then(|f| f.number("peak"));
     near(peak.unwrap_or_else(|| panic!("{:?}", criticals.findings)), 1000.0, 1e-4);
 }

@@ -3,7 +3,7 @@ critical-speeds-critical-speed = { $order }x critical speed at { $value }: { $wh
         [no] undamped
        *[yes] damping ratio { $damping }
     }.{ $response ->
-        [peak] {" "}Response peak of { $body } at { $peak }.
+        [peak] {" "}Response peak at { $peak }: { $body }.
         [unbounded] {" "}The response of { $body } is unbounded there.
         [not_excited] {" "}Unbalance does not excite it in this machine.
         [no_peak] {" "}The unbalance response has no peak there.

@@ -128,7 +128,7 @@ diag-this-damper-was-built-without-tilt-db59 = this damper was built without til
 
 ## laval-model/src/parts/disc.rs
 
-diag-an-unbalance-of-kg-m-76c1 = an unbalance of { $u } kg m
+diag-an-unbalance-of-a669 = an unbalance of { $u }
 diag-sizes-are-positive-phase-180-deg-1024 = sizes are positive; phase = "180 deg" turns one round
 diag-an-unbalance-has-no-place-4d16 = an unbalance has no place
 diag-phase-is-an-angle-up-to-6ebd = phase is an angle up to 1000 rad, at a height up to 100 m
@@ -152,7 +152,7 @@ diag-this-model-knows-no-wave-damping-8681 = this model knows no wave damping: s
 
 diag-the-free-surface-is-the-inner-bfe9 = the free surface is the inner face of the layer on the wall: 0 is full, the cavity radius is empty
 diag-this-is-times-what-the-cavity-e6e6 = this is { $fraction } times what the cavity holds
-diag-the-cavity-holds-l-of-this-2f41 = the cavity holds { $cavity } l, { $density } of this liquid
+diag-the-cavity-holds-of-this-liquid-6415 = the cavity holds { $cavity }, { $density } of this liquid
 diag-only-odd-harmonics-act-on-a-e4ca = only odd harmonics act on a tilt, and the last one is to be odd
 diag-give-axial-harmonics-or-dfc4 = give axial_harmonics = { $less } or { $more }
 diag-has-no-axial-harmonics-9a50 = { $word } has no axial harmonics
@@ -253,6 +253,7 @@ diag-is-needed-and-has-no-unit-a022 = { $wanted } is needed, and { $digits } has
 diag-write-the-unit-behind-the-number-6a68 = write the unit behind the number ({ $examples }); without quotes a number is in { $expected }
 diag-a-pure-number-0885 = a pure number
 diag-is-needed-is-f561 = { $need } is needed ({ $ex }); { $text } is { $is }
+diag-lb-is-a-mass-the-force-a3b2 = lb is a mass; the force is lbf: write { $meant }
 diag-is-needed-leaves-open-whether-turns-c66a = { $need } is needed ({ $ex }); { $text } leaves open whether turns or radians are meant
 diag-for-turns-write-rpm-hz-or-aed2 = for turns write rpm, Hz or rev; for radians write rad
 diag-is-needed-is-a-torque-9c88 = { $need } is needed ({ $ex }); { $text } is a torque
@@ -305,8 +306,8 @@ diag-use-method-stiff-baf2 = use method = "stiff"
 
 ## laval-solve/src/harmonic/balance/refused.rs
 
-diag-order-of-the-motion-would-lie-5f79 = order { $orders } of the motion would lie inside the dense range of { $waves } of { $name }, from { $a } to { $b } rad/s at { $speed } rad/s, where it has no steady response
-diag-orders-of-the-motion-would-lie-5ab4 = orders { $orders } of the motion would lie inside the dense range of { $waves } of { $name }, from { $a } to { $b } rad/s at { $speed } rad/s, where it has no steady response
+diag-order-of-the-motion-would-lie-2fd8 = order { $orders } of the motion would lie inside the dense range of { $waves } of { $name }, from { $a } to { $b } at { $speed }, where it has no steady response
+diag-orders-of-the-motion-would-lie-8d8e = orders { $orders } of the motion would lie inside the dense range of { $waves } of { $name }, from { $a } to { $b } at { $speed }, where it has no steady response
 diag-with-symmetry-half-where-the-law-928a = { $remedy }; with symmetry = "half", where the law has it, only odd orders move
 diag-the-machine-has-no-periodic-motion-32a0 = the machine has no periodic motion at some order: { $why }
 diag-a-body-without-any-spring-drifts-536a = a body without any spring drifts; a coordinate without mass, damping and stiffness is undetermined
@@ -320,7 +321,7 @@ diag-the-machine-has-no-symmetry-by-0c76 = the machine has no symmetry by { $sym
 diag-the-machine-has-no-symmetry-by-3964 = the machine has no symmetry by { $symmetry }
 diag-use-symmetry-auto-this-machine-is-2aec = use symmetry = "auto"; this machine is symmetric by { $symmetry }
 diag-the-response-cannot-be-followed-ba98 = the response cannot be followed: { $e }
-diag-no-periodic-motion-was-found-at-d065 = no periodic motion was found at { $lo } rad/s nor at { $hi } rad/s
+diag-no-periodic-motion-was-found-at-47e1 = no periodic motion was found at { $lo } nor at { $hi }
 diag-integrate-the-machine-in-time-transient-0e26 = integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all
 
 ## laval-solve/src/harmonic/free/backbone.rs
@@ -381,7 +382,7 @@ diag-the-motion-cannot-be-computed-from-98a8 = the motion cannot be computed fro
 
 diag-is-given-in-the-frequency-domain-f133 = "{ $name }" is given in the frequency domain only: { $why }
 diag-forced-response-works-with-it-and-dda6 = forced_response works with it, and modes about rest where the part says where it is analytic
-diag-the-modes-at-rad-s-could-e4ae = the modes at { $speed } rad/s could not be computed: { $e }
+diag-the-modes-at-could-not-be-a843 = the modes at { $speed } could not be computed: { $e }
 diag-a-coordinate-with-neither-mass-damping-44a1 = a coordinate with neither mass, damping nor stiffness leaves the modes undetermined
 
 ## laval-solve/src/programme.rs
@@ -392,7 +393,7 @@ diag-a-polynomial-of-the-speed-has-15d4 = a polynomial of the speed has 1 to { $
 diag-the-coefficients-must-be-finite-and-99d2 = the coefficients must be finite and the duration of the change positive
 diag-a-table-of-speeds-needs-at-8eba = a table of speeds needs at least two points, and as many speeds as times
 diag-times-and-speeds-must-be-finite-3507 = times and speeds must be finite
-diag-the-times-must-increase-s-is-b006 = the times must increase; { $first } s is followed by { $second } s
+diag-the-times-must-increase-is-followed-8e71 = the times must increase; { $first } is followed by { $second }
 diag-the-speed-changes-faster-than-can-3094 = the speed changes faster than can be computed
 
 ## laval-solve/src/rest.rs
@@ -445,9 +446,9 @@ diag-the-values-must-be-positive-and-34e1 = the values must be positive and incr
 
 ## laval-separation/src/motion.rs
 
-diag-the-drag-law-changes-its-piece-0e92 = the drag law changes its piece again and again at { $t } s
-diag-the-step-became-too-small-at-8545 = the step became too small at { $t } s
-diag-stopped-at-s-after-steps-82b1 = stopped at { $t } s after { $steps } steps
+diag-the-drag-law-changes-its-piece-c2a7 = the drag law changes its piece again and again at { $t }
+diag-the-step-became-too-small-at-f4f4 = the step became too small at { $t }
+diag-stopped-at-after-steps-69bb = stopped at { $t } after { $steps } steps
 
 ## laval-separation/src/recovery.rs
 
@@ -485,9 +486,6 @@ diag-a-file-has-one-machine-and-cd0f = a file has one [machine], and blocks [[pa
 diag-a-file-has-one-machine-and-ffdb = a file has one [machine], and blocks [[part]] and [[study]]; also { $beside }
 diag-is-not-a-block-of-a-3d1c = { $key } is not a block of a machine file
 diag-unknown-04cc = unknown
-diag-needs-double-brackets-66da = [{ $what }] needs double brackets
-diag-single-brackets-040e = single brackets
-diag-write-there-may-be-several-5078 = write [[{ $what }]]: there may be several
 diag-must-be-a-block-f338 = { $what } must be a block
 diag-write-and-its-keys-below-0c3c = write [[{ $what }]] and its keys below
 diag-a-must-be-a-block-not-807b = a { $what } must be a block, not { $shape }
@@ -521,6 +519,8 @@ diag-is-not-an-si-unit-b335 = { $kind }.{ $name }: { $unit } is not an SI unit
 
 ## laval/src/file/held.rs
 
+diag-nothing-holds-the-tilt-of-alone-ad2e = nothing holds the tilt of "{ $name }" ({ $names }), alone or with that of the bodies it is joined to
+diag-let-a-shaft-act-on-the-94fc = let a shaft act on the tilt (tilt_stiffness, or a round shaft), hold the body at two heights, or leave out its diametral_inertia: then it does not tilt
 diag-nothing-holds-in-it-can-move-41a0 = nothing holds "{ $name }" in { $names }: it can move away, alone or with the bodies it is joined to
 diag-join-it-to-ground-or-to-f640 = join it to "ground" or to a foundation with a bearing or a shaft; a damper holds nothing in place
 diag-of-has-no-effect-what-it-e0f8 = { $name } of "{ $slot }" has no effect: what it is joined to does not tilt
@@ -568,7 +568,7 @@ diag-reserved-1e48 = reserved
 diag-ground-is-the-fixed-surroundings-that-f758 = "ground" is the fixed surroundings that parts may be attached to
 diag-cannot-be-the-name-of-a-90a3 = { $t } cannot be the name of a { $what }
 diag-not-a-name-8729 = not a name
-diag-a-name-is-made-of-letters-9ee9 = a name is made of letters, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters
+diag-a-name-is-made-of-letters-2e08 = a name is made of letters of any script, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters
 diag-for-instance-5228 = for instance { $name }: { $help }
 
 ## laval/src/file/nested.rs
@@ -600,6 +600,7 @@ diag-a-finite-number-is-needed-9e4f = { $who }: a finite number is needed
 diag-not-finite-0a50 = not finite
 diag-is-it-must-be-06bd = { $who } is { $value }; it must be { $bounds }
 diag-write-if-you-mean-percent-1b90 = write "{ $x } %" if you mean percent
+diag-give-a-value-b1a9 = give a value { $bounds }
 diag-a-bare-number-is-in-put-f863 = a bare number is in { $unit }; put number and unit in quotes to use others ({ $examples })
 diag-out-of-bounds-444d = out of bounds
 diag-a-whole-number-or-auto-fc98 = a whole number, or "auto"
@@ -708,6 +709,9 @@ diag-the-list-of-is-not-closed-7aa9 = the list of { $key } is not closed
 diag-the-table-of-is-not-closed-f05f = the table of { $key } is not closed
 diag-is-missing-a1f6 = { $missing } is missing
 diag-write-ab95 = write { $line }
+diag-needs-double-brackets-66da = [{ $what }] needs double brackets
+diag-single-brackets-040e = single brackets
+diag-write-there-may-be-several-5078 = write [[{ $what }]]: there may be several
 diag-so-far-only-the-syntax-and-f296 = so far only the syntax and single values were checked: how parts and studies fit together is looked at once the syntax is right
 diag-this-line-holds-the-control-character-c33b = this line holds the control character { $code }, which no text has
 diag-remove-it-f612 = remove it
@@ -757,6 +761,13 @@ diag-a-list-4075 = a list
 diag-a-table-9be6 = a table
 diag-a-date-402c = a date
 diag-null-3ca3 = null
+
+## laval/src/file/unusual.rs
+
+diag-is-no-machine-has-less-than-088d = { $who }: { $name } is { $value }; no machine has less than { $least }
+diag-is-no-machine-has-more-than-21e1 = { $who }: { $name } is { $value }; no machine has more than { $most }
+diag-far-outside-a589 = far outside
+diag-check-the-number-and-its-unit-ee7b = check the number and its unit; it is computed as it stands
 
 ## laval/src/file/values.rs
 
@@ -886,14 +897,14 @@ diag-no-body-has-these-second-moments-f674 = no body has these second moments ab
 diag-moment-along-is-at-least-mass-d9e1 = moment_along is at least mass times centre_of_mass squared; moment_product squared is at most moment_along times moment_across
 diag-the-cup-holds-no-liquid-its-de84 = the cup holds no liquid: its surface lies at the bottom or below
 diag-measure-surface-and-bottom-from-the-e09d = measure surface and bottom from the hinge, outwards
-diag-the-centre-of-mass-lies-m-ec34 = the centre of mass lies { $along } m from the hinge, far below the bottom of the cup at { $bottom } m
+diag-the-centre-of-mass-lies-from-b498 = the centre of mass lies { $along } from the hinge, far below the bottom of the cup at { $bottom }
 diag-measure-both-from-the-hinge-7e75 = measure both from the hinge
 diag-the-centre-of-mass-lies-outside-6a05 = the centre of mass lies outside the cup
 diag-at-most-cup-radius-to-either-3b6a = at most cup_radius to either side of its axis
 diag-the-surface-of-the-liquid-reaches-d8a6 = the surface of the liquid reaches across the spin axis when the cup has swung out
 diag-increase-hinge-radius-772a = increase hinge_radius
 diag-cups-with-an-inner-radius-of-c132 = { $count } cups with an inner radius of { $inner } reach into each other as they hang
-diag-cups-with-an-inner-radius-of-b7ad = { $count } cups with an inner radius of { $inner } reach into each other at a tilt of { $tilt } deg
+diag-cups-with-an-inner-radius-of-fb5e = { $count } cups with an inner radius of { $inner } reach into each other at a tilt of { $tilt }
 diag-is-at-least-for-of-them-dc43 = { $field } is at least { $least } for { $count } of them, without their walls; or give fewer with count
 diag-which-carries-it-does-not-exist-4469 = "{ $name }", which carries it, does not exist
 diag-has-no-mass-of-its-own-2665 = "{ $name }" has no mass of its own that cups could add to
@@ -966,7 +977,7 @@ diag-speeds-to-evaluate-and-more-where-773d = speeds to evaluate, and more where
 
 diag-turns-of-the-rotor-to-integrate-afa3 = turns of the rotor to integrate in the simulation of the passage
 diag-give-the-ramp-another-duration-60fd = give the ramp another duration
-diag-the-passage-could-not-be-computed-e963 = the passage could not be computed beyond { $speed } rad/s
+diag-the-passage-could-not-be-computed-78f4 = the passage could not be computed beyond { $speed }
 diag-shorten-the-ramp-or-the-range-4b36 = shorten the ramp or the range of speeds; a machine that is unstable below the window may move without bound
 
 ## laval/src/study/centrifuge/operating_window/request.rs
@@ -1101,7 +1112,7 @@ diag-motions-to-follow-until-their-masses-76f2 = motions to follow until their m
 
 ## laval/src/study/motion/basins/mod.rs
 
-diag-basins-need-a-speed-above-1e-a053 = basins need a speed above 1e-6 rad/s: there is no period at rest
+diag-basins-need-a-speed-above-there-e9a5 = basins need a speed above { $least }: there is no period at rest
 diag-a-run-up-makes-no-difference-e5b8 = a run-up makes no difference at { $speed }: this machine has no masses that move round in axes that turn with it
 diag-leave-run-up-out-90f9 = leave run_up out
 diag-the-spin-of-this-machine-is-c90d = the spin of this machine is free: it has no speed at which motions settle
@@ -1136,7 +1147,7 @@ diag-at-most-motions-in-all-6722 = at most { $most } motions in all
 diag-this-study-needs-a-range-of-c0d9 = this study needs a range of speeds
 diag-add-speed-or-a-speed-to-16b1 = add speed = {"{"} from = "1000 rpm", to = "5000 rpm" {"}"}, or a speed to [machine]
 diag-or-give-x-a-second-parameter-93d9 = { $help }, or give x a second parameter: the speed is then the same everywhere
-diag-a-map-needs-speeds-above-1e-ee09 = a map needs speeds above 1e-6 rad/s: there is no period at rest
+diag-a-map-needs-speeds-above-there-fb49 = a map needs speeds above { $least }: there is no period at rest
 
 ## laval/src/study/motion/record.rs
 
@@ -1182,7 +1193,7 @@ diag-there-is-no-column-4b0b = there is no column "{ $name }"
 ## laval/src/study/motion/sweep/mod.rs
 
 diag-at-one-speed-nonlinear-response-finds-425e = { $help }; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads
-diag-a-sweep-needs-speeds-above-1e-4ac5 = a sweep needs speeds above 1e-6 rad/s: there is no period at rest
+diag-a-sweep-needs-speeds-above-there-49bc = a sweep needs speeds above { $least }: there is no period at rest
 diag-motions-with-numbers-each-a1ca = { $rows } motions with { $columns } numbers each
 diag-give-the-range-fewer-points-or-9d64 = give the range fewer points, or leave out the waterfall
 diag-the-spin-of-this-machine-is-9eab = the spin of this machine is free: it has no speed of its own to be swept
@@ -1195,7 +1206,7 @@ diag-neither-the-study-nor-the-machine-bf96 = neither the study nor the machine 
 diag-add-speed-3000-rpm-to-machine-1ffb = add speed = "3000 rpm" to [machine] or to the study
 diag-a-kick-changes-rates-only-2906 = a kick changes rates only
 diag-name-rates-with-such-as-drum-cc29 = name rates with ', such as "drum.x'"
-diag-the-kick-at-s-comes-after-a534 = the kick at { $at } s comes after the end at { $duration } s
+diag-the-kick-at-comes-after-the-1d6d = the kick at { $at } comes after the end at { $duration }
 diag-outputs-are-too-many-cef8 = { $step } outputs are too many
 diag-at-most-1000000-outputs-a3ad = at most 1000000 outputs
 diag-both-output-step-and-points-are-e4e5 = both output_step and points are given
@@ -1209,7 +1220,7 @@ diag-exchange-from-and-to-b115 = exchange from and to
 ## laval/src/study/nonlinear/bifurcation_loci/mod.rs
 
 diag-the-range-of-speeds-comes-too-4b94 = the range of speeds comes too near to standstill, where no unbalance acts
-diag-keep-both-ends-above-rad-s-2099 = keep both ends above { $slowest } rad/s, or both below -{ $slowest } rad/s for rotation the other way round
+diag-keep-both-ends-above-or-both-75ce = keep both ends above { $slowest }, or both below { $lowest } for rotation the other way round
 diag-the-response-at-values-is-too-4ab4 = the response at { $points } values is too much
 diag-points-is-the-number-of-values-4cb3 = points is the number of values at which loci are started: at most { $most }
 diag-a-steady-response-is-computed-at-5056 = a steady response is computed at constant speed, and the speed of this machine is free
@@ -1330,6 +1341,8 @@ diag-add-speed-8e93 = add speed
 
 diag-run-up-time-needs-an-operating-a26f = run_up_time needs an operating speed, which neither [operation] nor [machine] gives
 diag-operating-speeds-begin-above-standstill-and-7f11 = operating speeds begin above standstill and have one direction of rotation
+diag-write-the-speed-at-which-the-49ba = write the speed at which the machine runs, as in speed = "3000 rpm"; leave speed out where [machine] gives it
+diag-write-the-lowest-speed-at-which-520c = write the lowest speed at which the machine runs in place of 0: the run-up from standstill is not part of this range
 diag-give-from-and-to-of-the-908c = give from and to of the same sign
 diag-the-operating-speeds-must-go-from-00fe = the operating speeds must go from a lower to a higher value
 diag-from-is-and-to-is-exchange-b990 = from is { $from } and to is { $to }: exchange them
@@ -1485,6 +1498,13 @@ diag-name-another-file-with-out-8c40 = name another file with --out
 diag-no-chromium-was-found-to-print-c305 = no Chromium was found to print the report with
 diag-install-one-of-or-open-in-6eb6 = install one of { $names }, or open { $page } in a browser and print it
 diag-could-not-print-the-report-90eb = { $browser } could not print the report: { $why }
+
+## laval-cli/src/pieces.rs
+
+diag-no-study-of-divides-into-parts-548e = no study of { $file } divides into parts
+diag-leave-out-part-laval-run-computes-7c4e = leave out --part: laval run computes all of them
+diag-parts-are-requested-and-no-study-4ded = { $of } parts are requested, and no study of { $file } divides into more than { $most }
+diag-number-the-parts-from-1-to-d23e = number the parts from 1/{ $most } to { $most }/{ $most }, or take fewer; laval plan says how each study divides
 
 ## laval-cli/src/progress.rs
 

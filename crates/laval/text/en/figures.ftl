@@ -73,7 +73,7 @@ optimum-alt-search = Best { $aim } over the runs of { $searches ->
 optimum-title-profile = Around the optimum: { $parameter }
 optimum-alt-profile = { $aim } over { $parameter } through the optimum, the other parameters at their best.
 optimum-worse = { $share } worse
-sensitivity-place-peak = peak of { $point } at { $speed }
+sensitivity-place-peak = peak at { $speed } of { $point }
 sensitivity-place-jump = { $way ->
         [up] upward
        *[down] downward

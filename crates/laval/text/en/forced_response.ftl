@@ -1,5 +1,5 @@
 # At one speed.
-forced-response-amplitude = The amplitude of { $body } at { $speed } is { $value }.
+forced-response-amplitude = At { $speed } the amplitude of { $body } is { $value }.
 forced-response-tilt = The tilt of "{ $body }" at { $speed } is { $value }.
 
 # Resonances.

@@ -215,6 +215,7 @@ page-modes = Modes at { $speed }
 page-machine = Machine
 page-next = What to do next
 page-findings = All findings
+page-fill = fill { $fill }
 page-balls = { $count ->
         [one] one ball
        *[other] { $count } balls

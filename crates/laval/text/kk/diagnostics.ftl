@@ -441,7 +441,7 @@ diag-this-damper-was-built-without-tilt-db59 = бұл демпфер көлбе�
 
 ## laval-model/src/parts/disc.rs
 
-diag-an-unbalance-of-kg-m-76c1 = { $u } kg m дисбалансы
+diag-an-unbalance-of-a669 = { $u } дисбалансы
 diag-sizes-are-positive-phase-180-deg-1024 = өлшемдер оң болады; phase = "180 deg" оны қарсы жаққа бұрады
 diag-an-unbalance-has-no-place-4d16 = дисбаланстың орны жоқ
 diag-phase-is-an-angle-up-to-6ebd = phase – 1000 rad мәніне дейінгі бұрыш, биіктігі 100 m мәніне дейін
@@ -465,7 +465,7 @@ diag-this-model-knows-no-wave-damping-8681 = бұл модельде толқы�
 
 diag-the-free-surface-is-the-inner-bfe9 = еркін бет – қабырғадағы қабаттың ішкі беті: 0 болса, толық, қуыс радиусына тең болса, бос
 diag-this-is-times-what-the-cavity-e6e6 = бұл қуыс сыйымдылығының { $fraction } есесі
-diag-the-cavity-holds-l-of-this-2f41 = қуыс сыйымдылығы { $cavity } l, бұл сұйықтықтан { $density }
+diag-the-cavity-holds-of-this-liquid-6415 = қуыс сыйымдылығы { $cavity }, бұл сұйықтықтан { $density }
 diag-only-odd-harmonics-act-on-a-e4ca = көлбеуге тек тақ гармоникалар әсер етеді, соңғысы тақ болуы керек
 diag-give-axial-harmonics-or-dfc4 = axial_harmonics = { $less } немесе { $more } беріңіз
 diag-has-no-axial-harmonics-9a50 = { $word } моделінде осьтік гармоникалар жоқ
@@ -511,7 +511,7 @@ diag-limited-power-needs-a-torque-and-2f00 = шектелген қуат үші�
 
 ## laval/src/file/naming.rs
 
-diag-a-name-is-made-of-letters-9ee9 = ат әріптерден, цифрлардан, бос орындардан, _ және - таңбаларынан тұрады, әріптен немесе цифрдан басталады, ұзындығы 64 таңбадан аспайды
+diag-a-name-is-made-of-letters-2e08 = ат кез келген жазудың әріптерінен, цифрлардан, бос орындардан, _ және - таңбаларынан тұрады, әріптен немесе цифрдан басталады, ұзындығы 64 таңбадан аспайды
 
 ## laval/src/file/reader.rs
 
@@ -640,9 +640,9 @@ diag-the-values-must-be-positive-and-34e1 = мәндер оң болуы жән�
 
 ## laval-separation/src/motion.rs
 
-diag-the-drag-law-changes-its-piece-0e92 = кедергі заңы { $t } s сәтінде бөлігін қайта-қайта ауыстырады
-diag-the-step-became-too-small-at-8545 = қадам { $t } s сәтінде тым кішірейді
-diag-stopped-at-s-after-steps-82b1 = { $steps } қадамнан кейін { $t } s сәтінде тоқтатылды
+diag-the-drag-law-changes-its-piece-c2a7 = кедергі заңы { $t } сәтінде бөлігін қайта-қайта ауыстырады
+diag-the-step-became-too-small-at-f4f4 = қадам { $t } сәтінде тым кішірейді
+diag-stopped-at-after-steps-69bb = { $steps } қадамнан кейін { $t } сәтінде тоқтатылды
 
 ## laval-separation/src/recovery.rs
 
@@ -830,14 +830,14 @@ diag-no-body-has-these-second-moments-f674 = топсаға қатысты мұ�
 diag-moment-along-is-at-least-mass-d9e1 = moment_along кемінде mass пен centre_of_mass квадратының көбейтіндісіне тең; moment_product квадраты moment_along пен moment_across көбейтіндісінен аспайды
 diag-the-cup-holds-no-liquid-its-de84 = стаканда сұйықтық жоқ: оның беті түп деңгейінде немесе одан төмен
 diag-measure-surface-and-bottom-from-the-e09d = surface пен bottom мәндерін топсадан сыртқа қарай өлшеңіз
-diag-the-centre-of-mass-lies-m-ec34 = масса центрі топсадан { $along } m қашықтықта, ал стакан түбі { $bottom } m: центр одан әлдеқайда төмен
+diag-the-centre-of-mass-lies-from-b498 = масса центрі топсадан { $along } қашықтықта, ал стакан түбі { $bottom }: центр одан әлдеқайда төмен
 diag-measure-both-from-the-hinge-7e75 = екеуін де топсадан өлшеңіз
 diag-the-centre-of-mass-lies-outside-6a05 = масса центрі стаканнан тыс
 diag-at-most-cup-radius-to-either-3b6a = осінің екі жағына көп дегенде cup_radius мәніндей
 diag-the-surface-of-the-liquid-reaches-d8a6 = стакан ауытқығанда сұйықтық беті айналу осін кесіп өтеді
 diag-increase-hinge-radius-772a = hinge_radius мәнін арттырыңыз
 diag-cups-with-an-inner-radius-of-c132 = ішкі радиусы { $inner } болатын { $count } стакан салбырап тұрғанда бір-біріне кіреді
-diag-cups-with-an-inner-radius-of-b7ad = ішкі радиусы { $inner } болатын { $count } стакан { $tilt } deg көлбеуде бір-біріне кіреді
+diag-cups-with-an-inner-radius-of-fb5e = ішкі радиусы { $inner } болатын { $count } стакан { $tilt } көлбеуде бір-біріне кіреді
 diag-is-at-least-for-of-them-dc43 = { $count } стаканға { $field } мәні қабырғаларын есептемегенде кемінде { $least } болуы керек; немесе count мәнін азайтыңыз
 diag-which-carries-it-does-not-exist-4469 = оны көтеретін «{ $name }» денесі жоқ
 diag-has-no-mass-of-its-own-2665 = «{ $name }» денесінің стакандар массасы қосылатын өз массасы жоқ
@@ -910,7 +910,7 @@ diag-speeds-to-evaluate-and-more-where-773d = айналу жиілігін ба
 
 diag-turns-of-the-rotor-to-integrate-afa3 = екпіндеу кезіндегі резонанстан өтуді модельдеу үшін ротордың осынша айналымын интегралдау керек
 diag-give-the-ramp-another-duration-60fd = екпіндеуге (ramp) басқа ұзақтық беріңіз
-diag-the-passage-could-not-be-computed-e963 = өтуді { $speed } rad/s мәнінен әрі есептеу мүмкін болмады
+diag-the-passage-could-not-be-computed-78f4 = өтуді { $speed } мәнінен әрі есептеу мүмкін болмады
 diag-shorten-the-ramp-or-the-range-4b36 = екпіндеуді немесе айналу жиілігінің ауқымын қысқартыңыз; жұмыс аралығынан төменде орнықсыз машинаның қозғалысы шексіз өсуі мүмкін
 
 ## laval/src/study/centrifuge/operating_window/request.rs
@@ -1048,7 +1048,7 @@ diag-motions-to-follow-until-their-masses-76f2 = қозғалысты шарик
 
 ## laval/src/study/motion/basins/mod.rs
 
-diag-basins-need-a-speed-above-1e-a053 = basins зерттеуіне 1e-6 rad/s мәнінен үлкен айналу жиілігі керек: тыныштықта период жоқ
+diag-basins-need-a-speed-above-there-e9a5 = basins зерттеуіне { $least } мәнінен үлкен айналу жиілігі керек: тыныштықта период жоқ
 diag-a-run-up-makes-no-difference-e5b8 = екпіндеу { $speed } кезінде нәтижені өзгертпейді: бұл машинада айналатын осьтерде қозғалатын шариктер жоқ
 diag-leave-run-up-out-90f9 = run_up өрісін алып тастаңыз
 diag-the-spin-of-this-machine-is-c90d = бұл машинаның айналуы еркін: қозғалыс орнығатын айналу жиілігі берілмеген
@@ -1083,7 +1083,7 @@ diag-at-most-motions-in-all-6722 = барлығы көп дегенде { $most 
 diag-this-study-needs-a-range-of-c0d9 = бұл зерттеуге айналу жиілігінің ауқымы керек
 diag-add-speed-or-a-speed-to-16b1 = speed = {"{"} from = "1000 rpm", to = "5000 rpm" {"}"} қосыңыз немесе [machine] бөліміне speed беріңіз
 diag-or-give-x-a-second-parameter-93d9 = { $help }, немесе x өрісіне екінші параметрді беріңіз: онда айналу жиілігі барлық жерде бірдей
-diag-a-map-needs-speeds-above-1e-ee09 = картаға 1e-6 rad/s мәнінен үлкен айналу жиілігі керек: тыныштықта период жоқ
+diag-a-map-needs-speeds-above-there-fb49 = картаға { $least } мәнінен үлкен айналу жиілігі керек: тыныштықта период жоқ
 
 ## laval/src/study/motion/record.rs
 
@@ -1129,7 +1129,7 @@ diag-there-is-no-column-4b0b = «{ $name }» бағаны жоқ
 ## laval/src/study/motion/sweep/mod.rs
 
 diag-at-one-speed-nonlinear-response-finds-425e = { $help }; бір айналу жиілігінде орныққан қозғалыстарды nonlinear_response табады, бастапқы шарттан шығатын қозғалысты basins пен transient көрсетеді
-diag-a-sweep-needs-speeds-above-1e-4ac5 = sweep зерттеуіне 1e-6 rad/s мәнінен үлкен айналу жиілігі керек: тыныштықта период жоқ
+diag-a-sweep-needs-speeds-above-there-49bc = sweep зерттеуіне { $least } мәнінен үлкен айналу жиілігі керек: тыныштықта период жоқ
 diag-motions-with-numbers-each-a1ca = әрқайсысында { $columns } сан бар { $rows } қозғалыс
 diag-give-the-range-fewer-points-or-9d64 = ауқымға аз нүкте беріңіз немесе waterfall өрісін алып тастаңыз
 diag-the-spin-of-this-machine-is-9eab = бұл машинаның айналуы еркін: ауқым бойымен өзгертетін айналу жиілігі жоқ
@@ -1142,7 +1142,7 @@ diag-neither-the-study-nor-the-machine-bf96 = айналу жиілігі зер
 diag-add-speed-3000-rpm-to-machine-1ffb = speed = "3000 rpm" өрісін [machine] бөліміне немесе зерттеуге қосыңыз
 diag-a-kick-changes-rates-only-2906 = соққы тек жылдамдықтарды өзгертеді
 diag-name-rates-with-such-as-drum-cc29 = жылдамдықтарды ' таңбасымен атаңыз, мысалы "drum.x'"
-diag-the-kick-at-s-comes-after-a534 = соққы { $at } s сәтінде, ал есептеу { $duration } s сәтінде аяқталады
+diag-the-kick-at-comes-after-the-1d6d = соққы { $at } сәтінде, ал есептеу { $duration } сәтінде аяқталады
 diag-outputs-are-too-many-cef8 = { $step } шығыс сәті тым көп
 diag-at-most-1000000-outputs-a3ad = көп дегенде 1000000 шығыс сәті
 diag-both-output-step-and-points-are-e4e5 = output_step пен points қатар берілген
@@ -1156,7 +1156,7 @@ diag-exchange-from-and-to-b115 = from мен to орнын ауыстырыңы�
 ## laval/src/study/nonlinear/bifurcation_loci/mod.rs
 
 diag-the-range-of-speeds-comes-too-4b94 = айналу жиілігінің ауқымы нөлге тым жақын, онда дисбаланс әсер етпейді
-diag-keep-both-ends-above-rad-s-2099 = екі шегін де { $slowest } rad/s мәнінен жоғары немесе кері айналу үшін -{ $slowest } rad/s мәнінен төмен беріңіз
+diag-keep-both-ends-above-or-both-75ce = екі шегін де { $slowest } мәнінен жоғары немесе кері айналу үшін { $lowest } мәнінен төмен беріңіз
 diag-the-response-at-values-is-too-4ab4 = { $points } мәндегі жауапты есептеу тым көп
 diag-points-is-the-number-of-values-4cb3 = points – сызықтар басталатын мәндер саны: көп дегенде { $most }
 diag-a-steady-response-is-computed-at-5056 = орныққан жауап тұрақты айналу жиілігінде есептеледі, ал бұл машинаның айналу жиілігі еркін
@@ -1324,8 +1324,8 @@ diag-use-method-stiff-baf2 = method = "stiff" қолданыңыз
 
 ## laval-solve/src/harmonic/balance/refused.rs
 
-diag-order-of-the-motion-would-lie-5f79 = қозғалыстың { $orders } реті үздіксіз спектрге түсер еді ({ $name }: { $waves }, { $speed } rad/s кезінде { $a } – { $b } rad/s аралығы), онда орныққан жауап жоқ
-diag-orders-of-the-motion-would-lie-5ab4 = қозғалыстың { $orders } реттері үздіксіз спектрге түсер еді ({ $name }: { $waves }, { $speed } rad/s кезінде { $a } – { $b } rad/s аралығы), онда орныққан жауап жоқ
+diag-order-of-the-motion-would-lie-2fd8 = қозғалыстың { $orders } реті үздіксіз спектрге түсер еді ({ $name }: { $waves }, { $speed } кезінде { $a } – { $b } аралығы), онда орныққан жауап жоқ
+diag-orders-of-the-motion-would-lie-8d8e = қозғалыстың { $orders } реттері үздіксіз спектрге түсер еді ({ $name }: { $waves }, { $speed } кезінде { $a } – { $b } аралығы), онда орныққан жауап жоқ
 diag-with-symmetry-half-where-the-law-928a = { $remedy }; заңда мүмкін болса, symmetry = "half" мәнінде тек тақ реттер қозғалады
 diag-the-machine-has-no-periodic-motion-32a0 = бір ретте машинаның периодты қозғалысы жоқ: { $why }
 diag-a-body-without-any-spring-drifts-536a = серіппесіз дене ығысып кетеді; массасы, демпферлеуі және қатаңдығы жоқ координата анықталмаған
@@ -1339,7 +1339,7 @@ diag-the-machine-has-no-symmetry-by-0c76 = машинада { $symmetry } сим
 diag-the-machine-has-no-symmetry-by-3964 = машинада { $symmetry } симметриясы жоқ
 diag-use-symmetry-auto-this-machine-is-2aec = symmetry = "auto" қолданыңыз; бұл машинада { $symmetry } симметриясы бар
 diag-the-response-cannot-be-followed-ba98 = жауапты жалғастырып есептеу мүмкін емес: { $e }
-diag-no-periodic-motion-was-found-at-d065 = { $lo } rad/s кезінде де, { $hi } rad/s кезінде де периодты қозғалыс табылмады
+diag-no-periodic-motion-was-found-at-47e1 = { $lo } кезінде де, { $hi } кезінде де периодты қозғалыс табылмады
 diag-integrate-the-machine-in-time-transient-0e26 = машинаны уақыт бойынша интегралдаңыз (transient, sweep): оның қозғалысы бір айналымнан кейін қайталанбауы немесе мүлде қайталанбауы мүмкін
 
 ## laval-solve/src/harmonic/free/backbone.rs
@@ -1400,7 +1400,7 @@ diag-the-motion-cannot-be-computed-from-98a8 = қозғалысты бастап
 
 diag-is-given-in-the-frequency-domain-f133 = «{ $name }» тек жиілік облысында берілген: { $why }
 diag-forced-response-works-with-it-and-dda6 = онымен forced_response жұмыс істейді, ал бөлшектің аналитикалық облысы көрсетілсе, тепе-теңдік маңындағы modes та жұмыс істейді
-diag-the-modes-at-rad-s-could-e4ae = { $speed } rad/s кезіндегі модаларды есептеу мүмкін болмады: { $e }
+diag-the-modes-at-could-not-be-a843 = { $speed } кезіндегі модаларды есептеу мүмкін болмады: { $e }
 diag-a-coordinate-with-neither-mass-damping-44a1 = массасы, демпферлеуі және қатаңдығы жоқ координата модаларды анықталмаған етеді
 
 ## laval-solve/src/programme.rs
@@ -1411,7 +1411,7 @@ diag-a-polynomial-of-the-speed-has-15d4 = айналу жиілігінің кө
 diag-the-coefficients-must-be-finite-and-99d2 = коэффициенттер ақырлы, өзгеру ұзақтығы оң болуы керек
 diag-a-table-of-speeds-needs-at-8eba = айналу жиіліктері кестесіне кемінде екі нүкте керек, айналу жиіліктері мен уақыттардың саны бірдей болуы керек
 diag-times-and-speeds-must-be-finite-3507 = уақыттар мен айналу жиіліктері ақырлы болуы керек
-diag-the-times-must-increase-s-is-b006 = уақыттар өсуі керек; { $first } s мәнінен кейін { $second } s берілген
+diag-the-times-must-increase-is-followed-8e71 = уақыттар өсуі керек; { $first } мәнінен кейін { $second } берілген
 diag-the-speed-changes-faster-than-can-3094 = айналу жиілігінің өзгеруі есептеу үшін тым жылдам
 
 ## laval-solve/src/rest.rs
@@ -1454,3 +1454,17 @@ diag-part-of-has-no-rows-d16b = { $number }-бөлік (барлығы { $of }):
 diag-part-of-of-rows-are-there-9818 = { $number }-бөлік (барлығы { $of }): { $total } жолдан { $done } дайын
 diag-run-the-parts-that-have-not-0f55 = аяқталмаған бөліктерді қайта іске қосыңыз; k кесегі n бөліктің ((k - 1) mod n) + 1 бөлігіне жатады. laval run жоғын есептейді
 diag-the-study-is-planned-not-run-a333 = зерттеу жоспарланды, бірақ орындалған жоқ
+diag-lb-is-a-mass-the-force-a3b2 = lb – масса бірлігі; күш бірлігі – lbf: { $meant } деп жазыңыз
+diag-write-the-speed-at-which-the-49ba = машина жұмыс істейтін айналу жиілігін жазыңыз, мысалы speed = "3000 rpm"; ол [machine] ішінде берілсе, speed кілтін алып тастаңыз
+diag-write-the-lowest-speed-at-which-520c = 0 орнына машина жұмыс істейтін ең төменгі айналу жиілігін жазыңыз: тыныштықтан екпін алу бұл аралыққа кірмейді
+diag-give-a-value-b1a9 = рұқсат етілген мәндер: { $bounds }
+diag-nothing-holds-the-tilt-of-alone-ad2e = «{ $name }» көлбеуін ({ $names }) ештеңе ұстамайды, жеке де, онымен жалғанған денелермен бірге де
+diag-let-a-shaft-act-on-the-94fc = білік көлбеуге әсер етсін (tilt_stiffness немесе дөңгелек білік), денені екі биіктікте ұстаңыз немесе diametral_inertia бермеңіз: онда ол көлбемейді
+diag-no-study-of-divides-into-parts-548e = { $file } файлының бірде-бір зерттеуі бөліктерге бөлінбейді
+diag-leave-out-part-laval-run-computes-7c4e = --part қоспаңыз: laval run барлық зерттеуді есептейді
+diag-parts-are-requested-and-no-study-4ded = { $of } бөлік сұралды, ал { $file } файлының бірде-бір зерттеуі { $most } бөліктен артыққа бөлінбейді
+diag-number-the-parts-from-1-to-d23e = бөліктерді 1/{ $most } бастап { $most }/{ $most } дейін нөмірлеңіз немесе азырақ алыңыз; әр зерттеудің қалай бөлінетінін laval plan көрсетеді
+diag-is-no-machine-has-less-than-088d = { $who }: { $name } = { $value }; машиналарда { $least } мәнінен аз болмайды
+diag-is-no-machine-has-more-than-21e1 = { $who }: { $name } = { $value }; машиналарда { $most } мәнінен көп болмайды
+diag-far-outside-a589 = шектен әлдеқайда тыс
+diag-check-the-number-and-its-unit-ee7b = сан мен оның бірлігін тексеріңіз; есептеу осы мәнмен жүреді

@@ -176,6 +176,7 @@ page-modes = { $speed } кезіндегі модалар
 page-machine = Машина
 page-next = Келесі қадамдар
 page-findings = Барлық нәтиже
+page-fill = толтырылуы { $fill }
 page-balls = { $count } шарик
 page-mode = { $number }-мода
 page-whirl = { $whirl ->

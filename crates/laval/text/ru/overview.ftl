@@ -217,6 +217,7 @@ page-modes = Моды при { $speed }
 page-machine = Машина
 page-next = Что делать дальше
 page-findings = Все выводы
+page-fill = заполнение { $fill }
 page-balls = { $count ->
         [one] { $count } шарик
         [few] { $count } шарика

@@ -119,7 +119,7 @@ diag-reserved-1e48 = band qilingan
 diag-ground-is-the-fixed-surroundings-that-f758 = "ground" qismlar biriktirilishi mumkin bo‘lgan qo‘zg‘almas muhitni bildiradi
 diag-cannot-be-the-name-of-a-90a3 = { $t } so‘zi { $what } nomi bo‘la olmaydi
 diag-not-a-name-8729 = nom emas
-diag-a-name-is-made-of-letters-9ee9 = nom harflar, raqamlar, bo‘sh joylar, _ va - belgilaridan tuziladi, harf yoki raqam bilan boshlanadi va ko‘pi bilan 64 ta belgidan iborat bo‘ladi
+diag-a-name-is-made-of-letters-2e08 = nom istalgan yozuv harflari, raqamlar, bo‘sh joylar, _ va - belgilaridan tuziladi, harf yoki raqam bilan boshlanadi va ko‘pi bilan 64 ta belgidan iborat bo‘ladi
 diag-for-instance-5228 = masalan, { $name }: { $help }
 
 ## laval/src/file/nested.rs
@@ -444,7 +444,7 @@ diag-this-damper-was-built-without-tilt-db59 = bu damper og‘ishsiz tuzilgan
 
 ## laval-model/src/parts/disc.rs
 
-diag-an-unbalance-of-kg-m-76c1 = disbalans { $u } kg m deb berilgan
+diag-an-unbalance-of-a669 = disbalans { $u } deb berilgan
 diag-sizes-are-positive-phase-180-deg-1024 = kattaliklar musbat bo‘ladi; phase = "180 deg" disbalansni qarama-qarshi tomonga buradi
 diag-an-unbalance-has-no-place-4d16 = disbalansning joyi yo‘q
 diag-phase-is-an-angle-up-to-6ebd = phase ko‘pi bilan 1000 rad burchak, balandlik ko‘pi bilan 100 m
@@ -468,7 +468,7 @@ diag-this-model-knows-no-wave-damping-8681 = bu modelda wave_damping yo‘q: spa
 
 diag-the-free-surface-is-the-inner-bfe9 = erkin sirt devordagi qatlamning ichki sirtidir: 0 to‘la, bo‘shliq radiusi bo‘sh holatni bildiradi
 diag-this-is-times-what-the-cavity-e6e6 = bu bo‘shliq sig‘imining { $fraction } barobari
-diag-the-cavity-holds-l-of-this-2f41 = bo‘shliqqa { $cavity } l, ya’ni bu suyuqlikdan { $density } sig‘adi
+diag-the-cavity-holds-of-this-liquid-6415 = bo‘shliqqa { $cavity }, ya’ni bu suyuqlikdan { $density } sig‘adi
 diag-only-odd-harmonics-act-on-a-e4ca = og‘ishga faqat toq garmonikalar ta’sir qiladi, oxirgisi toq bo‘lishi kerak
 diag-give-axial-harmonics-or-dfc4 = axial_harmonics = { $less } yoki { $more } bering
 diag-has-no-axial-harmonics-9a50 = { $word } modelida o‘q bo‘yicha garmonikalar yo‘q
@@ -791,14 +791,14 @@ diag-no-body-has-these-second-moments-f674 = sharnirga nisbatan bunday ikkinchi 
 diag-moment-along-is-at-least-mass-d9e1 = moment_along kamida mass va centre_of_mass kvadrati ko‘paytmasiga teng; moment_product kvadrati ko‘pi bilan moment_along va moment_across ko‘paytmasiga teng
 diag-the-cup-holds-no-liquid-its-de84 = stakanda suyuqlik yo‘q: uning sirti tubda yoki undan pastda
 diag-measure-surface-and-bottom-from-the-e09d = surface va bottom qiymatlarini sharnirdan tashqariga qarab o‘lchang
-diag-the-centre-of-mass-lies-m-ec34 = massa markazi sharnirdan { $along } m masofada, { $bottom } m masofadagi stakan tubidan ancha pastda
+diag-the-centre-of-mass-lies-from-b498 = massa markazi sharnirdan { $along } masofada, { $bottom } masofadagi stakan tubidan ancha pastda
 diag-measure-both-from-the-hinge-7e75 = ikkalasini ham sharnirdan o‘lchang
 diag-the-centre-of-mass-lies-outside-6a05 = massa markazi stakandan tashqarida
 diag-at-most-cup-radius-to-either-3b6a = o‘qining har ikki tomoniga ko‘pi bilan cup_radius
 diag-the-surface-of-the-liquid-reaches-d8a6 = stakan og‘ganda suyuqlik sirti aylanish o‘qini kesib o‘tadi
 diag-increase-hinge-radius-772a = hinge_radius qiymatini oshiring
 diag-cups-with-an-inner-radius-of-c132 = ichki radiusi { $inner } bo‘lgan { $count } ta stakan osilib turganda bir-biriga kiradi
-diag-cups-with-an-inner-radius-of-b7ad = ichki radiusi { $inner } bo‘lgan { $count } ta stakan { $tilt } deg og‘ish burchagida bir-biriga kiradi
+diag-cups-with-an-inner-radius-of-fb5e = ichki radiusi { $inner } bo‘lgan { $count } ta stakan { $tilt } og‘ish burchagida bir-biriga kiradi
 diag-is-at-least-for-of-them-dc43 = { $count } ta stakan uchun { $field } kamida { $least }, devorlarini hisobga olmaganda; yoki count bilan stakanlar sonini kamaytiring
 diag-which-carries-it-does-not-exist-4469 = uni ko‘taradigan "{ $name }" jismi mavjud emas
 diag-has-no-mass-of-its-own-2665 = "{ $name }" jismining stakanlar massasi qo‘shiladigan o‘z massasi yo‘q
@@ -871,7 +871,7 @@ diag-speeds-to-evaluate-and-more-where-773d = ta baholanadigan tezlik, o‘zgari
 
 diag-turns-of-the-rotor-to-integrate-afa3 = ta rotor aylanishi o‘tish modelida integrallanadi
 diag-give-the-ramp-another-duration-60fd = ramp uchun boshqa davomiylik bering
-diag-the-passage-could-not-be-computed-e963 = o‘tishni { $speed } rad/s tezlikdan nariga hisoblab bo‘lmadi
+diag-the-passage-could-not-be-computed-78f4 = o‘tishni { $speed } tezlikdan nariga hisoblab bo‘lmadi
 diag-shorten-the-ramp-or-the-range-4b36 = ramp davomiyligini yoki tezliklar oralig‘ini qisqartiring; oynadan pastda noturg‘un mashinaning harakati cheksiz o‘sishi mumkin
 
 ## laval/src/study/centrifuge/operating_window/request.rs
@@ -1006,7 +1006,7 @@ diag-motions-to-follow-until-their-masses-76f2 = ta harakat sharchalar tinch hol
 
 ## laval/src/study/motion/basins/mod.rs
 
-diag-basins-need-a-speed-above-1e-a053 = basins uchun 1e-6 rad/s qiymatidan katta tezlik kerak: aylanmaydigan mashinada davr yo‘q
+diag-basins-need-a-speed-above-there-e9a5 = basins uchun { $least } qiymatidan katta tezlik kerak: aylanmaydigan mashinada davr yo‘q
 diag-a-run-up-makes-no-difference-e5b8 = { $speed } tezlikda tezlashish ta’sir qilmaydi: bu mashinada u bilan birga aylanuvchi o‘qlarda harakatlanadigan sharchalar yo‘q
 diag-leave-run-up-out-90f9 = run_up kalitini olib tashlang
 diag-the-spin-of-this-machine-is-c90d = bu mashinaning aylanishi erkin: harakatlar barqarorlashadigan tezlik berilmagan
@@ -1041,7 +1041,7 @@ diag-at-most-motions-in-all-6722 = jami ko‘pi bilan { $most } ta harakat
 diag-this-study-needs-a-range-of-c0d9 = bu hisobga tezlik oralig‘i kerak
 diag-add-speed-or-a-speed-to-16b1 = speed = {"{"} from = "1000 rpm", to = "5000 rpm" {"}"} qo‘shing yoki [machine] blokiga speed qo‘shing
 diag-or-give-x-a-second-parameter-93d9 = { $help }, yoki x uchun ikkinchi parametr bering: unda tezlik hamma joyda bir xil bo‘ladi
-diag-a-map-needs-speeds-above-1e-ee09 = xaritaga 1e-6 rad/s qiymatidan katta tezliklar kerak: aylanmaydigan mashinada davr yo‘q
+diag-a-map-needs-speeds-above-there-fb49 = xaritaga { $least } qiymatidan katta tezliklar kerak: aylanmaydigan mashinada davr yo‘q
 
 ## laval/src/study/motion/record.rs
 
@@ -1087,7 +1087,7 @@ diag-there-is-no-column-4b0b = "{ $name }" ustuni yo‘q
 ## laval/src/study/motion/sweep/mod.rs
 
 diag-at-one-speed-nonlinear-response-finds-425e = { $help }; bitta tezlikda barqaror javoblarni nonlinear_response, boshlang‘ich shart nimaga olib borishini basins va transient hisoblari beradi
-diag-a-sweep-needs-speeds-above-1e-4ac5 = sweep uchun 1e-6 rad/s qiymatidan katta tezliklar kerak: aylanmaydigan mashinada davr yo‘q
+diag-a-sweep-needs-speeds-above-there-49bc = sweep uchun { $least } qiymatidan katta tezliklar kerak: aylanmaydigan mashinada davr yo‘q
 diag-motions-with-numbers-each-a1ca = har birida { $columns } ta son bo‘lgan { $rows } ta harakat
 diag-give-the-range-fewer-points-or-9d64 = oraliqda nuqtalar sonini kamaytiring yoki spektrlar kaskadini (waterfall) olib tashlang
 diag-the-spin-of-this-machine-is-9eab = bu mashinaning aylanishi erkin: undan o‘tiladigan tezlik oralig‘i yo‘q
@@ -1100,7 +1100,7 @@ diag-neither-the-study-nor-the-machine-bf96 = aylanish tezligi hisobda ham, mash
 diag-add-speed-3000-rpm-to-machine-1ffb = [machine] blokiga yoki hisobga speed = "3000 rpm" qo‘shing
 diag-a-kick-changes-rates-only-2906 = turtki faqat tezliklarni o‘zgartiradi
 diag-name-rates-with-such-as-drum-cc29 = tezliklarni ' belgisi bilan ko‘rsating, masalan "drum.x'"
-diag-the-kick-at-s-comes-after-a534 = { $at } s vaqtdagi turtki { $duration } s vaqtdagi tugashdan keyin keladi
+diag-the-kick-at-comes-after-the-1d6d = { $at } vaqtdagi turtki { $duration } vaqtdagi tugashdan keyin keladi
 diag-outputs-are-too-many-cef8 = { $step } ta chiqish juda ko‘p
 diag-at-most-1000000-outputs-a3ad = ko‘pi bilan 1000000 ta chiqish
 diag-both-output-step-and-points-are-e4e5 = output_step ham, points ham berilgan
@@ -1114,7 +1114,7 @@ diag-exchange-from-and-to-b115 = from va to qiymatlarini almashtiring
 ## laval/src/study/nonlinear/bifurcation_loci/mod.rs
 
 diag-the-range-of-speeds-comes-too-4b94 = tezliklar oralig‘i disbalans ta’sir qilmaydigan nol tezlikka juda yaqin
-diag-keep-both-ends-above-rad-s-2099 = ikkala uchini { $slowest } rad/s qiymatidan yuqorida yoki teskari aylanish uchun ikkalasini -{ $slowest } rad/s qiymatidan pastda saqlang
+diag-keep-both-ends-above-or-both-75ce = ikkala uchini { $slowest } qiymatidan yuqorida yoki teskari aylanish uchun ikkalasini { $lowest } qiymatidan pastda saqlang
 diag-the-response-at-values-is-too-4ab4 = { $points } ta qiymatdagi javoblarni hisoblash hajmi juda katta
 diag-points-is-the-number-of-values-4cb3 = points chiziqlar boshlanadigan qiymatlar soni: ko‘pi bilan { $most }
 diag-a-steady-response-is-computed-at-5056 = barqaror javob o‘zgarmas tezlikda hisoblanadi, bu mashinaning tezligi esa erkin
@@ -1282,8 +1282,8 @@ diag-use-method-stiff-baf2 = method = "stiff" ishlating
 
 ## laval-solve/src/harmonic/balance/refused.rs
 
-diag-order-of-the-motion-would-lie-5f79 = harakatning tartibi ({ $orders }) { $speed } rad/s tezlikda { $name } qismining uzluksiz spektriga ({ $waves }), { $a } – { $b } rad/s oralig‘iga tushadi; u yerda barqaror javob yo‘q
-diag-orders-of-the-motion-would-lie-5ab4 = harakatning tartiblari ({ $orders }) { $speed } rad/s tezlikda { $name } qismining uzluksiz spektriga ({ $waves }), { $a } – { $b } rad/s oralig‘iga tushadi; u yerda barqaror javob yo‘q
+diag-order-of-the-motion-would-lie-2fd8 = harakatning tartibi ({ $orders }) { $speed } tezlikda { $name } qismining uzluksiz spektriga ({ $waves }), { $a } – { $b } oralig‘iga tushadi; u yerda barqaror javob yo‘q
+diag-orders-of-the-motion-would-lie-8d8e = harakatning tartiblari ({ $orders }) { $speed } tezlikda { $name } qismining uzluksiz spektriga ({ $waves }), { $a } – { $b } oralig‘iga tushadi; u yerda barqaror javob yo‘q
 diag-with-symmetry-half-where-the-law-928a = { $remedy }; symmetry = "half" bo‘lganda, kuch qonuni bunga yo‘l qo‘ysa, faqat toq tartiblar qatnashadi
 diag-the-machine-has-no-periodic-motion-32a0 = biror tartibda mashinaning davriy harakati yo‘q: { $why }
 diag-a-body-without-any-spring-drifts-536a = birorta ham prujinasi yo‘q jism siljib ketadi; massasi, so‘ndirishi va bikrligi yo‘q koordinata aniqlanmagan
@@ -1297,7 +1297,7 @@ diag-the-machine-has-no-symmetry-by-0c76 = mashinada "{ $symmetry }" simmetriyas
 diag-the-machine-has-no-symmetry-by-3964 = mashinada "{ $symmetry }" simmetriyasi yo‘q
 diag-use-symmetry-auto-this-machine-is-2aec = symmetry = "auto" ishlating; bu mashinaning simmetriyasi: { $symmetry }
 diag-the-response-cannot-be-followed-ba98 = javobni kuzatib bo‘lmaydi: { $e }
-diag-no-periodic-motion-was-found-at-d065 = { $lo } rad/s tezlikda ham, { $hi } rad/s tezlikda ham davriy harakat topilmadi
+diag-no-periodic-motion-was-found-at-47e1 = { $lo } tezlikda ham, { $hi } tezlikda ham davriy harakat topilmadi
 diag-integrate-the-machine-in-time-transient-0e26 = mashinani vaqt bo‘yicha integrallang (transient, sweep): uning harakati bir aylanishdan keyin takrorlanmasligi yoki umuman takrorlanmasligi mumkin
 
 ## laval-solve/src/harmonic/free/backbone.rs
@@ -1358,7 +1358,7 @@ diag-the-motion-cannot-be-computed-from-98a8 = harakatni boshlang‘ich shartida
 
 diag-is-given-in-the-frequency-domain-f133 = "{ $name }" qismi faqat chastota sohasida berilgan: { $why }
 diag-forced-response-works-with-it-and-dda6 = bu qism bilan forced_response hisobi ishlaydi, qism qayerda analitik ekanini ko‘rsatsa, muvozanat holati atrofidagi modes ham
-diag-the-modes-at-rad-s-could-e4ae = { $speed } rad/s tezlikdagi modalarni hisoblab bo‘lmadi: { $e }
+diag-the-modes-at-could-not-be-a843 = { $speed } tezlikdagi modalarni hisoblab bo‘lmadi: { $e }
 diag-a-coordinate-with-neither-mass-damping-44a1 = massasi ham, so‘ndirishi ham, bikrligi ham yo‘q koordinata tufayli modalar aniqlanmaydi
 
 ## laval-solve/src/programme.rs
@@ -1369,7 +1369,7 @@ diag-a-polynomial-of-the-speed-has-15d4 = tezlik polinomida 1 – { $most } ta k
 diag-the-coefficients-must-be-finite-and-99d2 = koeffitsiyentlar chekli, o‘zgarish davomiyligi musbat bo‘lishi kerak
 diag-a-table-of-speeds-needs-at-8eba = tezliklar jadvalida kamida ikki nuqta, tezliklar soni esa vaqtlar soniga teng bo‘lishi kerak
 diag-times-and-speeds-must-be-finite-3507 = vaqtlar va tezliklar chekli bo‘lishi kerak
-diag-the-times-must-increase-s-is-b006 = vaqtlar ortib borishi kerak; { $first } s vaqtdan keyin { $second } s berilgan
+diag-the-times-must-increase-is-followed-8e71 = vaqtlar ortib borishi kerak; { $first } vaqtdan keyin { $second } berilgan
 diag-the-speed-changes-faster-than-can-3094 = tezlik hisoblash mumkin bo‘lganidan tezroq o‘zgaradi
 
 ## laval-solve/src/rest.rs
@@ -1422,9 +1422,9 @@ diag-the-values-must-be-positive-and-34e1 = qiymatlar musbat va qatordan qatorga
 
 ## laval-separation/src/motion.rs
 
-diag-the-drag-law-changes-its-piece-0e92 = qarshilik qonuni { $t } s vaqtda bo‘lagini qayta-qayta almashtiradi
-diag-the-step-became-too-small-at-8545 = { $t } s vaqtda qadam juda kichik bo‘lib qoldi
-diag-stopped-at-s-after-steps-82b1 = { $t } s vaqtda, { $steps } ta qadamdan keyin to‘xtatildi
+diag-the-drag-law-changes-its-piece-c2a7 = qarshilik qonuni { $t } vaqtda bo‘lagini qayta-qayta almashtiradi
+diag-the-step-became-too-small-at-f4f4 = { $t } vaqtda qadam juda kichik bo‘lib qoldi
+diag-stopped-at-after-steps-69bb = { $t } vaqtda, { $steps } ta qadamdan keyin to‘xtatildi
 
 ## laval-separation/src/recovery.rs
 
@@ -1452,3 +1452,17 @@ diag-part-of-has-no-rows-d16b = { $number }-qism (jami { $of }): qator yo‘q
 diag-part-of-of-rows-are-there-9818 = { $number }-qism (jami { $of }): { $total } qatordan { $done } tayyor
 diag-run-the-parts-that-have-not-0f55 = tugamagan qismlarni qayta ishga tushiring; k bo‘lagi n qismning ((k - 1) mod n) + 1 qismiga tegishli. laval run yetishmaganini hisoblaydi
 diag-the-study-is-planned-not-run-a333 = hisob rejalashtirildi, bajarilmadi
+diag-lb-is-a-mass-the-force-a3b2 = lb – massa birligi; kuch birligi – lbf: { $meant } deb yozing
+diag-write-the-speed-at-which-the-49ba = mashina ishlaydigan aylanish tezligini yozing, masalan speed = "3000 rpm"; u [machine] da berilgan bo‘lsa, speed kalitini olib tashlang
+diag-write-the-lowest-speed-at-which-520c = 0 o‘rniga mashina ishlaydigan eng past aylanish tezligini yozing: to‘xtagan holatdan tezlanish bu oraliqqa kirmaydi
+diag-give-a-value-b1a9 = ruxsat etilgan qiymatlar: { $bounds }
+diag-nothing-holds-the-tilt-of-alone-ad2e = "{ $name }" og‘ishini ({ $names }) hech narsa ushlamaydi, alohida ham, u bilan bog‘langan jismlar bilan birga ham
+diag-let-a-shaft-act-on-the-94fc = og‘ishga val ta’sir qilsin (tilt_stiffness yoki dumaloq val), jismni ikki balandlikda ushlang yoki diametral_inertia bermang: shunda u og‘maydi
+diag-no-study-of-divides-into-parts-548e = { $file } faylining hech bir tadqiqoti qismlarga bo‘linmaydi
+diag-leave-out-part-laval-run-computes-7c4e = --part ni olib tashlang: laval run barcha tadqiqotlarni hisoblaydi
+diag-parts-are-requested-and-no-study-4ded = { $of } ta qism so‘raldi, { $file } faylining hech bir tadqiqoti esa { $most } tadan ortiq qismga bo‘linmaydi
+diag-number-the-parts-from-1-to-d23e = qismlarni 1/{ $most } dan { $most }/{ $most } gacha raqamlang yoki kamroq oling; har bir tadqiqot qanday bo‘linishini laval plan ko‘rsatadi
+diag-is-no-machine-has-less-than-088d = { $who }: { $name } = { $value }; mashinalarda { $least } dan kam bo‘lmaydi
+diag-is-no-machine-has-more-than-21e1 = { $who }: { $name } = { $value }; mashinalarda { $most } dan ko‘p bo‘lmaydi
+diag-far-outside-a589 = chegaradan ancha tashqarida
+diag-check-the-number-and-its-unit-ee7b = son va uning birligini tekshiring; hisob shu qiymat bilan bajariladi

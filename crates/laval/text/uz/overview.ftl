@@ -175,6 +175,7 @@ page-modes = { $speed } tezlikdagi modalar
 page-machine = Mashina
 page-next = Keyin nima qilish kerak
 page-findings = Barcha xulosalar
+page-fill = to‘ldirilishi { $fill }
 page-balls = { $count } ta sharcha
 page-mode = { $number }-moda
 page-whirl = { $whirl ->

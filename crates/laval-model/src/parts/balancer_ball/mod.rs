@@ -51,7 +51,6 @@ use crate::model::system::Axis;
 use crate::params;
 use crate::text;
 use crate::text::Text;
-use crate::units::format_si;
 use inertia::Masses;
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
@@ -461,8 +460,8 @@ body_tilt = false                   # the drum moves in its plane
         }
         vec![text!(
             "the tilt of the tracks locks the balls to the node line: r sin^2(tilt) = {locking} should stay below a tenth of the eccentricity of the ring, {tenth}",
-            locking = format_si(locking, "m"),
-            tenth = format_si(0.1 * p.eccentricity, "m")
+            locking = text::quantity(locking, "m"),
+            tenth = text::quantity(0.1 * p.eccentricity, "m")
         )]
     }
 
@@ -474,7 +473,7 @@ body_tilt = false                   # the drum moves in its plane
         if p.polar_inertia > 2.0 * p.diametral_inertia * (1.0 + 1e-12) {
             wrong.push((
                 "polar_inertia",
-                text!("no ring has a polar inertia ({polar_inertia}) above twice its diametral inertia ({diametral_inertia}); a thin ring has just twice", polar_inertia = format_si(p.polar_inertia, "kg m^2"), diametral_inertia = format_si(p.diametral_inertia, "kg m^2")),
+                text!("no ring has a polar inertia ({polar_inertia}) above twice its diametral inertia ({diametral_inertia}); a thin ring has just twice", polar_inertia = text::quantity(p.polar_inertia, "kg m^2"), diametral_inertia = text::quantity(p.diametral_inertia, "kg m^2")),
             ));
         }
         if !self.free && (p.tilt_stiffness != 0.0 || p.tilt_damping != 0.0) {
@@ -483,7 +482,7 @@ body_tilt = false                   # the drum moves in its plane
         }
         let smallest = self.tracks.iter().map(|t| p.track_radius * t.radius).fold(f64::INFINITY, f64::min);
         if p.eccentricity >= smallest {
-            let (s, r) = (format_si(p.eccentricity, "m"), format_si(smallest, "m"));
+            let (s, r) = (text::quantity(p.eccentricity, "m"), text::quantity(smallest, "m"));
             wrong.push(("eccentricity", text!("the ring centre ({s} from the shaft) lies outside the track (radius {r})", s, r)));
         }
         for (k, track) in self.tracks.iter().enumerate() {

@@ -4,7 +4,6 @@ use super::{Fill, Liquid, LiquidParams, Model};
 use crate::model::field::Bounds;
 use crate::text;
 use crate::text::Text;
-use crate::units::format_si;
 
 /// Ways to say how full the cavity is.
 pub(super) const FILLS: &[(&str, &str, Bounds, &str)] = &[
@@ -16,7 +15,7 @@ pub(super) const FILLS: &[(&str, &str, Bounds, &str)] = &[
 
 /// The free surface, m, lies outside the cavity.
 pub(super) fn outside(surface: f64, radius: f64) -> Text {
-    let (value, radius) = (format_si(surface, "m"), format_si(radius, "m"));
+    let (value, radius) = (text::quantity(surface, "m"), text::quantity(radius, "m"));
     text!("the free surface (radius {value}) lies outside the cavity (radius {radius})", value, radius)
 }
 

@@ -52,7 +52,6 @@ use crate::model::timed::{Speeds, Untimed};
 use crate::params;
 use crate::text;
 use crate::text::Text;
-use crate::units::{format_number, format_si};
 use laval_num::analytic::value;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
@@ -297,11 +296,11 @@ wave_damping = "4 1/s"
                 )
             } else {
                 (
-                    text!("this is {fraction} times what the cavity holds", fraction = format_number(fraction, 4)),
+                    text!("this is {fraction} times what the cavity holds", fraction = text::number(fraction, 4)),
                     text!(
-                        "the cavity holds {cavity} l, {density} of this liquid",
-                        cavity = format_number(1e3 * cavity, 4),
-                        density = format_si(cavity * density, "kg")
+                        "the cavity holds {cavity}, {density} of this liquid",
+                        cavity = text::quantity(cavity, "m^3"),
+                        density = text::quantity(cavity * density, "kg")
                     ),
                 )
             };
@@ -595,7 +594,7 @@ impl AddedInertia for Liquid {
         (a < 0.0).then(|| Removed {
             what: text!(
                 "planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not",
-                taken = format_si(-a, "kg m^2")
+                taken = text::quantity(-a, "kg m^2")
             ),
             help: text!("give model = \"strip\" or \"spatial\"; or the body more diametral_inertia"),
         })

@@ -20,7 +20,6 @@ use crate::model::part::{Dof, DofKind};
 use crate::model::timed::{Speeds, Untimed};
 use crate::text;
 use crate::text::Text;
-use crate::units::format_number;
 use laval_num::scalar::Scalar;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -131,7 +130,7 @@ impl Liquid {
             _ => text!(
                 "{most} do not give its reaction with a relative error of {allowed}; allow a larger time_error",
                 most = waves(),
-                allowed = format_number(self.accuracy, 3)
+                allowed = text::number(self.accuracy, 3)
             ),
         })?;
         Ok(Rationals { made, plane: None, tilt: Some(found.form), error: found.error, scope: WAVES, margin: MARGIN })
@@ -140,13 +139,13 @@ impl Liquid {
     /// Of a viscous liquid at one speed.
     fn layer_in_time(&self, p: &LiquidParams<f64>, made: Made, speed: f64, stop: &dyn Fn() -> bool) -> Result<Rationals, Untimed> {
         let cavity = Self::cavity(p);
-        let allowed = format_number(self.accuracy, 3);
+        let allowed = text::number(self.accuracy, 3);
         let reported = |of: Text, most: Text, strip: Text, refused: Refused| {
             match refused {
             Refused::Speed => return Untimed::No { why: text!("without spin nothing holds the layer on the wall"), help: Some(text!("give the study a speed above 0; for a machine that stands still model = \"frozen\" without viscosity counts the liquid as a mass")) },
             Refused::Accuracy { reached } => {
                 let larger = if reached.is_finite() {
-                    text!("try time_error = {reached}", reached = format_number(reached, 2))
+                    text!("try time_error = {reached}", reached = crate::units::format_number(reached, 2))
                 } else {
                     text!("allow a larger time_error")
                 };

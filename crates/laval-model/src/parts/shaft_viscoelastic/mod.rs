@@ -48,7 +48,6 @@ use crate::model::part::{At, Dof, DofKind, Domain, Energy, ErasedPart, Layout, L
 use crate::params;
 use crate::text;
 use crate::text::{Joint, Text};
-use crate::units::{format_number, format_si};
 use kernel::{Exponential, Ladder, Term};
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
@@ -271,8 +270,8 @@ fn creeps(relaxed: f64) -> Text {
     text!(
         "the material creeps without bound: in the long run it would keep 1 - K(0) = {kept} of its stiffness, which must stay above 0; this kernel is \
          admissible below {share} of its amplitude",
-        kept = format_number(1.0 - relaxed, 4),
-        share = format_number(1.0 / relaxed, 4)
+        kept = text::number(1.0 - relaxed, 4),
+        share = text::number(1.0 / relaxed, 4)
     )
 }
 
@@ -525,7 +524,7 @@ decay = "0.05 1/s"                  # b
         }
         let between = matches!(self.supports, Supports::Simple | Supports::Clamped);
         if between && p.position >= p.length && p.length > 0.0 {
-            let (x, l) = (format_si(p.position, "m"), format_si(p.length, "m"));
+            let (x, l) = (text::quantity(p.position, "m"), text::quantity(p.length, "m"));
             wrong.push(("position", text!("the disc at {x} is not between supports at a distance of {l}", x, l)));
         }
         let (relaxed, field) = self.relaxed(p);

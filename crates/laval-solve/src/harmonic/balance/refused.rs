@@ -47,11 +47,12 @@ pub fn among_waves(system: &System, speed: f64, orders: impl IntoIterator<Item =
 pub(super) fn refused(system: &System, terms: &Terms, speed: f64, why: &Singular) -> Diagnostic {
     let orders = terms.orders.iter().map(|&k| k as f64 / terms.divisor as f64);
     if let Some(among) = among_waves(system, speed, orders.flat_map(|n| [n, -n])).filter(|a| a.dense) {
-        let [a, b] = among.range;
+        let [a, b] = among.range.map(|w| text::quantity(w, "rad/s"));
+        let speed = text::quantity(speed, "rad/s");
         let (orders, waves, name) = (among.list(), text::term(among.words.waves), text::term(among.words.name));
         let message = match among.orders.len() {
             1 => text!(
-                "order {orders} of the motion would lie inside the dense range of {waves} of {name}, from {a} to {b} rad/s at {speed} rad/s, where it has no steady response",
+                "order {orders} of the motion would lie inside the dense range of {waves} of {name}, from {a} to {b} at {speed}, where it has no steady response",
                 orders,
                 waves,
                 name,
@@ -60,7 +61,7 @@ pub(super) fn refused(system: &System, terms: &Terms, speed: f64, why: &Singular
                 speed
             ),
             _ => text!(
-                "orders {orders} of the motion would lie inside the dense range of {waves} of {name}, from {a} to {b} rad/s at {speed} rad/s, where it has no steady response",
+                "orders {orders} of the motion would lie inside the dense range of {waves} of {name}, from {a} to {b} at {speed}, where it has no steady response",
                 orders,
                 waves,
                 name,

@@ -285,8 +285,11 @@ fn attempt<'a>(
         }
     }
     if branches.is_empty() {
-        return Err(Diagnostic::error("response.start", text!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s", lo, hi))
-            .help(text!("integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all")));
+        return Err(Diagnostic::error(
+            "response.start",
+            text!("no periodic motion was found at {lo} nor at {hi}", lo = text::quantity(lo, "rad/s"), hi = text::quantity(hi, "rad/s")),
+        )
+        .help(text!("integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all")));
     }
     let mut assessor = Assessor::new(system, (request.stability, request.determinant), request.work);
     let sampling = sampling_error(system, &mut balance, d, &branches)?;

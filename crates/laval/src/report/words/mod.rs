@@ -2,7 +2,8 @@
 
 use super::units::Units;
 use crate::language::Language;
-use crate::outcome::{Arg, Finding, Message, Outcome, Quantity, Role, quantity_to};
+use crate::outcome::{Arg, Finding, Message, Outcome, Quantity, Role, quantity_to, significant};
+use crate::units::read_quantity;
 use fluent_bundle::{FluentArgs, FluentValue};
 use std::fmt;
 
@@ -63,9 +64,40 @@ impl Style {
             Arg::Word(word) => word.to_string(),
             Arg::Term(text) => self.language.term(text),
             Arg::Phrase(m) => self.message(m),
-            Arg::Said(text) => self.language.said(text),
+            Arg::Said(text) => self
+                .language
+                .said_with(text, &|value, unit| self.units.split(&Quantity { value, unit: unit.into(), role: Role::Plain, digits: None })),
             Arg::List(all) => self.list(all),
         }
+    }
+
+    /// A body, point or tilt of a body as tables and results name it, `drum at 100 mm`, in the units and words of the reader.
+    pub fn owner(&self, name: &str) -> String {
+        if let Some(body) = name.strip_prefix("tilt of ") {
+            return self.arg(&Arg::of("tilt", Arg::name(body)));
+        }
+        let point = name.rsplit_once(" at ").and_then(|(body, height)| {
+            let digits = height.chars().filter(char::is_ascii_digit).count().clamp(1, 9) as u8;
+            Some((body, read_quantity(height, "m").ok()?, digits))
+        });
+        match point {
+            Some((body, height, digits)) => {
+                let height = Arg::quantity(height, "m").digits(digits);
+                self.message(&Message::new("label-point").arg("body", Arg::name(body)).arg("height", height))
+            }
+            None => name.into(),
+        }
+    }
+
+    /// What a finding or a special point belongs to: the name of a body or part, or a phrase.
+    pub fn subject(&self, text: &str) -> String {
+        let owner = self.owner(text);
+        if owner != text {
+            return owner;
+        }
+        // a name keeps its underscores
+        let word = self.word(text);
+        if word == text.replace('_', " ") { owner } else { word }
     }
 
     /// A word of a table: a fixed phrase with blanks for underscores, or several joined by commas, with or without a number before each.
@@ -99,6 +131,12 @@ impl Style {
     /// A number of an evidence, with its SI unit, in those of the reader.
     pub fn number(&self, value: f64, unit: &str) -> String {
         self.arg(&Arg::quantity(value, unit).digits(4))
+    }
+
+    /// A number as it is read, without unit.
+    pub(super) fn shown(&self, value: f64, digits: usize) -> String {
+        let number = self.language.number(&significant(value, digits));
+        if self.units.is_everyday() { grouped(&number) } else { number }
     }
 
     /// A number with its unit.

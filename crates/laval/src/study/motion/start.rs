@@ -190,9 +190,9 @@ pub(in crate::study) fn state_map(values: &Values, field: &str, system: &System,
             let message = text!(
                 "\"{name}\" is {value}; it must lie between {least} and {most} in SI units",
                 name,
-                value = format_args!("{value:e}"),
-                least = format_args!("{:e}", -LARGEST_START),
-                most = format_args!("{LARGEST_START:e}")
+                value = text::number(*value, 4),
+                least = text::number(-LARGEST_START, 4),
+                most = text::number(LARGEST_START, 4)
             );
             diagnostics.push(Diagnostic::error("state.bounds", message).at(span.clone()));
         }

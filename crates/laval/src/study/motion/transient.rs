@@ -136,8 +136,15 @@ kick = { "drum.x'" = "20 mm/s" }
         let at = values.number("kick_time").unwrap_or(0.0);
         if values.state_map("kick").is_some_and(|k| !k.is_empty()) && (at.is_nan() || at >= duration) {
             diagnostics.push(
-                Diagnostic::error("transient.kick_time", text!("the kick at {at} s comes after the end at {duration} s", at, duration))
-                    .at(values.span_of("kick_time")),
+                Diagnostic::error(
+                    "transient.kick_time",
+                    text!(
+                        "the kick at {at} comes after the end at {duration}",
+                        at = text::quantity(at, "s"),
+                        duration = text::quantity(duration, "s")
+                    ),
+                )
+                .at(values.span_of("kick_time")),
             );
         }
         let step = values.number("output_step");

@@ -28,7 +28,8 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
         }
     };
     let others = system.slots().iter().enumerate().filter(|(k, _)| !is_body(*k));
-    let others: Vec<Block> = others.filter_map(|(_, s)| balls(system, s).or_else(|| link(system, s))).collect();
+    let others: Vec<Block> =
+        others.filter_map(|(_, s)| balls(system, s).or_else(|| liquid(system, s)).or_else(|| link(system, s))).collect();
     bodies.iter().map(body).chain(others).collect()
 }
 
@@ -37,21 +38,34 @@ fn turns(system: &System, slot: usize) -> bool {
     system.slots()[slot].part.body().is_some_and(|b| b.parameters().unbalance.is_some())
 }
 
-/// The first values of a part that are not 0, one of each pair over x and y.
+/// The first values of a part that are not 0; what is the same in x and y stands once.
 fn labels(system: &System, slot: &Slot) -> Vec<Arg> {
     let mut out = Vec::new();
-    let mut seen: Vec<&str> = Vec::new();
     for i in slot.params.clone() {
         let (declared, x) = (&system.param_slots()[i], system.params()[i]);
-        let name = declared.name.strip_prefix(&slot.name).map_or("", |n| n.trim_start_matches('.'));
-        let name = name.split('.').next().unwrap_or_default();
+        let label = Arg::quantity(x, declared.unit);
         // a value that the file need not give tells nothing
-        if Some(x) != declared.default && x != 0.0 && x.is_finite() && !seen.contains(&name) && out.len() < MOST_LABELS {
-            seen.push(name);
-            out.push(Arg::quantity(x, declared.unit));
+        if Some(x) != declared.default && x != 0.0 && x.is_finite() && !out.contains(&label) && out.len() < MOST_LABELS {
+            out.push(label);
         }
     }
     out
+}
+
+/// A liquid in the cavity of a body.
+fn liquid(system: &System, slot: &Slot) -> Option<Block> {
+    let filling = slot.part.filling()?;
+    let body = slot.layout.ports.iter().find_map(|p| match &p.link {
+        Link::On(a) => a.body.clone(),
+        Link::Between(..) => None,
+    })?;
+    let value = |name: &str| {
+        let i = *system.param(&format!("{}.{name}", slot.name))?.first()?;
+        Some(system.params()[i])
+    };
+    let [radius, free_surface, _] = filling.cavity()?;
+    let fill = 1.0 - (value(free_surface)? / value(radius)?).powi(2);
+    Some(Block::Liquid { name: slot.name.clone(), body, fill, density: value(filling.density())? })
 }
 
 /// Radius, free surface and height of the cavity of a liquid in this body.

@@ -4,7 +4,6 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Extra, Field, FieldKind};
 use crate::model::system::System;
 use crate::text;
-use crate::units::format_si;
 
 /// Lines of a typical block.
 pub const EXAMPLE: &str = r#"speed = { from = "2700 rpm", to = "3000 rpm" }
@@ -103,12 +102,19 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
     let place = extra.values.span_of("speed");
     if from * to <= 0.0 {
         let message = text!("operating speeds begin above standstill and have one direction of rotation");
-        out.push(Diagnostic::error("operation.speed", message).at(place).help(text!("give from and to of the same sign")));
+        let help = if from == 0.0 && to == 0.0 {
+            text!("write the speed at which the machine runs, as in speed = \"3000 rpm\"; leave speed out where [machine] gives it")
+        } else if from == 0.0 || to == 0.0 {
+            text!("write the lowest speed at which the machine runs in place of 0: the run-up from standstill is not part of this range")
+        } else {
+            text!("give from and to of the same sign")
+        };
+        out.push(Diagnostic::error("operation.speed", message).at(place).help(help));
         return;
     }
     if from > to {
         let message = text!("the operating speeds must go from a lower to a higher value");
-        let (from, to) = (format_si(from, "rad/s"), format_si(to, "rad/s"));
+        let (from, to) = (text::quantity(from, "rad/s"), text::quantity(to, "rad/s"));
         let help = text!("from is {from} and to is {to}: exchange them", from, to);
         out.push(Diagnostic::error("operation.speed", message).at(place).help(help));
         return;
@@ -119,9 +125,9 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
     if let Some(w) = system.machine.speed.filter(|w| !(low - slack..=high + slack).contains(w)) {
         let message = text!(
             "the speed of [machine], {w}, is not among the operating speeds, {low} to {high}",
-            w = format_si(w, "rad/s"),
-            low = format_si(low, "rad/s"),
-            high = format_si(high, "rad/s")
+            w = text::quantity(w, "rad/s"),
+            low = text::quantity(low, "rad/s"),
+            high = text::quantity(high, "rad/s")
         );
         out.push(
             Diagnostic::error("operation.speed", message)

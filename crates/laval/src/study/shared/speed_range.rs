@@ -8,7 +8,6 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Finding, Level, Message, Outcome};
 use crate::study::Study;
 use crate::text;
-use crate::units::format_si;
 
 /// Fields of studies that are spin speeds.
 const FIELDS: [&str; 5] = ["speed", "from", "to", "programme", "stabilise_at"];
@@ -59,7 +58,7 @@ pub(in crate::study) fn known<T: Study>(study: &T, system: &System) -> Result<()
     let needed = study.spin_speeds(system);
     for (name, t) in refusing {
         if let Some(n) = needed.iter().find(|n| n.leaves(&t)) {
-            let speed = |w: f64| format_si(w, "rad/s");
+            let speed = |w: f64| text::quantity(w, "rad/s");
             let (low, high, from, to) = (speed(t.from), speed(t.to), speed(n.from), speed(n.to));
             let message = if n.from == n.to {
                 text!(

@@ -30,10 +30,13 @@ pub(super) fn reach(joint: Joint) -> f64 {
     if joint.elastic && joint.damped { BESIDE + 7.0 } else { 7.0 }
 }
 
-/// A zigzag, with two plates apart below it where there is a gap.
+/// A zigzag, with two plates apart below it where there is a gap; of a long one the rest is straight.
 fn spring(x: f64, from: f64, to: f64, gap: bool) -> String {
+    const LONGEST: f64 = 60.0;
     let low = if gap { to - 12.0 } else { to - 6.0 };
     let (start, end) = (from + 6.0, low.max(from + 10.0));
+    let rest = (0.5 * (end - start - LONGEST)).max(0.0);
+    let (start, end) = (start + rest, end - rest);
     let turns = 6;
     let mut d = format!("M{} {}V{}", px(x), px(from), px(start));
     for k in 0..turns {

@@ -49,7 +49,14 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     let at = places(parts);
     let half = |k: &usize| shape(&parts.bodies[*k]);
     let tallest = rotors.iter().map(|k| half(k).0).fold(DISC.0, f64::max);
-    let supports = supports(parts, &rotors, &blocks, &at);
+    let mut supports = supports(parts, &rotors, &blocks, &at);
+    // what would cut the side of a body stands beside it
+    for p in &mut supports {
+        let cut = |k: &&usize| (2.0..half(k).1 + reach(p.joint) + 2.0).contains(&(at(**k, 0.0) - p.x).abs());
+        if let Some(k) = rotors.iter().find(cut) {
+            p.x = at(*k, 0.0) + (half(k).1 + reach(p.joint) + 3.0).copysign(p.x - at(*k, 0.0));
+        }
+    }
     let above = supports.iter().any(|p| p.upwards);
     let axis = if above { 60.0 } else { 20.0 } + tallest;
     let mut s = String::new();
@@ -72,6 +79,9 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
                 ball(&mut s, x + dx, axis + tall - 9.0);
             }
             key.mark(&mut s, (x + long + 10.0, axis + tall - 4.0), r.name, &r.text);
+        }
+        for l in parts.liquids.iter().filter(|l| l.body == k) {
+            key.mark(&mut s, (x, axis - tall + 14.0), l.name, &l.text);
         }
     }
     // shafts between bodies of the rotor
@@ -119,17 +129,18 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     }
     for p in &supports {
         let foot = p.to.map_or(floor, top);
+        // on a body it ends at its edge
+        let on = rotors.iter().find(|k| (at(**k, 0.0) - p.x).abs() < half(k).1);
+        let edge = on.map_or(SHAFT, |k| half(k).0);
         if p.upwards {
-            // on a body it ends at its edge
-            let on = rotors.iter().find(|k| (at(**k, 0.0) - p.x).abs() < half(k).1);
-            let end = axis - on.map_or(SHAFT, |k| half(k).0);
+            let end = axis - edge;
             let from = axis - tallest - 40.0;
             joint(&mut s, p.x, from, end, p.joint);
             ground(&mut s, p.x - 16.0, p.x + 16.0, from, true);
             key.mark(&mut s, (p.x - reach(p.joint) - 10.0, 0.5 * (from + end)), p.name, p.text);
         } else {
-            joint(&mut s, p.x, axis + SHAFT, foot, p.joint);
-            key.mark(&mut s, (p.x + reach(p.joint) + 10.0, 0.5 * (axis + tallest + foot)), p.name, p.text);
+            joint(&mut s, p.x, axis + edge, foot, p.joint);
+            key.mark(&mut s, (p.x + reach(p.joint) + 10.0, 0.5 * (axis + tallest.max(edge) + foot)), p.name, p.text);
         }
     }
     ground(&mut s, first.min(LEFT) - 20.0, last.max(RIGHT) + 20.0, floor, false);

@@ -24,6 +24,7 @@ struct Parts<'a> {
     bodies: Vec<Body<'a>>,
     links: Vec<Joined<'a>>,
     balls: Vec<Balls<'a>>,
+    liquids: Vec<Liquid<'a>>,
 }
 
 struct Body<'a> {
@@ -42,6 +43,12 @@ struct Joined<'a> {
     text: String,
     ends: [Option<(usize, f64)>; 2],
     joint: Joint,
+}
+
+struct Liquid<'a> {
+    name: &'a str,
+    text: String,
+    body: usize,
 }
 
 struct Balls<'a> {
@@ -63,7 +70,7 @@ impl<'a> Parts<'a> {
         let mut bodies: Vec<Body> = page.machine.iter().filter_map(body).collect();
         bodies.sort_by_key(|b| !b.rotor);
         let number = |name: &str| bodies.iter().position(|b| b.name == name);
-        let (mut links, mut balls) = (Vec::new(), Vec::new());
+        let (mut links, mut balls, mut liquids) = (Vec::new(), Vec::new(), Vec::new());
         for block in &page.machine {
             match block {
                 Block::Link { name, ends, labels, joint, .. } => {
@@ -84,10 +91,15 @@ impl<'a> Parts<'a> {
                     let text = if values.is_empty() { all } else { format!("{all}, {values}") };
                     balls.push(Balls { name, text, body, tracks: *tracks });
                 }
+                Block::Liquid { name, body, fill, density } => {
+                    let Some(body) = number(body) else { continue };
+                    let fill = Message::new("page-fill").arg("fill", Arg::percent(*fill).digits(3));
+                    liquids.push(Liquid { name, text: words(&[fill.into(), Arg::quantity(*density, "kg/m^3")]), body });
+                }
                 Block::Body { .. } => {}
             }
         }
-        Parts { bodies, links, balls }
+        Parts { bodies, links, balls, liquids }
     }
 }
 

@@ -109,3 +109,95 @@ fn balls_are_drawn_in_their_body() {
         assert!(svg.contains("3 balls") && svg.contains(">ring<"));
     }
 }
+
+/// Horizontal and vertical extent of a path of absolute and relative strokes, as the signs use them.
+fn extent(d: &str) -> [f64; 4] {
+    let mut spaced = String::new();
+    for c in d.chars() {
+        if c.is_ascii_alphabetic() {
+            spaced += &format!(" {c} ");
+        } else {
+            spaced.push(c);
+        }
+    }
+    let mut words = spaced.split_whitespace();
+    let (mut x, mut y, mut out) = (0.0, 0.0, [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY]);
+    while let Some(command) = words.next() {
+        let mut next = || -> f64 { words.next().unwrap().parse().unwrap() };
+        match command {
+            "M" | "L" => (x, y) = (next(), next()),
+            "H" => x = next(),
+            "V" => y = next(),
+            other => panic!("{other} in {d}"),
+        }
+        out = [out[0].min(x), out[1].max(x), out[2].min(y), out[3].max(y)];
+    }
+    out
+}
+
+/// Boxes of the bodies: left, right, top, bottom.
+fn boxes(svg: &str) -> Vec<[f64; 4]> {
+    let one = |t: &str| {
+        let number = |name: &str| -> f64 { t.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap() };
+        [number("x"), number("x") + number("width"), number("y"), number("y") + number("height")]
+    };
+    ["<rect class=\"steel\"", "<rect class=\"hous\""].iter().flat_map(|c| svg.split(c).skip(1).map(one).collect::<Vec<_>>()).collect()
+}
+
+/// Zigzags and pistons stand beside bodies or end at them; none crosses one.
+#[test]
+fn no_spring_crosses_a_body() {
+    let both = Joint { elastic: true, damped: true, gap: false };
+    let chain = || {
+        let mut m: Vec<Block> = (0..3).map(|k| body(&format!("d{k}"), true, -0.1 * f64::from(k))).collect();
+        m.push(link("a", [Some(("d0", 0.0)), Some(("d1", 0.0))], SPRING));
+        m.push(link("b", [Some(("d1", 0.0)), Some(("d2", 0.0))], SPRING));
+        m.push(link("skipping", [Some(("d0", 0.0)), Some(("d2", 0.0))], both));
+        m.push(link("top", [Some(("d0", 0.0)), None], both));
+        m.push(link("middle", [Some(("d1", 0.0)), None], SPRING));
+        m.push(link("bottom", [Some(("d2", 0.0)), None], both));
+        m
+    };
+    let two_housings = || {
+        let mut m = vec![body("wheel", true, 0.0), body("inner", false, 0.0), body("outer", false, 0.0)];
+        m.push(link("bearing", [Some(("wheel", 0.0)), Some(("inner", 0.0))], both));
+        m.push(link("mount", [Some(("inner", 0.0)), Some(("outer", 0.0))], SPRING));
+        m
+    };
+    for (machine, lying) in [(chain(), false), (chain(), true), (two_housings(), false)] {
+        let svg = page(machine, lying);
+        let bodies: Vec<[f64; 4]> = boxes(&svg).into_iter().filter(|b| b[3] - b[2] > 15.0).collect();
+        assert!(bodies.len() >= 3);
+        for d in svg.split("<path class=\"spr\" d=\"").skip(1).map(|p| p.split('"').next().unwrap()) {
+            // the strokes that lead to what stands beside the bodies begin at their sides
+            if d.matches(['H', 'V', 'L']).count() == 1 {
+                continue;
+            }
+            let s = extent(d);
+            for b in &bodies {
+                let wide = s[1].min(b[1]) - s[0].max(b[0]);
+                let tall = s[3].min(b[3]) - s[2].max(b[2]);
+                assert!(wide <= 0.2 || tall <= 0.2, "lying {lying}: {d} crosses {b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_liquid_has_its_label() {
+    let drum = Block::Body {
+        name: "drum".into(),
+        rotor: true,
+        labels: Vec::new(),
+        grounded: Joint::default(),
+        cavity: Some((0.07, 0.0467, 0.06)),
+        place: 0.0,
+    };
+    let oil = Block::Liquid { name: "oil <1>".into(), body: "drum".into(), fill: 0.555, density: 880.0 };
+    for horizontal in [false, true] {
+        let svg = page(vec![drum.clone(), oil.clone()], horizontal);
+        let said: Vec<String> = texts(&svg).into_iter().map(|t| t.2).collect();
+        assert!(said.iter().any(|t| t == "oil &lt;1&gt;"), "{said:?}");
+        assert!(said.iter().any(|t| t == "fill 55.5 %, 880 kg/m³"), "{said:?}");
+    }
+}

@@ -3,6 +3,7 @@
 use super::super::super::text::px;
 use super::glyphs::{ball, ground, joint, lines, reach, rect, text};
 use super::{Body, Parts, WIDTH};
+use crate::outcome::Joint;
 use std::fmt::Write;
 
 /// Middle line of the bodies.
@@ -15,7 +16,7 @@ const WIDEST: f64 = 78.0;
 const GAP: f64 = 58.0;
 const MANY: usize = 5;
 /// Distance of what passes a body from it, and of two such.
-const PASSING: f64 = 16.0;
+const PASSING: f64 = 8.0;
 const LINE: f64 = 14.0;
 
 struct Placed {
@@ -59,21 +60,30 @@ pub(super) fn upright(parts: &Parts) -> (String, String) {
             row += r.tracks;
             wanted.push(Label { at: (MIDDLE + p.half - 3.0, first), lines: Vec::new() });
         }
+        for _ in parts.liquids.iter().filter(|l| l.body == k) {
+            wanted.push(Label { at: (MIDDLE + p.half - 12.0, p.top + 0.7 * p.height), lines: Vec::new() });
+        }
         wanted.push(Label { at: (MIDDLE + p.half, p.top + 0.3 * p.height), lines: Vec::new() });
         let own = b.grounded;
-        if own.elastic || own.damped {
+        if (own.elastic || own.damped) && k + 1 == placed.len() {
             for side in [-1.0, 1.0] {
                 joint(&mut s, MIDDLE + side * (p.half - 18.0), p.top + p.height, floor, own);
             }
         }
     }
+    // what passes other bodies runs beside them all, each further out than the one before
+    let mut beside = Beside { edge: body_edge };
+    for (k, b) in parts.bodies.iter().enumerate() {
+        if own_joint(b) && k + 1 < placed.len() {
+            beside.joint(&mut s, &placed[k], None, (floor, b.grounded));
+        }
+    }
     // links from the same body downwards share the width
     let count = placed.len();
     let ends: Vec<(usize, usize)> = parts.links.iter().map(|l| span(l.ends.map(|e| e.map(|e| e.0)), count)).collect();
-    let mut passing = 0;
     for (i, (a, b)) in ends.iter().copied().enumerate() {
-        let beside: Vec<usize> = (0..ends.len()).filter(|&j| ends[j] == (a, b)).collect();
-        let k = beside.iter().position(|&j| j == i).unwrap_or_default();
+        let same: Vec<usize> = (0..ends.len()).filter(|&j| ends[j] == (a, b)).collect();
+        let k = same.iter().position(|&j| j == i).unwrap_or_default();
         let (from, to) = (placed[a].top + placed[a].height, placed.get(b).map_or(floor, |p| p.top));
         let link = &parts.links[i];
         // what passes another body runs beside it
@@ -81,22 +91,18 @@ pub(super) fn upright(parts: &Parts) -> (String, String) {
         let narrow = placed[a].half.min(placed.get(b).map_or(HALF, |p| p.half)) - 14.0;
         let own = placed[a].half - 36.0;
         let room = if b == count && own_joint(&parts.bodies[a]) { own.min(narrow) } else { narrow };
-        let x = if passes {
-            passing += 1;
-            let x = body_edge + PASSING + 22.0 * (passing - 1) as f64;
-            let _ = write!(s, "<path class=\"spr\" d=\"M{} {}H{}\"/>", px(MIDDLE + placed[a].half), px(from - 8.0), px(x));
-            right = right.max(x + reach(link.joint));
-            x
-        } else if beside.len() == 1 {
-            MIDDLE
-        } else {
-            MIDDLE - room + 2.0 * room * k as f64 / (beside.len() - 1) as f64
-        };
-        joint(&mut s, x, if passes { from - 8.0 } else { from }, to, link.joint);
-        let along = (k as f64 + 1.0) / (beside.len() as f64 + 1.0);
+        if passes {
+            let (x, y) = beside.joint(&mut s, &placed[a], placed.get(b), (floor, link.joint));
+            wanted.push(Label { at: (x + reach(link.joint), y), lines: Vec::new() });
+            continue;
+        }
+        let x = if same.len() == 1 { MIDDLE } else { MIDDLE - room + 2.0 * room * k as f64 / (same.len() - 1) as f64 };
+        joint(&mut s, x, from, to, link.joint);
+        let along = (k as f64 + 1.0) / (same.len() as f64 + 1.0);
         wanted.push(Label { at: (x + reach(link.joint), from + along * (to - from)), lines: Vec::new() });
     }
-    let edge = if passing > 0 { right + 4.0 } else { MIDDLE + WIDEST + 4.0 };
+    right = right.max(beside.edge);
+    let edge = if beside.edge > body_edge { right + 4.0 } else { MIDDLE + WIDEST + 4.0 };
     ground(&mut s, MIDDLE - 84.0, edge.max(MIDDLE + 84.0), floor, false);
     if parts.bodies.iter().any(|b| b.rotor) {
         let end = placed.iter().zip(&parts.bodies).filter(|p| p.1.rotor).map(|p| p.0.top + p.0.height).fold(floor.min(40.0), f64::max);
@@ -108,12 +114,35 @@ pub(super) fn upright(parts: &Parts) -> (String, String) {
     let mut texts = Vec::new();
     for (k, b) in parts.bodies.iter().enumerate() {
         texts.extend(parts.balls.iter().filter(|r| r.body == k).map(|r| lines(r.name, &r.text, room)));
+        texts.extend(parts.liquids.iter().filter(|l| l.body == k).map(|l| lines(l.name, &l.text, room)));
         texts.push(lines(b.name, &b.text, room));
     }
     texts.extend(parts.links.iter().map(|l| lines(l.name, &l.text, room)));
     wanted.iter_mut().zip(texts).for_each(|(w, t)| w.lines = t);
     let bottom = labels(&mut s, wanted, column);
     (s, px(bottom.max(floor + 14.0)))
+}
+
+/// The strip beside the bodies in which parts run that pass some of them.
+struct Beside {
+    /// Where the last of them ends.
+    edge: f64,
+}
+
+impl Beside {
+    /// From the side of a body down to that of another, or to the floor. Returns the middle of the part.
+    fn joint(&mut self, s: &mut String, from: &Placed, to: Option<&Placed>, (floor, kind): (f64, Joint)) -> (f64, f64) {
+        let x = self.edge + PASSING + reach(kind);
+        let top = from.top + from.height - 8.0;
+        let bottom = to.map_or(floor, |p| p.top + 8.0);
+        let _ = write!(s, "<path class=\"spr\" d=\"M{} {}H{}\"/>", px(MIDDLE + from.half), px(top), px(x));
+        joint(s, x, top, bottom, kind);
+        if let Some(p) = to {
+            let _ = write!(s, "<path class=\"spr\" d=\"M{} {}H{}\"/>", px(x), px(bottom), px(MIDDLE + p.half));
+        }
+        self.edge = x + reach(kind);
+        (x, 0.5 * (top + bottom))
+    }
 }
 
 fn tracks(parts: &Parts, body: usize) -> usize {

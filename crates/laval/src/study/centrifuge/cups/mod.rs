@@ -10,7 +10,6 @@ pub use fields::{SUSPENSION, SUSPENSION_DOC, SUSPENSION_EXAMPLE, cup_kinds};
 use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Attach, Extra, Field, FieldKind, Values};
 use crate::model::system::{GRAVITY, System};
-use crate::outcome::{quantity, significant};
 use crate::separation::cup::{Hanging, SwingingCup};
 use crate::separation::exit::Cylinder;
 use crate::separation::law::{Impossible, Law};
@@ -188,9 +187,9 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             "centre_of_mass",
             "cup.centre",
             text!(
-                "the centre of mass lies {along} m from the hinge, far below the bottom of the cup at {bottom} m",
-                along,
-                bottom = vessel.bottom
+                "the centre of mass lies {along} from the hinge, far below the bottom of the cup at {bottom}",
+                along = text::quantity(along, "m"),
+                bottom = text::quantity(vessel.bottom, "m")
             ),
             text!("measure both from the hinge"),
         );
@@ -232,17 +231,17 @@ fn apart(v: &Values, (field, given): (&str, f64), (radius, top): (f64, f64), til
     let needed = tilts.iter().map(|&t| (least_hinge_radius(count, radius, top, t), t));
     let Some((least, tilt)) = needed.reduce(|a, b| if b.0 > a.0 { b } else { a }) else { return };
     if !(given >= least - 1e-9 * radius) {
-        let inner = quantity(radius, "m");
+        let inner = text::quantity(radius, "m");
         let message = if tilt == 0.0 {
             text!("{count} cups with an inner radius of {inner} reach into each other as they hang", count, inner)
         } else {
-            let tilt = significant(tilt.to_degrees(), 3);
-            text!("{count} cups with an inner radius of {inner} reach into each other at a tilt of {tilt} deg", count, inner, tilt)
+            let tilt = text::quantity(tilt, "rad");
+            text!("{count} cups with an inner radius of {inner} reach into each other at a tilt of {tilt}", count, inner, tilt)
         };
         let help = text!(
             "{field} is at least {least} for {count} of them, without their walls; or give fewer with count",
             field,
-            least = quantity(least, "m"),
+            least = text::quantity(least, "m"),
             count
         );
         wrong(out, v, field, "cup.overlap", message, help);

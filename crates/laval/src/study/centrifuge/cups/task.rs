@@ -4,7 +4,6 @@ use super::{Suspension, Vessel, the_suspension, the_vessel, wrong};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
-use crate::outcome::quantity;
 use crate::separation::batch::{Batch, RunUp};
 use crate::separation::motion::Lost;
 use crate::separation::particle::Drag;
@@ -132,9 +131,9 @@ pub fn task(values: &Values, system: &System, time: Option<f64>, out: &mut Diagn
     if !(middle <= wide) {
         let message = text!(
             "particles of {size} do not fit into \"{name}\", which is {wide} wide",
-            size = quantity(middle, "m"),
+            size = text::quantity(middle, "m"),
             name = vessel.name,
-            wide = quantity(wide, "m")
+            wide = text::quantity(wide, "m")
         );
         wrong(out, values, "", "separation.size", message, text!("check the unit of the diameter in [suspension]"));
     }

@@ -194,8 +194,8 @@ fn both_ways(
             return Err(Diagnostic::error(
                 "operating_window.passage",
                 text!(
-                    "the passage could not be computed beyond {speed} rad/s",
-                    speed = format_args!("{:.5}", programme.at(trajectory.run.t).speed)
+                    "the passage could not be computed beyond {speed}",
+                    speed = text::quantity(programme.at(trajectory.run.t).speed, "rad/s")
                 ),
             )
             .help(text!("shorten the ramp or the range of speeds; a machine that is unstable below the window may move without bound")));

@@ -6,7 +6,6 @@ use super::{MAP_PLACES, Objective, OperatingWindow, Policy, contents};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::Values;
 use crate::model::system::System;
-use crate::outcome::quantity;
 use crate::separation::batch::RunUp;
 use crate::study::centrifuge::cups;
 use crate::study::centrifuge::cups::task::{self, Task};
@@ -110,8 +109,8 @@ fn separated(values: &Values, system: &System, top: f64, out: &mut Diagnostics) 
         if task.throughput.is_none() && !(t <= task.time) {
             let message = text!(
                 "the run-up to the top of the range takes {ramp}, longer than the {time} at hand that count from its start",
-                ramp = quantity(t, "s"),
-                time = quantity(task.time, "s")
+                ramp = text::quantity(t, "s"),
+                time = text::quantity(task.time, "s")
             );
             let help = text!(
                 "give a shorter ramp, a lower top of the range or more time; with count_ramp = false the time counts from the end of the run-up"

@@ -7,7 +7,6 @@ use super::{MAP_POINTS, OperatingWindow, SPEEDS};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Extra, FieldKind, RangeValue, Value};
 use crate::model::system::System;
-use crate::outcome::quantity;
 use crate::study::{Context, blocks, with_blocks};
 use crate::text;
 use laval_num::text::Text;
@@ -201,8 +200,12 @@ pub(super) fn unknown(system: &System, path: &str) -> Diagnostic {
 
 /// The machine with a parameter changed.
 pub(super) fn varied(system: &System, path: &str, x: f64) -> Result<System, Diagnostic> {
-    let bounds =
-        || Diagnostic::error("parameter.bounds", text!("{path} cannot be {value}", path, value = quantity(x, unit_of(system, path))));
+    let bounds = || {
+        Diagnostic::error(
+            "parameter.bounds",
+            text!("{path} cannot be {value}", path, value = text::quantity(x, unit_of(system, path).to_string())),
+        )
+    };
     let first = |d: Diagnostics| d.0.into_iter().next().unwrap_or_else(bounds);
     if system.param(path).is_some() {
         return system.with(&[(path, x)]).map_err(first);

@@ -23,7 +23,7 @@ use super::cups::task::{self, DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROU
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
-use crate::outcome::{End, Finding, Outcome, quantity};
+use crate::outcome::{End, Finding, Outcome};
 use crate::separation::batch::{RunUp, Spinning};
 use crate::separation::exit::Exit;
 use crate::separation::motion::Lost;
@@ -213,7 +213,7 @@ ramp = "30 s"
             return None;
         }
         if let Some(ramp) = values.number("ramp").filter(|t| run_up != RunUp::None && !(*t <= task.time)) {
-            let (ramp, time) = (quantity(ramp, "s"), quantity(task.time, "s"));
+            let (ramp, time) = (text::quantity(ramp, "s"), text::quantity(task.time, "s"));
             let message = text!("the run-up takes {ramp}, longer than the {time} at hand: the speed is never reached", ramp, time);
             wrong("ramp", "separation.ramp", message, text!("give a shorter ramp or more time"));
             return None;

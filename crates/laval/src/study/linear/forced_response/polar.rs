@@ -103,11 +103,16 @@ impl<'a> Polar<'a> {
         }
         let first = self.bodies.first().map_or(String::new(), |p| probe_name(p));
         panel = panel.mark(Points::new("polar", format!("in_phase.{first}"), "marked").small().name("speeds"));
+        // as many digits as tell neighbours apart
+        let mut speeds: Vec<f64> = self.marks.iter().map(|&i| self.rows[i].0.abs()).collect();
+        speeds.sort_by(f64::total_cmp);
+        let nearest = speeds.windows(2).map(|w| (w[1] - w[0]) / w[1]).filter(|d| *d > 0.0).fold(1.0, f64::min);
+        let digits = (1.0 - nearest.log10()).ceil().clamp(4.0, 7.0) as u8;
         for &i in &self.marks {
             let z = self.rows[i].1[0];
             // words stand outside the curve, away from the axis
             let out = z.scale(1.0 + 0.09 * most / z.abs().max(0.05 * most));
-            panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0)));
+            panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0).digits(digits)));
         }
         let alt = Message::new("polar-alt").arg("bodies", Arg::count(self.bodies.len()));
         let x = axis("in phase with the key mark", |z| z.re, 0.14, 0.2);

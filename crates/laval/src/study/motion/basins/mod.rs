@@ -32,7 +32,7 @@ use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::probe::Probe;
 use crate::model::system::{Body, Drive, System};
 use crate::model::timed::{Speeds, Timed};
-use crate::outcome::{End, Outcome, quantity};
+use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
@@ -137,7 +137,7 @@ points = 50
         if let Some(w) = speed
             && !(w >= SLOWEST)
         {
-            let message = text!("basins need a speed above 1e-6 rad/s: there is no period at rest");
+            let message = text!("basins need a speed above {least}: there is no period at rest", least = text::quantity(1e-6, "rad/s"));
             diagnostics.push(Diagnostic::error("basins.speed", message).at(values.span_of("speed")));
         }
         if system.bodies().is_empty() {
@@ -152,7 +152,7 @@ points = 50
         {
             let message = text!(
                 "a run-up makes no difference at {speed}: this machine has no masses that move round in axes that turn with it",
-                speed = quantity(w, "rad/s")
+                speed = text::quantity(w, "rad/s")
             );
             diagnostics.push(Diagnostic::error("basins.run_up", message).at(values.span_of("run_up")).help(text!("leave run_up out")));
         }
@@ -293,7 +293,7 @@ impl ModesAtRest {
     fn undecaying(&self) -> Option<text::Text> {
         match (self.decay, self.growth) {
             (Some(_), _) => None,
-            (None, Some(growth)) => Some(text!("at rest a mode of this machine grows by {growth}", growth = quantity(growth, "1/s"))),
+            (None, Some(growth)) => Some(text!("at rest a mode of this machine grows by {growth}", growth = text::quantity(growth, "1/s"))),
             (None, None) if self.neutral => Some(text!("at rest a mode of this machine neither decays nor grows")),
             (None, None) => Some(text!("the modes of this machine at rest are not known")),
         }

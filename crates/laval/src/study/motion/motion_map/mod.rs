@@ -245,7 +245,7 @@ fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Op
     let one: fn(Text) -> Text = |help| text!("{help}, or give x a second parameter: the speed is then the same everywhere", help);
     let range = range_or("speed", (given, one), 2, values, diagnostics)?;
     if !(range.from >= SLOWEST) {
-        let message = text!("a map needs speeds above 1e-6 rad/s: there is no period at rest");
+        let message = text!("a map needs speeds above {least}: there is no period at rest", least = text::quantity(1e-6, "rad/s"));
         diagnostics.push(Diagnostic::error("motion_map.speed", message).at(values.span_of("speed")));
         return None;
     }

@@ -38,7 +38,6 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::NARROWEST;
 use crate::study::{Context, Study};
 use crate::text;
-use crate::units::format_si;
 use linear::LinearResponse;
 use serde::{Deserialize, Serialize};
 
@@ -328,7 +327,7 @@ fn changes(programme: &Programme, values: &Values, diagnostics: &mut Diagnostics
     if high - low > NARROWEST * high.abs().max(low.abs()) {
         return true;
     }
-    let speed = format_si(low, "rad/s");
+    let speed = text::quantity(low, "rad/s");
     let given = |field: &&str| values.get(field).is_some();
     let (said, field) = match ["programme", "polynomial", "to"].into_iter().find(given) {
         Some("to") => (text!("from and to are both {speed}", speed), "to"),

@@ -111,7 +111,7 @@ impl Spectra {
             let message = text!(
                 "spectra up to order {highest} of this record need {total} samples, which are too many",
                 highest,
-                total = format_args!("{total:.3e}")
+                total = text::number(total, 3)
             );
             let help = text!("at most {most}: lower highest_order, or follow a shorter motion", most = MOST);
             diagnostics.push(Diagnostic::error("spectra.samples", message).at(values.span_of("waterfall")).help(help));

@@ -149,7 +149,7 @@ start = "up_and_down"
         if let Some(s) = speed
             && !(s.from >= SLOWEST)
         {
-            let message = text!("a sweep needs speeds above 1e-6 rad/s: there is no period at rest");
+            let message = text!("a sweep needs speeds above {least}: there is no period at rest", least = text::quantity(1e-6, "rad/s"));
             diagnostics.push(Diagnostic::error("sweep.speed", message).at(values.span_of("speed")));
         }
         let bodies = system.bodies();

@@ -16,7 +16,7 @@ use super::nonlinear_response::NonlinearResponseResult;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::system::{Drive, System};
-use crate::outcome::{End, Outcome, quantity};
+use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Response};
 use crate::solve::harmonic::loci::follow::PathEnd;
 use crate::solve::harmonic::loci::search::{Loci, Request, loci_from};
@@ -144,8 +144,9 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
                 Diagnostic::error("loci.standstill", text!("the range of speeds comes too near to standstill, where no unbalance acts"))
                     .at(values.span_of("speed"))
                     .help(text!(
-                        "keep both ends above {slowest} rad/s, or both below -{slowest} rad/s for rotation the other way round",
-                        slowest = SLOWEST
+                        "keep both ends above {slowest}, or both below {lowest} for rotation the other way round",
+                        slowest = text::quantity(SLOWEST, "rad/s"),
+                        lowest = text::quantity(-SLOWEST, "rad/s")
                     )),
             );
         }
@@ -202,7 +203,7 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
         let path = &self.request.parameter;
         if self.request.values.iter().all(|&x| system.with(&[(path, x)]).is_err()) {
             let x = self.request.range.0;
-            let at = quantity(x, unit(system, path));
+            let at = text::quantity(x, unit(system, path).to_string());
             let message = match system.with(&[(path, x)]) {
                 Err(d) => {
                     let why = d.into_error().message;

@@ -251,8 +251,9 @@ pub(in crate::study) fn request(values: &Values, diagnostics: &mut Diagnostics) 
             Diagnostic::error("response.standstill", text!("the range of speeds comes too near to standstill, where no unbalance acts"))
                 .at(values.span_of("speed"))
                 .help(text!(
-                    "keep both ends above {slowest} rad/s, or both below -{slowest} rad/s for rotation the other way round",
-                    slowest = SLOWEST
+                    "keep both ends above {slowest}, or both below {lowest} for rotation the other way round",
+                    slowest = text::quantity(SLOWEST, "rad/s"),
+                    lowest = text::quantity(-SLOWEST, "rad/s")
                 )),
         );
     }

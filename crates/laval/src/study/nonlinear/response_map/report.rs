@@ -1,6 +1,6 @@
 //! From cells to findings and tables.
 
-use super::border::{Piece, pieces};
+use super::border::{Crossing, Grid};
 use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, TILT, UP};
 use super::{ParameterAxis, ResponseMap, ResponseMapResult, figures};
 use crate::diagnostic::Diagnostic;
@@ -21,7 +21,7 @@ pub(super) struct Map<'a> {
     pub numbers: BTreeMap<String, Vec<f64>>,
     /// What slow sweeps do.
     pub sweeps: Vec<String>,
-    pub border: Vec<Piece>,
+    pub border: Vec<Crossing>,
 }
 
 impl Map<'_> {
@@ -74,7 +74,11 @@ pub(super) fn report(study: &ResponseMap, system: &System, result: &ResponseMapR
     let numbers = floats.map(|c| (c.0.name.clone(), results.numbers(&c.0.name))).collect();
     let sweeps: Vec<String> = results.words("sweeps").into_iter().map(|w| if w.is_empty() { FAILED.to_string() } else { w }).collect();
     let known: Vec<Option<bool>> = sweeps.iter().map(|w| jumps(w)).collect();
-    let map = Map { study, values, numbers, border: pieces(&study.axes, values, &known), sweeps };
+    let mut map = Map { study, values, numbers, border: Vec::new(), sweeps };
+    let open = map.column("open");
+    let width: Vec<f64> =
+        map.column("hysteresis").iter().enumerate().map(|(k, w)| if open.get(k) == Some(&0.0) { *w } else { f64::NAN }).collect();
+    map.border = Grid { axes: &study.axes, values, jumps: &known, width: &width }.border();
     let mut outcome = Outcome::new(ResponseMap::KIND, name).end(result.end);
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
@@ -244,21 +248,20 @@ fn cell_table(map: &Map, results: &Collected) -> Result<Table, Diagnostic> {
     t.build().map_err(inconsistent)
 }
 
-/// Two rows for each piece of the border: its ends.
+/// The points of the border, curve by curve.
 fn border_table(map: &Map) -> Result<Table, Diagnostic> {
-    let ends: Vec<(&Piece, usize)> = map.border.iter().flat_map(|p| [(p, 0), (p, 1)]).collect();
-    let axes = &map.study.axes;
-    let column = |f: &dyn Fn(&Piece, usize) -> f64| ends.iter().map(|(p, e)| f(p, *e)).collect::<Vec<f64>>();
+    let (axes, all) = (&map.study.axes, &map.border);
+    let column = |f: &dyn Fn(&Crossing) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     Table::new(
         "border",
-        "Border between machines that jump and machines that do not: two rows for each piece, half way between two machines",
+        "Border between machines that jump and machines that do not, where it crosses the lines between two of them: where the widths of their hysteresis lead to zero, else half way",
     )
-    .float("x", axes[0].unit, parameter_name(&axes[0].path), column(&|p, e| p.ends[e][0]))
-    .float("y", axes[1].unit, parameter_name(&axes[1].path), column(&|p, e| p.ends[e][1]))
-    .flag("begins", "first end of a piece", ends.iter().map(|e| e.1 == 0).collect())
-    .names("across", "the parameter that differs on both sides", ends.iter().map(|(p, _)| axes[p.across].path.clone()).collect())
-    .float("side_below", "", "its value on one side, SI units: the border lies between", column(&|p, _| p.between[0]))
-    .float("side_above", "", "its value on the other side, SI units", column(&|p, _| p.between[1]))
+    .float("x", axes[0].unit, parameter_name(&axes[0].path), column(&|c| c.at[0]))
+    .float("y", axes[1].unit, parameter_name(&axes[1].path), column(&|c| c.at[1]))
+    .flag("begins", "first point of a curve", all.iter().map(|c| c.begins).collect())
+    .names("across", "the parameter that differs on both sides", all.iter().map(|c| axes[c.across].path.clone()).collect())
+    .float("side_below", "", "its value on one side, SI units: the border lies between", column(&|c| c.between[0]))
+    .float("side_above", "", "its value on the other side, SI units", column(&|c| c.between[1]))
     .build()
     .map_err(inconsistent)
 }

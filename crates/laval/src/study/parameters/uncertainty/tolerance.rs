@@ -3,7 +3,6 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::Tolerance;
 use crate::model::system::System;
-use crate::outcome::quantity;
 use crate::text;
 use crate::text::Text;
 use laval_num::sampling::distribution::Distribution;
@@ -56,7 +55,7 @@ fn one(t: &Tolerance, system: &System) -> Result<Uncertain, Diagnostic> {
         return Err(wrong(text!("its values in x and y differ, so that there is no single one to be uncertain"), halves));
     }
     let unit = slot.unit;
-    let say = |x: f64| quantity(x, unit);
+    let say = |x: f64| text::quantity(x, unit.to_string());
     let allowed: &[&str] = match t.distribution {
         "normal" | "log_normal" => &["mean", "deviation"],
         "uniform" => &["from", "to", "tolerance"],
