@@ -65,8 +65,7 @@ def kills(place: Path, cases: int = 10_000) -> None:
     from clusters import Cluster, Disturbance
     from distributed import Client
 
-    study = laval.studies.forced_response(name="response", speed=laval.span("100 rad/s", "600 rad/s", points=200))
-    sweep = laval.Sweep(ROTOR_MACHINE, spread(cases), study)
+    sweep = laval.Sweep(ROTOR_MACHINE, spread(cases), CRITICAL)
     begun = time.monotonic()
     whole = sweep.run(place / "whole", client=False)
     alone = time.monotonic() - begun

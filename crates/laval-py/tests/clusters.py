@@ -22,15 +22,20 @@ class Cluster:
 
     def __init__(self, workers: int) -> None:
         self.address = f"tcp://127.0.0.1:{port()}"
-        self.scheduler = self.start_scheduler()
-        self.workers = [self._start("dask_worker", self.address, "--nworkers", "1", "--nthreads", "1", "--no-dashboard") for _ in range(workers)]
+        self._count = workers
+        self.workers: list[subprocess.Popen[bytes]] = []
+        self.start()
+
+    def start(self) -> None:
+        """Starts the scheduler and the workers, for these end with their scheduler."""
+        port = self.address.rsplit(":", 1)[1]
+        self.scheduler = self._start("dask_scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard")
+        one = ("dask_worker", self.address, "--nworkers", "1", "--nthreads", "1", "--no-dashboard")
+        self.workers += [self._start(*one) for _ in range(self._count)]
 
     def _start(self, program: str, *arguments: str) -> subprocess.Popen[bytes]:
         command = [sys.executable, "-m", f"distributed.cli.{program}", *arguments]
         return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
-
-    def start_scheduler(self) -> subprocess.Popen[bytes]:
-        return self._start("dask_scheduler", "--host", "127.0.0.1", "--port", self.address.rsplit(":", 1)[1], "--no-dashboard")
 
     def close(self) -> None:
         for process in [*self.workers, self.scheduler]:
@@ -41,7 +46,7 @@ class Cluster:
 
 
 class Disturbance:
-    """Kills a worker after a fifth of the cases and the scheduler after the half; the scheduler is started again after a second."""
+    """Kills a worker after a fifth of the cases and the scheduler after the half; all is started again after a second."""
 
     def __init__(self, cluster: Cluster, client: Any) -> None:
         self.cluster, self.client = cluster, client
@@ -58,4 +63,4 @@ class Disturbance:
             os.killpg(self.cluster.scheduler.pid, signal.SIGKILL)
             self.cluster.scheduler.wait()
             time.sleep(1.0)
-            self.cluster.scheduler = self.cluster.start_scheduler()
+            self.cluster.start()

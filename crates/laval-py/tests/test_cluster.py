@@ -26,7 +26,7 @@ def cluster() -> Iterator[Cluster]:
 
 @pytest.fixture
 def sweep(rotor: laval.Machine) -> laval.Sweep:
-    return laval.Sweep(rotor, spread(6000), STUDY)
+    return laval.Sweep(rotor, spread(4000), STUDY)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")

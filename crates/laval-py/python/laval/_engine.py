@@ -43,11 +43,17 @@ class Meter:
 
     def __init__(self, done: int, total: int, follow: Callable[[Extent], Any]) -> None:
         self._before, self._total, self._follow = done, total, follow
-        self._begun = time.monotonic()
+        self._begun = self._said = time.monotonic()
         self.at(done)
 
+    def now(self, done: Callable[[], int]) -> None:
+        """Says how far the run is, unless it has done so just now: looking at many files takes time."""
+        if time.monotonic() - self._said > 0.25:
+            self.at(done())
+
     def at(self, done: int) -> None:
-        passed = time.monotonic() - self._begun
+        self._said = time.monotonic()
+        passed = self._said - self._begun
         rate = (done - self._before) / passed if passed > 0 and done > self._before else math.nan
         self._follow(Extent(done, self._total, rate, (self._total - done) / rate))
 
@@ -90,7 +96,9 @@ def run(
         # the files that a collection rejects are those that parts compute again
         for _ in range(retries + 1):
             if client is False or (client is None and not _dask()):
-                notes = cases._core.run(None, None, lambda _, done, __: meter.at(int(done)))
+                # as one part: the list of files is written once, by the collection
+                there = cases.done
+                notes = cases._core.run((1, 1), None, lambda _, done, __: meter.at(max(there, int(done))))
                 cases._warn(notes)
             else:
                 _on_dask(cases, client, workers, retries, meter)
@@ -212,7 +220,7 @@ def _each(cases: Cases, client: Any, tasks: list[tuple[Any, tuple[Any, ...]]], r
             for future in as_completed(futures):
                 if future.status == "finished":
                     results[futures[future]] = future.result()
-                    meter.at(cases.done)
+                    meter.now(lambda: cases.done)
                 elif future.status == "error":
                     future.result()
         except BaseException as error:

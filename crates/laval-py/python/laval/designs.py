@@ -9,6 +9,7 @@ Every design is a function of the number of the case alone: it does not depend o
 from __future__ import annotations
 
 import hashlib
+import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -93,7 +94,9 @@ def grid(axes: Mapping[str, Any]) -> Design:
     """
     read = {path: _numbers(path, values) for path, values in axes.items()}
     cases = 1
-    for values, _ in read.values():
+    for path, (values, _) in read.items():
+        if not all(map(math.isfinite, values)):
+            raise ValueError(f"{path}: every value of a grid is a finite number")
         cases *= len(values)
     units = {path: unit for path, (_, unit) in read.items() if unit is not None}
     data = {"kind": "grid", "axes": [[path, values.tolist()] for path, (values, _) in read.items()]}

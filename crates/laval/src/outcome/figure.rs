@@ -1,11 +1,13 @@
 //! Figures: declarative marks over table columns. A figure is a column of panels that share x.
 
+use super::kept;
 use super::message::{Arg, Message};
 use super::tiles::Tiles;
 use super::{Data, OutcomeError, Table};
+use serde::{Deserialize, Serialize};
 
 /// A figure: panels, one below the other, sharing the x axis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figure {
     /// Machine name, also part of the file name.
     pub name: String,
@@ -24,7 +26,7 @@ pub struct Figure {
 }
 
 /// One panel: a y axis and marks, drawn in order (heat maps and bands always lie below).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Panel {
     /// The y axis.
     pub y: Axis,
@@ -35,7 +37,7 @@ pub struct Panel {
 }
 
 /// Scale of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Scale {
     /// Equal steps.
     Linear,
@@ -45,7 +47,7 @@ pub enum Scale {
 
 /// An axis. Every value along it (columns and constants alike) is multiplied by `factor` before it is drawn, so that tables
 /// and marks stay in SI units while the axis shows `rpm` or `µm`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// Label, such as `speed`.
     pub label: Arg,
@@ -137,7 +139,7 @@ pub fn parameter_name(path: &str) -> Arg {
 }
 
 /// One layer of a panel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Mark {
     /// Curve.
     Line(Line),
@@ -159,7 +161,7 @@ macro_rules! into_mark {
 into_mark!(Line, Points, Band, Rule, Heat, Text);
 
 /// A curve through the rows of a table in their order; it may fold back. NaN breaks it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Line {
     /// Table.
     pub table: String,
@@ -176,6 +178,7 @@ pub struct Line {
     /// Column whose values give pieces of the curves their colour and their name in the legend, in place of the groups.
     pub class: Option<String>,
     /// Values of `class` that always have the same colour, whichever of them occur.
+    #[serde(with = "kept::words")]
     pub classes: &'static [&'static str],
     /// Curves of groups coincide: the earlier are drawn wider, so that all are seen.
     pub nested: bool,
@@ -194,6 +197,7 @@ pub struct Line {
     /// A smooth path: drawn through its points without corners, its start and direction marked.
     pub path: bool,
     /// Values of `class` that are drawn thin and grey.
+    #[serde(with = "kept::words")]
     pub muted: &'static [&'static str],
     /// In the colour of text, not of the palette: for intervals on bars.
     pub ink: bool,
@@ -338,7 +342,7 @@ impl Line {
 }
 
 /// A marker per row.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Points {
     /// Table.
     pub table: String,
@@ -350,10 +354,12 @@ pub struct Points {
     pub group: Option<String>,
     /// Values of `group` that always have the same colour and shape, whichever of them occur: the first, the second, ... Their sizes differ, so that
     /// markers of two classes at one place are both seen.
+    #[serde(with = "kept::words")]
     pub classes: &'static [&'static str],
     /// Flag column: filled markers where true, open ones elsewhere.
     pub filled_where: Option<String>,
     /// Values of `group` that are grey.
+    #[serde(with = "kept::words")]
     pub muted: &'static [&'static str],
     /// Small, for many.
     pub small: bool,
@@ -424,7 +430,7 @@ impl Points {
 }
 
 /// A shaded interval.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Band {
     /// Where.
     pub place: BandPlace,
@@ -441,7 +447,7 @@ pub struct Band {
 }
 
 /// Where a [`Band`] lies; values before the axis factor.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum BandPlace {
     /// Between two values of x, the whole height.
     X(f64, f64),
@@ -528,7 +534,7 @@ impl Band {
 }
 
 /// A straight line across the panel with a label; `at` before the axis factor.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rule {
     /// True: vertical, at a value of x. False: horizontal, at a value of y.
     pub vertical: bool,
@@ -559,7 +565,7 @@ impl Rule {
 }
 
 /// A heat map of `value` over a grid of x and y, given row by row in any order; missing cells stay blank.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Heat {
     /// Table.
     pub table: String,
@@ -641,7 +647,7 @@ impl Heat {
 }
 
 /// Words at a place in data coordinates (before the axis factors).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Text {
     /// x.
     pub x: f64,

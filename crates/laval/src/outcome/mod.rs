@@ -33,6 +33,7 @@
 mod animation;
 mod figure;
 mod finding;
+mod kept;
 mod message;
 mod number;
 mod overview;
@@ -44,6 +45,7 @@ use crate::text::Argument;
 pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text, parameter_name};
 pub use finding::{Evidence, Finding, Level};
+pub use kept::Fixed;
 pub use message::{Arg, Message, Quantity, Role};
 pub(crate) use number::quantity_to;
 pub use number::{quantity, significant, unit_text};
@@ -57,7 +59,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 /// Everything one study found out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// The study's kind, the word in the file: `nonlinear_response`.
     pub kind: String,
@@ -82,7 +84,7 @@ pub struct Outcome {
 }
 
 /// Name and unit of the quantity a study moves along.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Parameter {
     /// Name, such as `speed`.
     pub name: String,
@@ -297,7 +299,7 @@ impl End {
 }
 
 /// A fold, bifurcation, crossing or resonance on the study's path.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SpecialPoint {
     /// Stable machine name: `fold`, `neimark_sacker`, `critical_speed`.
     pub kind: String,
@@ -340,7 +342,7 @@ impl SpecialPoint {
 }
 
 /// How sure a special point is.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// Its own equations were solved.
     Located,

@@ -38,7 +38,7 @@ const FAILURE: &str = "failure";
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Number {
-    /// Its name, such as `mode forward 1`.
+    /// Its name, such as `critical_speed order 1 forward`.
     pub name: String,
     /// Its unit.
     pub unit: String,
