@@ -18,6 +18,8 @@ from laval import _registry, designs
 PAGE = Path(__file__).parents[2] / "docs" / "python-reference.md"
 PAGES = {"parts": "parts.md", "studies": "studies.md", "blocks": "separation-blocks.md"}
 TITLES = {"parts": "Parts", "studies": "Studies", "blocks": "Blocks beside them"}
+CALLED = {"Machine", "Mode", "Peak", "Jump", "Sweep", "Cases"}
+"""Classes that a user makes; others come from runs and functions."""
 GROUPS = {
     "Machines": ["load", "loads", "Machine", "Parameter", "si", "span"],
     "Results": ["Results", "StudyResults", "Finding", "Value", "Evidence", "SpecialPoint", "Check", "Table", "Figure"],
@@ -95,6 +97,8 @@ def attributes(thing: type) -> list[tuple[str, str]]:
         source = inspect.getsource(thing)
     except (OSError, TypeError):
         return []
+    # the last line of a documentation looks like an attribute
+    source = re.sub(r'^( *(?:class|def) .*?:\n +)""".*?"""', r"\1", source, flags=re.M | re.S)
     found = re.findall(r'^ +(?:self\.)?([a-z]\w*)(?:: [^=\n]+)?(?: = [^\n]+)?\n +"""(.+?)"""$', source, re.M | re.S)
     return [(name, first(doc)) for name, doc in found]
 
@@ -116,9 +120,14 @@ def page() -> str:
         out.append(f"## {group}")
         for name in names:
             thing = getattr(laval, name)
-            out.append(f"### {name}\n\n```python no-run\nlaval.{signature(name, thing)}\n```\n\n{whole(thing.__doc__)}")
+            call = f"```python no-run\nlaval.{signature(name, thing)}\n```\n\n"
+            made = not inspect.isclass(thing) or name in CALLED
+            out.append(f"### {name}\n\n{call if made else ''}{whole(thing.__doc__)}")
             if inspect.isclass(thing):
                 out.append(table(members(thing)))
+                calls = ((n, getattr(m, "__func__", m)) for n, m in vars(thing).items() if not n.startswith("_"))
+                long = [(n, c) for n, c in calls if inspect.isfunction(c) and ("Args:" in (c.__doc__ or "") or "Raises:" in (c.__doc__ or ""))]
+                out += [f"#### {name}.{n}\n\n{whole(c.__doc__)}" for n, c in long]
     out.append("## Designs\n\n" + whole(designs.__doc__).split("\n\n")[0])
     for name in [n for n in designs.__all__ if n != "Design"]:
         thing = getattr(designs, name)

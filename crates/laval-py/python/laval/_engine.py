@@ -118,6 +118,12 @@ def _dask() -> bool:
     return find_spec("distributed") is not None
 
 
+def _distributed() -> Any:
+    from importlib import import_module
+
+    return import_module("distributed")
+
+
 def _collected(cases: Cases) -> None:
     begun = time.monotonic()
     while True:
@@ -165,16 +171,13 @@ def trial(folder: str, mark: str, chunks: list[int]) -> tuple[int, float]:
     return done, first if done < 2 else (now - ends) / (done - 1)
 
 
-def _here(workers: int | None, stack: ExitStack) -> distributed.Client:
-    """A cluster on this computer."""
-    from distributed import Client, LocalCluster
-
+def _here(workers: int | None, stack: ExitStack) -> Any:
+    """A client of a cluster on this computer."""
+    dask = _distributed()
     if workers is None:
         workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    cluster = stack.enter_context(
-        LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None)  # type: ignore[no-untyped-call]
-    )
-    return stack.enter_context(Client(cluster))  # type: ignore[no-untyped-call]
+    cluster = dask.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None)
+    return stack.enter_context(dask.Client(stack.enter_context(cluster)))
 
 
 def _missing(cases: Cases) -> list[int]:
@@ -188,7 +191,7 @@ def _parts(cases: Cases, seconds: float) -> list[tuple[int, int]]:
     return [(number + 1, of) for number in sorted({k % of for k in _missing(cases)})]
 
 
-def _on_dask(cases: Cases, client: distributed.Client | None, workers: int | None, retries: int, meter: Meter) -> None:
+def _on_dask(cases: Cases, client: Any, workers: int | None, retries: int, meter: Meter) -> None:
     with ExitStack() as stack:
         if client is None:
             client = _here(workers, stack)
@@ -208,8 +211,7 @@ def _on_dask(cases: Cases, client: distributed.Client | None, workers: int | Non
 
 def _each(cases: Cases, client: Any, tasks: list[tuple[Any, tuple[Any, ...]]], retries: int, meter: Meter) -> list[Any]:
     """The results of tasks, whatever happens to workers and scheduler, as often as is allowed."""
-    from distributed import as_completed
-
+    as_completed = _distributed().as_completed
     left, results, losses = list(range(len(tasks))), {}, 0
     while left:
         futures = {}
@@ -247,9 +249,8 @@ def _lost(error: BaseException) -> bool:
     """Whether the scheduler has gone, not the task failed."""
     from concurrent.futures import CancelledError
 
-    from distributed.comm import CommClosedError
-
-    return isinstance(error, (CancelledError, CommClosedError)) or type(error).__name__ in ("FutureCancelledError", "FuturesCancelledError")
+    # some of them are of Dask, under names that depend on its version
+    return isinstance(error, CancelledError) or type(error).__name__ in ("CommClosedError", "FutureCancelledError", "FuturesCancelledError")
 
 
 def _back(client: Any) -> bool:
