@@ -233,7 +233,8 @@ unsafe extern "C" fn stream_schema(s: *mut Stream, out: *mut Schema) -> c_int {
 
 unsafe extern "C" fn stream_next(s: *mut Stream, out: *mut Array) -> c_int {
     let source = unsafe { &mut *(*s).private_data.cast::<Source>() };
-    let next = catch_unwind(AssertUnwindSafe(|| (source.next)())).unwrap_or_else(|_| Err("the next table failed: a defect of laval".into()));
+    let next =
+        catch_unwind(AssertUnwindSafe(|| (source.next)())).unwrap_or_else(|_| Err("the next table failed: a defect of laval".into()));
     let next = match next {
         Ok(Some(held)) => array(&held),
         // the end: an array that is released already

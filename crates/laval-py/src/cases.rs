@@ -23,8 +23,7 @@ use std::sync::Arc;
 /// Writes a file that is whole or not there, also when the power fails.
 #[pyfunction]
 pub fn put(py: Python<'_>, path: PathBuf, content: &[u8]) -> PyResult<()> {
-    py.detach(|| write_whole(&path, content, Lasting::PowerLoss))
-        .map_err(|e| PyOSError::new_err((e.raw_os_error(), e.to_string(), path)))
+    py.detach(|| write_whole(&path, content, Lasting::PowerLoss)).map_err(|e| PyOSError::new_err((e.raw_os_error(), e.to_string(), path)))
 }
 
 /// Cases in a file where the request does not say it.

@@ -104,7 +104,9 @@ struct Kept {
 pub fn again(machine: &Machine, build: &str, content: &[u8]) -> PyResult<Results> {
     // another build may lay them out differently
     if build != laval::build::ID {
-        return Err(PyValueError::new_err("these results were pickled by another build of laval: results are kept in folders, with Results.write"));
+        return Err(PyValueError::new_err(
+            "these results were pickled by another build of laval: results are kept in folders, with Results.write",
+        ));
     }
     let kept: Kept = postcard::from_bytes(content).map_err(|e| PyValueError::new_err(format!("these are no results: {e}")))?;
     if kept.chosen.iter().any(|&k| k >= machine.loaded.studies.len()) {

@@ -162,7 +162,8 @@ mod tests {
         let said = text!("{path} is damaged", path = text::list(&[text!("no part {n}", n = 3usize), text!("none")], Joint::Or));
         let reason = Finding::warning("refused", "run-refused").arg("reason", Arg::Said(said)).value(f64::NEG_INFINITY, "m");
         let table = Table::new("t", "doc").float("x", "m", "", vec![0.1, -0.0, 1e300]).flag("f", "", vec![true, false, true]);
-        let table = table.text("s", "", vec!["a".into(), String::new(), "ü".into()]).int("n", "", "", vec![1, -2, i64::MAX]).build().unwrap();
+        let table =
+            table.text("s", "", vec!["a".into(), String::new(), "ü".into()]).int("n", "", "", vec![1, -2, i64::MAX]).build().unwrap();
         let line = Line::new("t", "x", "x").classes("s", &["one", "two"]).muted(&["two"]);
         let figure = Figure::new("f", "title", "alt").panel(Panel::new(Axis::new("x", "m")).mark(line));
         let outcome = Outcome::new("k", "n").over("speed", "rad/s").finding(reason).table(table).figure(figure).work("steps", 7);

@@ -1,7 +1,7 @@
 //! Writing a report into a folder: every file whole or not at all.
 
-use super::text::file_name;
 use super::csv::write_csv;
+use super::text::file_name;
 use super::{Report, csv, html, json, svg};
 use crate::hash::sha256;
 use crate::outcome::{OutcomeError, Table};

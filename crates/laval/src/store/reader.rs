@@ -46,8 +46,8 @@ impl Reader {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
             Err(e) => return Err(wrong(text!("cannot read {path}: {e}", path = path.display(), e))),
         }
-        let (cells, found) = parquet::decode(&path, &self.plan.columns)
-            .map_err(|e| wrong(text!("cannot read {path}: {e}", path = path.display(), e)))?;
+        let (cells, found) =
+            parquet::decode(&path, &self.plan.columns).map_err(|e| wrong(text!("cannot read {path}: {e}", path = path.display(), e)))?;
         let rows = self.plan.range(index);
         if found != mark(&self.input_hash, index) || cells.iter().any(|c| c.len() != rows.len()) {
             return Err(wrong(text!("{path} belongs to another study, another build or another processor", path = path.display())));

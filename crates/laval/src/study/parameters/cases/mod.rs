@@ -162,7 +162,10 @@ impl<'a> Cases<'a> {
             .into_par_iter()
             .map(|values| {
                 let _counted = here.enter();
-                self.sample(values.map_or_else(|| self.loaded.system.with(&[]).map_err(Diagnostics::into_error), |v| self.machine(&v)), context)
+                self.sample(
+                    values.map_or_else(|| self.loaded.system.with(&[]).map_err(Diagnostics::into_error), |v| self.machine(&v)),
+                    context,
+                )
             })
             .collect();
         if context.cancelled() {

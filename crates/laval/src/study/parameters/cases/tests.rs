@@ -96,8 +96,12 @@ fn the_last_axis_of_a_grid_varies_first() {
         assert!(mass[row] < 0.0 || (found / exact - 1.0).abs() < 1e-10, "{found} {exact}");
     }
     let failed = results.position(FAILURE).unwrap();
-    let words: Vec<String> =
-        results.chunks().flat_map(|c| (0..c.as_ref().unwrap().rows.len()).map(|i| c.as_ref().unwrap().cells[failed].word(i).unwrap().to_string()).collect::<Vec<_>>()).collect();
+    let words: Vec<String> = results
+        .chunks()
+        .flat_map(|c| {
+            (0..c.as_ref().unwrap().rows.len()).map(|i| c.as_ref().unwrap().cells[failed].word(i).unwrap().to_string()).collect::<Vec<_>>()
+        })
+        .collect();
     assert!(words[..8].iter().all(String::is_empty) && words[8..].iter().all(|w| w.contains("mass")), "{words:?}");
 }
 
@@ -178,7 +182,11 @@ fn what_is_wrong_with_a_request() {
         (axes(json!([["disc.mass", []]])), 1, "no case"),
         (axes(json!([])), 1, "no case"),
         (axes(json!([["disc.mass", [1.0]]])), 0, "at least one row"),
-        (json!({ "kind": "sobol", "cases": 4, "seed": 1, "parameters": [{ "parameter": "disc.mass", "distribution": "normal" }] }), 1, "deviation"),
+        (
+            json!({ "kind": "sobol", "cases": 4, "seed": 1, "parameters": [{ "parameter": "disc.mass", "distribution": "normal" }] }),
+            1,
+            "deviation",
+        ),
         (json!({ "kind": "list", "parameters": ["disc.mass"], "cases": 1, "sums": [""] }), 1, "folder"),
     ] {
         let found = refused(design, chunk);
