@@ -6,13 +6,14 @@ use crate::errors;
 use crate::machine::Machine;
 use crate::pool;
 use crate::table::{Held, Table};
+use laval::cases;
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::Loaded;
 use laval::outcome::{self, Arg};
 use laval::output_folder::{Lasting, write_whole};
 use laval::plain;
 use laval::store::{self, Cells, Chunk, Kind, MISSING, NO_RESULT, Piece, Reader, Work};
-use laval::study::{Cancel, Context, cases};
+use laval::study::{Cancel, Context};
 use laval::text;
 use pyo3::exceptions::{PyBlockingIOError, PyIndexError, PyKeyError, PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -200,7 +201,7 @@ impl Cases {
         own(&self.plan.columns, &wanted, Some(chunk)).map(|held| Some(Table::new(held))).map_err(errors::defect)
     }
 
-    /// A stream of the chunks that are there, each read when it is asked for (Arrow PyCapsule interface).
+    /// A stream of the chunks that are there, each read when it is wanted (Arrow PyCapsule interface).
     fn stream<'py>(&self, py: Python<'py>, columns: Option<Vec<String>>) -> PyResult<Bound<'py, PyAny>> {
         let (reader, wanted) = (self.reader()?, self.columns_of(columns)?);
         let plan = self.plan.clone();

@@ -22,6 +22,6 @@ pub use linear::{approximation, campbell, criterion, critical_speeds, forced_res
 pub use motion::{basins, motion_map, record, run_up, sweep, transient};
 pub use nonlinear::{backbone, bifurcation_loci, limit_cycles, methods, nonlinear_response, response_map, stationary};
 pub use overview::overview;
-pub use parameters::{cases, optimum, sensitivity, uncertainty};
+pub use parameters::{optimum, sensitivity, uncertainty};
 pub use registry::registry;
 pub use shared::{limits, operation, presentation, speed_range, stations, support};

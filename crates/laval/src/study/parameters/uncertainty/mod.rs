@@ -12,7 +12,7 @@
 //! Sources: Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; Jansen, Comput. Phys. Commun. 117 (1999) 35; Morris, Technometrics 33 (1991) 161;
 //! Campolongo et al., Environ. Model. Softw. 22 (2007) 1509.
 
-pub(in crate::study) mod collect;
+pub(crate) mod collect;
 mod figures;
 mod report;
 mod result;

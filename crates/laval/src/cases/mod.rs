@@ -10,11 +10,11 @@ mod tests;
 
 pub use design::{LIST, Spread, Written};
 
-use super::uncertainty::collect::{Quantity, Sample, encode, sample, with_sizes};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::file::{self, Loaded, NamedStudy};
 use crate::model::system::System;
 use crate::store::{self, Cells, Column, Keep, Plan, Work};
+use crate::study::uncertainty::collect::{Quantity, Sample, encode, sample, with_sizes};
 use crate::study::{Context, Silent};
 use crate::text;
 use design::Design;

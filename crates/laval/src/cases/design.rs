@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::hash::sha256;
 use crate::model::system::System;
-use crate::study::parameters::uncertainty::{Uncertain, Uncertainty};
+use crate::study::uncertainty::{Uncertain, Uncertainty};
 use crate::text;
 use laval_num::sampling::latin::Latin;
 use laval_num::sampling::{MOST_DIMENSIONS, Points};
