@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import resource
 import shutil
+import subprocess
 import sys
 import tempfile
 import time
@@ -39,13 +40,22 @@ def peak() -> float:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
-def rate(place: Path, cases: int = 20_000) -> None:
-    """Cases per second of clusters of one and of two workers, without what it takes to start them."""
+def rate(place: Path, cases: int = 10_000) -> None:
+    """Cases per second of clusters of one and of two workers, without what it takes to start them; beside processes that share nothing at all."""
     from distributed import Client, LocalCluster
 
     sweep = laval.Sweep(ROTOR_MACHINE, spread(cases), CRITICAL)
-    found = {}
+    found: dict[int, list[float]] = {}
+    plain: dict[int, list[float]] = {}
     for workers in (1, 2, 1, 2):
+        folder = place / f"plain-{workers}"
+        shutil.rmtree(folder, ignore_errors=True)
+        sweep.prepare(folder)
+        begun = time.monotonic()
+        parts = [[sys.executable, "-m", "laval", "part", str(folder), f"{k + 1}/{workers}", "--threads", "1"] for k in range(workers)]
+        for process in [subprocess.Popen(part, stdout=subprocess.DEVNULL) for part in parts]:
+            assert process.wait() == 0
+        plain.setdefault(workers, []).append(cases / (time.monotonic() - begun))
         folder = place / f"rate-{workers}"
         shutil.rmtree(folder, ignore_errors=True)
         prepared = sweep.prepare(folder)
@@ -57,6 +67,8 @@ def rate(place: Path, cases: int = 20_000) -> None:
             found.setdefault(workers, []).append(cases / (time.monotonic() - begun))
     one, two = max(found[1]), max(found[2])
     print(f"rate: {one:.0f} cases/s with one worker, {two:.0f} with two: efficiency {two / (2 * one):.3f}")
+    alone, both = max(plain[1]), max(plain[2])
+    print(f"processes without a scheduler: {alone:.0f} cases/s by one, {both:.0f} by two: efficiency {both / (2 * alone):.3f}")
     print(f"1e6 cases of this study at that rate: {1e6 / two / 60:.1f} min with two workers, {1e6 / one / 64 / 60:.2f} min with 64")
 
 

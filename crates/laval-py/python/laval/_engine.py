@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from laval._cases import Cases
 
-SECONDS = 2.0
+SECONDS = 1.25
 """What a task should take: long beside what the scheduler needs for it, short beside a run."""
 PATIENCE = 120.0
 """For a folder that parts of an earlier scheduler still write into, and for a scheduler that is started anew."""
@@ -184,11 +184,12 @@ def _missing(cases: Cases) -> list[int]:
     return [k for k, there in enumerate(cases._core.present()) if not there]
 
 
-def _parts(cases: Cases, seconds: float) -> list[tuple[int, int]]:
-    """Parts of about :data:`SECONDS`, those of them that have anything to do."""
-    each = max(1, math.ceil(SECONDS / seconds)) if seconds > 0 else cases.chunks
-    of = max(1, math.ceil(cases.chunks / each))
-    return [(number + 1, of) for number in sorted({k % of for k in _missing(cases)})]
+def _parts(cases: Cases, seconds: float, slots: int) -> list[tuple[int, int]]:
+    """Parts of about :data:`SECONDS`, as many for each slot; those of them that have anything to do."""
+    missing = _missing(cases)
+    rounds = max(1, round(len(missing) * seconds / (slots * SECONDS)))
+    of = min(slots * rounds, cases.chunks)
+    return [(number + 1, of) for number in sorted({k % of for k in missing})]
 
 
 def _on_dask(cases: Cases, client: Any, workers: int | None, retries: int, meter: Meter) -> None:
@@ -205,7 +206,7 @@ def _on_dask(cases: Cases, client: Any, workers: int | None, retries: int, meter
         trials = [(trial, (*where, missing[k::slots])) for k in range(min(slots, len(missing)))]
         measured = _each(cases, client, trials, retries, meter)
         seconds = [each for done, each in measured if done]
-        parts = _parts(cases, sum(seconds) / len(seconds) if seconds else 1.0)
+        parts = _parts(cases, sum(seconds) / len(seconds) if seconds else SECONDS, slots)
         _each(cases, client, [(part, (*where, *numbers)) for numbers in parts], retries, meter)
 
 
