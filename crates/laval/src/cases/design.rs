@@ -55,6 +55,9 @@ pub struct Spread {
     pub parameters: Json,
 }
 
+/// Paths with their units.
+type Parameters = Vec<(String, &'static str)>;
+
 enum Cloud {
     Points(Points),
     Latin,
@@ -64,7 +67,7 @@ enum Cloud {
 pub struct Design {
     kind: Kind,
     /// Paths and units of the parameters.
-    pub parameters: Vec<(String, &'static str)>,
+    pub parameters: Parameters,
     /// Number of cases.
     pub cases: usize,
 }
@@ -165,7 +168,7 @@ fn one(d: Diagnostic) -> Diagnostics {
     Diagnostics(vec![d])
 }
 
-fn cloud(system: &System, s: &Spread, cloud: Cloud) -> Result<(Kind, Vec<(String, &'static str)>, usize), Diagnostics> {
+fn cloud(system: &System, s: &Spread, cloud: Cloud) -> Result<(Kind, Parameters, usize), Diagnostics> {
     // the parameters are read as those of a study that knows distributions; which study it would run does not matter
     let fields = json!({ "study": { "kind": "modes", "speed": 1.0 }, "parameters": s.parameters });
     let spread = crate::file::construct::<Uncertainty>(system, &fields)?.parameters;
@@ -178,7 +181,7 @@ fn cloud(system: &System, s: &Spread, cloud: Cloud) -> Result<(Kind, Vec<(String
 }
 
 /// Paths with their units; says all that is wrong with them.
-fn with_units(system: &System, paths: &[&String]) -> Result<Vec<(String, &'static str)>, Diagnostics> {
+fn with_units(system: &System, paths: &[&String]) -> Result<Parameters, Diagnostics> {
     let (mut out, mut found) = (Vec::new(), Diagnostics::default());
     let mut taken: Vec<(usize, &String)> = Vec::new();
     for &path in paths {

@@ -132,7 +132,7 @@ fn parts_in_any_order_give_the_files_of_one_run() {
             })
             .collect();
         assert_eq!(mass.len(), 50);
-        assert!(mass.iter().all(|m| (2.0..4.0).contains(m)) && mass.iter().collect::<Vec<_>>().windows(2).any(|w| w[0] != w[1]));
+        assert!(mass.iter().all(|m| (2.0..4.0).contains(m)) && mass.windows(2).any(|w| w[0] != w[1]));
         // a file that is not of these cases, and one that is damaged
         let other = Cases::new(&loaded, request(json!({ "kind": kind, "cases": 50, "seed": 5, "parameters": spread }), 7), None).unwrap();
         let wrong = Reader::new(other.plan(), &other.keep(&parts.0, Work::Collect)).chunk(0).unwrap_err();

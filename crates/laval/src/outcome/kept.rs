@@ -59,7 +59,7 @@ pub mod words {
 pub mod args {
     use super::*;
 
-    pub fn serialize<S: Serializer>(args: &Vec<(Fixed, Arg)>, to: S) -> Result<S::Ok, S::Error> {
+    pub fn serialize<S: Serializer>(args: &[(Fixed, Arg)], to: S) -> Result<S::Ok, S::Error> {
         args.serialize(to)
     }
 
