@@ -130,7 +130,9 @@ def test_results_after_a_stop_pickle(rotor: laval.Machine) -> None:
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
-    results = rotor.run(progress=stop, interrupted="return")
+    long = laval.studies.transient(name="long", duration="100000 s", initial={"disc.x": "1 mm"})
+    results = rotor.run(laval.studies.modes(), long, progress=stop, interrupted="return")
+    assert [study.end for study in results] in (["reached", "cancelled"], ["cancelled", "cancelled"])
     again = pickle.loads(pickle.dumps(results))
     assert [study.end for study in again] == [study.end for study in results] and not again.complete
     assert again.verdict is None and again.overview() == results.overview() == {}

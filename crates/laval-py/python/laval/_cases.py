@@ -16,7 +16,6 @@ from laval._tables import Table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import TypeAlias
 
     import distributed
     import numpy as np
@@ -31,8 +30,6 @@ if TYPE_CHECKING:
 FORMAT = 1
 REQUEST = "cases.json"
 LIST = "list.f64"
-
-Follow: TypeAlias = "Callable[[Extent], Any]"
 
 
 class Sweep:
@@ -131,7 +128,7 @@ class Sweep:
         *,
         workers: int | None = None,
         retries: int = 3,
-        progress: bool | Follow = False,
+        progress: bool | Callable[[Extent], Any] = False,
     ) -> Cases:
         """Computes the cases that the folder does not hold yet. The arguments are those of :meth:`laval.Cases.run`."""
         return self.prepare(folder).run(client, workers=workers, retries=retries, progress=progress)
@@ -296,7 +293,7 @@ class Cases:
         *,
         workers: int | None = None,
         retries: int = 3,
-        progress: bool | Follow = False,
+        progress: bool | Callable[[Extent], Any] = False,
     ) -> Cases:
         """Computes what is not there yet, then :meth:`collect`.
 
