@@ -8,6 +8,7 @@ use laval::outcome::{Column, Data, Table};
 use pyo3::ffi;
 use pyo3::prelude::*;
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::{null, null_mut};
 use std::sync::Arc;
 
@@ -67,11 +68,19 @@ struct Shown {
     children: Vec<*mut Array>,
 }
 
+/// The next table of a stream; `None` behind the last one.
+pub type Next = Box<dyn FnMut() -> Result<Option<Arc<Held>>, String> + Send>;
+
 /// What a stream owns.
 struct Source {
-    held: Arc<Held>,
-    given: bool,
+    /// A table with its columns.
+    like: Arc<Held>,
+    next: Next,
+    error: Option<CString>,
 }
+
+/// An input or output error of the system, as `errno` has it.
+const EIO: c_int = 5;
 
 fn finished_schema(format: &'static CStr, name: &str, metadata: Vec<u8>, children: Vec<Schema>) -> Schema {
     let children = children.into_iter().map(|c| Box::into_raw(Box::new(c))).collect();
@@ -177,12 +186,18 @@ fn array(held: &Arc<Held>) -> Array {
 
 /// A stream of one record batch.
 pub fn stream(held: Arc<Held>) -> Stream {
+    let mut left = Some(held.clone());
+    stream_of(held, Box::new(move || Ok(left.take())))
+}
+
+/// A stream of tables that have the columns of `like`, one at a time.
+pub fn stream_of(like: Arc<Held>, next: Next) -> Stream {
     Stream {
         get_schema: Some(stream_schema),
         get_next: Some(stream_next),
         get_last_error: Some(stream_error),
         release: Some(release_stream),
-        private_data: Box::into_raw(Box::new(Source { held, given: false })).cast(),
+        private_data: Box::into_raw(Box::new(Source { like, next, error: None })).cast(),
     }
 }
 
@@ -212,24 +227,30 @@ unsafe extern "C" fn release_array(a: *mut Array) {
 
 unsafe extern "C" fn stream_schema(s: *mut Stream, out: *mut Schema) -> c_int {
     let source = unsafe { &*(*s).private_data.cast::<Source>() };
-    unsafe { out.write(schema(source.held.get())) };
+    unsafe { out.write(schema(source.like.get())) };
     0
 }
 
 unsafe extern "C" fn stream_next(s: *mut Stream, out: *mut Array) -> c_int {
     let source = unsafe { &mut *(*s).private_data.cast::<Source>() };
-    let next = match source.given {
-        false => array(&source.held),
+    let next =
+        catch_unwind(AssertUnwindSafe(|| (source.next)())).unwrap_or_else(|_| Err("the next table failed: a defect of laval".into()));
+    let next = match next {
+        Ok(Some(held)) => array(&held),
         // the end: an array that is released already
-        true => Array { release: None, ..unsafe { std::mem::zeroed() } },
+        Ok(None) => Array { release: None, ..unsafe { std::mem::zeroed() } },
+        Err(why) => {
+            source.error = CString::new(why.replace('\0', " ")).ok();
+            return EIO;
+        }
     };
-    source.given = true;
     unsafe { out.write(next) };
     0
 }
 
-unsafe extern "C" fn stream_error(_: *mut Stream) -> *const c_char {
-    null()
+unsafe extern "C" fn stream_error(s: *mut Stream) -> *const c_char {
+    let source = unsafe { &*(*s).private_data.cast::<Source>() };
+    source.error.as_ref().map_or(null(), |e| e.as_ptr())
 }
 
 unsafe extern "C" fn release_stream(s: *mut Stream) {

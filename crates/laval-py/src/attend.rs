@@ -1,6 +1,6 @@
 //! Waiting for a computation: Python stays responsive, signals are handled, progress is shown.
 
-use crate::pool;
+use crate::pool::{self, Borrowed};
 use laval::study::{Cancel, Progress};
 use laval::text::Text;
 use pyo3::prelude::*;
@@ -79,7 +79,18 @@ pub fn attended<R: Send>(
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce() -> R + Send,
 ) -> PyResult<Attended<R>> {
-    let pool = pool::take()?;
+    attended_on(&pool::take()?, py, cancel, watch, progress, work)
+}
+
+/// The same on a pool that is given.
+pub fn attended_on<R: Send>(
+    pool: &Borrowed,
+    py: Python<'_>,
+    cancel: &Cancel,
+    watch: &Watch,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce() -> R + Send,
+) -> PyResult<Attended<R>> {
     let (slot, ready) = (Mutex::new(None), Condvar::new());
     let mut stopped_by = None;
     let mut shown = None;

@@ -2,6 +2,7 @@
 
 mod arrow;
 mod attend;
+mod cases;
 mod catalog;
 mod derivative;
 mod errors;
@@ -24,7 +25,11 @@ fn _native(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<results::Results>()?;
     m.add_class::<table::Table>()?;
     m.add_class::<table::Column>()?;
+    m.add_class::<cases::Cases>()?;
+    m.add_function(wrap_pyfunction!(cases::put, m)?)?;
+    m.add_function(wrap_pyfunction!(cases::chunk_of, m)?)?;
     m.add_function(wrap_pyfunction!(machine::read, m)?)?;
+    m.add_function(wrap_pyfunction!(results::again, m)?)?;
     m.add_function(wrap_pyfunction!(attend::idle, m)?)?;
     m.add_function(wrap_pyfunction!(catalog::catalog, m)?)?;
     m.add_function(wrap_pyfunction!(catalog::si, m)?)?;

@@ -131,7 +131,7 @@ impl Machine {
 }
 
 impl Machine {
-    fn report(&self, outcomes: Vec<laval::outcome::Outcome>, settings: Vec<(String, String)>) -> report::Report {
+    pub fn report(&self, outcomes: Vec<laval::outcome::Outcome>, settings: Vec<(String, String)>) -> report::Report {
         report::Report {
             machine: self.loaded.system.machine.name.clone(),
             provenance: report::Provenance {

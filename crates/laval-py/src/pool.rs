@@ -7,6 +7,7 @@
 use pyo3::PyResult;
 use pyo3::exceptions::PyRuntimeError;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::process;
 use std::ptr::null_mut;
@@ -45,18 +46,27 @@ fn idle() -> &'static Idle {
 pub struct Borrowed {
     process: u32,
     pool: Option<ThreadPool>,
+    /// To the idle ones.
+    returns: bool,
+}
+
+fn started(threads: usize) -> PyResult<ThreadPool> {
+    let built = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).thread_name(|k| format!("laval-{k}")).build();
+    built.map_err(|e| PyRuntimeError::new_err(format!("no thread can be started: {e}")))
+}
+
+/// Starts a pool of so many threads, which end with it.
+pub fn of(threads: NonZeroUsize) -> PyResult<Borrowed> {
+    Ok(Borrowed { process: process::id(), pool: Some(started(threads.get())?), returns: false })
 }
 
 /// Takes an idle pool, or starts one.
 pub fn take() -> PyResult<Borrowed> {
     let idle = idle();
     let waiting = idle.pools.lock().unwrap_or_else(PoisonError::into_inner).pop();
-    let started = || {
-        let built = ThreadPoolBuilder::new().stack_size(STACK).thread_name(|k| format!("laval-{k}")).build();
-        built.map_err(|e| PyRuntimeError::new_err(format!("no thread can be started: {e}")))
-    };
-    let pool = waiting.map_or_else(started, Ok)?;
-    Ok(Borrowed { process: idle.process, pool: Some(pool) })
+    // 0: as many as the computer has, or RAYON_NUM_THREADS
+    let pool = waiting.map_or_else(|| started(0), Ok)?;
+    Ok(Borrowed { process: idle.process, pool: Some(pool), returns: true })
 }
 
 impl Deref for Borrowed {
@@ -70,7 +80,9 @@ impl Drop for Borrowed {
     fn drop(&mut self) {
         let Some(pool) = self.pool.take() else { return };
         let idle = idle();
-        if idle.process == self.process {
+        if idle.process == self.process && !self.returns {
+            drop(pool);
+        } else if idle.process == self.process {
             idle.pools.lock().unwrap_or_else(PoisonError::into_inner).push(pool);
         } else {
             // the threads are the parent's

@@ -3,7 +3,7 @@
 use crate::attend::{Watch, attended};
 use crate::errors;
 use crate::figure;
-use crate::machine::shown;
+use crate::machine::{Machine, shown};
 use crate::session::overview;
 use crate::table::{Held, Table};
 use laval::file::{self, Loaded};
@@ -13,6 +13,8 @@ use laval::report::{self, Format, Language, Report, Style, Terminal, Units, Writ
 use laval::study::{Cancel, presentation};
 use pyo3::exceptions::{PyIndexError, PyOSError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -85,6 +87,37 @@ impl Results {
     }
 }
 
+/// A report as bytes: its machine is kept beside it, its first page is computed again where it is wanted.
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    provenance: (String, String, String, String, String),
+    settings: Vec<(String, String)>,
+    seed: Option<u64>,
+    chosen: Vec<usize>,
+    stopped: bool,
+    notes: Vec<String>,
+    outcomes: Vec<Outcome>,
+}
+
+/// Results of this machine from what [`Results::kept`] gave.
+#[pyfunction]
+pub fn again(machine: &Machine, build: &str, content: &[u8]) -> PyResult<Results> {
+    // another build may lay them out differently
+    if build != laval::build::ID {
+        return Err(PyValueError::new_err(
+            "these results were pickled by another build of laval: results are kept in folders, with Results.write",
+        ));
+    }
+    let kept: Kept = postcard::from_bytes(content).map_err(|e| PyValueError::new_err(format!("these are no results: {e}")))?;
+    if kept.chosen.iter().any(|&k| k >= machine.loaded.studies.len()) {
+        return Err(PyValueError::new_err("these are no results of this machine"));
+    }
+    let (version, build, processor, input_name, input_hash) = kept.provenance;
+    let provenance = report::Provenance { version, build, processor, input_name, input_hash, settings: kept.settings, seed: kept.seed };
+    let report = Report { provenance, ..machine.report(kept.outcomes, Vec::new()) };
+    Ok(Results::new(machine.loaded.clone(), kept.chosen, report, kept.stopped, kept.notes))
+}
+
 fn missing(what: &str) -> PyErr {
     PyIndexError::new_err(format!("there is no such {what}"))
 }
@@ -99,6 +132,23 @@ impl Results {
     fn json(&self, py: Python<'_>, whole: bool) -> PyResult<String> {
         let report = if whole { self.whole(py)? } else { self.report() };
         Ok(py.detach(|| report::json(&report)))
+    }
+
+    /// Text and name of the machine, the build, and everything that was found out, for [`again`].
+    fn kept(&self, py: Python<'_>) -> PyResult<(String, String, &'static str, Py<PyBytes>)> {
+        let report = self.report();
+        let p = report.provenance.clone();
+        let kept = Kept {
+            provenance: (p.version, p.build, p.processor, p.input_name.clone(), p.input_hash),
+            settings: p.settings,
+            seed: p.seed,
+            chosen: self.chosen.clone(),
+            stopped: self.stopped,
+            notes: self.notes.clone(),
+            outcomes: report.outcomes.clone(),
+        };
+        let bytes = postcard::to_stdvec(&kept).map_err(errors::defect)?;
+        Ok((report.input.clone().unwrap_or_default(), p.input_name, laval::build::ID, PyBytes::new(py, &bytes).unbind()))
     }
 
     /// Verdict, headline and checks in words, as JSON.

@@ -75,6 +75,11 @@ def test_stubs_are_current() -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+def test_the_reference_is_current() -> None:
+    done = subprocess.run([sys.executable, HERE / "reference.py", "--check"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_the_machine_has_the_keys_of_the_file() -> None:
     declared = {field["name"] for field in json.loads(_native.catalog())["machine"]["fields"]}
     assert declared == set(inspect.signature(laval.Machine).parameters) - {"parts", "studies", "blocks"}

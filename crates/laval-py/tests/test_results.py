@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 import pickle
+from pathlib import Path
 
 import pytest
 
 import laval
+from conftest import ROOT
 
 
 def test_findings_are_data(rotor: laval.Machine) -> None:
@@ -92,6 +94,45 @@ def test_progress_is_shown(rotor: laval.Machine) -> None:
     assert rotor.run(progress=True).complete
 
 
-def test_results_say_how_they_travel(rotor: laval.Machine) -> None:
-    with pytest.raises(TypeError, match="findings and tables"):
-        pickle.dumps(rotor.run(only="modes"))
+@pytest.mark.parametrize("example", ["01-oil-separator", "02-rigid-rotor", "03-overhung-disc"])
+def test_whole_results_pickle(example: str, tmp_path: Path) -> None:
+    results = laval.load(ROOT / "examples" / example / "machine.toml").run()
+    content = pickle.dumps(results)
+    again = pickle.loads(content)
+    assert again.findings == results.findings and again.tables == results.tables
+    for study, other in zip(results, again):
+        assert study.special_points == other.special_points and (study.end, study.work) == (other.end, other.work)
+        assert study.end_text == other.end_text
+        for name, figure in study.figures.items():
+            assert figure.data == other.figures[name].data and figure.svg("ru") == other.figures[name].svg("ru")
+    for language in (None, "kk"):
+        assert again.summary(language) == results.summary(language)
+        assert again.overview(language) == results.overview(language)
+    # every file is that of the results themselves, also after another journey
+    for k, each in enumerate((results, again, pickle.loads(pickle.dumps(again)))):
+        each.write(tmp_path / str(k))
+    files = [{p.relative_to(f): p.read_bytes() for p in f.rglob("*") if p.is_file()} for f in (tmp_path / str(k) for k in range(3))]
+    assert files[0] == files[1] == files[2] and len(files[0]) > 5
+    one = pickle.loads(pickle.dumps(results[0]))
+    assert one.name == results[0].name and one.tables == results[0].tables
+
+
+def test_results_of_another_build_are_refused(rotor: laval.Machine) -> None:
+    call, (text, origin, build, content) = rotor.run(only="modes").__reduce__()
+    assert call(text, origin, build, content)[0].name == "modes"
+    with pytest.raises(ValueError, match="another build"):
+        call(text, origin, build + "x", content)
+    with pytest.raises(ValueError, match="no results"):
+        call(text, origin, build, content[:-1])
+
+
+def test_results_after_a_stop_pickle(rotor: laval.Machine) -> None:
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    long = laval.studies.transient(name="long", duration="100000 s", initial={"disc.x": "1 mm"})
+    results = rotor.run(laval.studies.modes(), long, progress=stop, interrupted="return")
+    assert [study.end for study in results] in (["reached", "cancelled"], ["cancelled", "cancelled"])
+    again = pickle.loads(pickle.dumps(results))
+    assert [study.end for study in again] == [study.end for study in results] and not again.complete
+    assert again.verdict is None and again.overview() == results.overview() == {}

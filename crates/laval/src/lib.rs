@@ -122,6 +122,7 @@ pub use laval_solve as solve;
 
 #[doc(hidden)]
 pub mod build;
+pub mod cases;
 #[cfg(feature = "parquet")]
 mod columns;
 pub mod file;

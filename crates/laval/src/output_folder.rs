@@ -202,10 +202,18 @@ pub enum Lasting {
 /// # Errors
 /// Why it cannot be written.
 pub fn write_whole(path: &Path, bytes: &[u8], lasting: Lasting) -> io::Result<()> {
+    write_whole_by(path, lasting, |file| file.write_all(bytes))
+}
+
+/// The same of content that is made while it is written.
+///
+/// # Errors
+/// Why it cannot be written, or made.
+pub fn write_whole_by(path: &Path, lasting: Lasting, content: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let (mut file, part) = unfinished(folder)?;
     let write = || {
-        file.write_all(bytes)?;
+        content(&mut file)?;
         if lasting == Lasting::PowerLoss {
             file.sync_all()?;
         }

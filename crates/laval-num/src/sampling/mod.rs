@@ -2,11 +2,12 @@
 //! quantile functions, quantiles with confidence intervals, sensitivity indices of Sobol and Morris.
 
 pub mod distribution;
+pub mod latin;
 pub mod morris;
 pub mod quantile;
 pub mod sobol_indices;
 
-/// Most points of the low-discrepancy sequence.
+/// Points of one scrambling of the low-discrepancy sequence.
 pub const MOST_POINTS: u32 = 1 << 16;
 /// Most dimensions of the low-discrepancy sequence.
 pub const MOST_DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
@@ -16,7 +17,8 @@ pub const MOST_DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
 pub enum Points {
     /// Independent and uniform.
     Random,
-    /// Sobol sequence with Owen's scrambling, as hashed by Burley (2020); 65536 points of 256 dimensions.
+    /// Sobol sequence with Owen's scrambling, as hashed by Burley (2020); 65536 points of 256 dimensions, after which another scrambling of the same points
+    /// follows.
     Sobol,
 }
 
@@ -33,7 +35,8 @@ impl Points {
             Points::Random => unit(hash(u64::from(seed), u64::from(index), u64::from(dimension))),
             // 24 bits, moved to the middles of their cells so that 0 does not occur
             Points::Sobol => {
-                let (index, dimension) = (index.min(MOST_POINTS - 1), dimension.min(MOST_DIMENSIONS - 1));
+                let (block, index, dimension) = (index / MOST_POINTS, index % MOST_POINTS, dimension.min(MOST_DIMENSIONS - 1));
+                let seed = if block == 0 { seed } else { hash(u64::from(seed), u64::from(block), u64::MAX) as u32 };
                 f64::from(sobol_burley::sample(index, dimension, seed)) + 0.5f64.powi(25)
             }
         }
@@ -108,6 +111,19 @@ mod tests {
             assert!(hit.iter().all(|&h| h == 1), "{hit:?}");
         }
         assert_ne!(Points::Sobol.at(1, 5, 2), Points::Sobol.at(2, 5, 2));
+    }
+
+    /// Behind the last point of a scrambling the next one begins, as even and with other points.
+    #[test]
+    fn more_points_than_one_scrambling_has() {
+        for block in [1, 2, 5] {
+            let first = block * MOST_POINTS;
+            let mut hit = [0; 256];
+            (first..first + 256).for_each(|i| hit[(Points::Sobol.at(3, i, 1) * 256.0) as usize] += 1);
+            assert!(hit.iter().all(|&h| h == 1), "{hit:?}");
+            let same = (0..256).filter(|i| Points::Sobol.at(3, first + i, 1) == Points::Sobol.at(3, *i, 1)).count();
+            assert!(same < 4, "{same}");
+        }
     }
 
     #[test]

@@ -22,12 +22,14 @@ from laval._results import Check, Evidence, Finding, Results, SpecialPoint, Stud
 from laval._tables import Table
 
 if TYPE_CHECKING:
-    from laval import blocks as blocks, parts as parts, studies as studies
+    from laval import blocks as blocks, designs as designs, parts as parts, studies as studies
+    from laval._cases import Cases as Cases, Sweep as Sweep
     from laval._derivatives import Derivatives as Derivatives, Function as Function, Jump as Jump, Mode as Mode, Peak as Peak
     from laval._figures import Figure as Figure
 
 __all__ = [
     "Block",
+    "Cases",
     "Check",
     "Derivatives",
     "Diagnostic",
@@ -49,10 +51,12 @@ __all__ = [
     "SpecialPoint",
     "Study",
     "StudyResults",
+    "Sweep",
     "Table",
     "Value",
     "__version__",
     "blocks",
+    "designs",
     "load",
     "loads",
     "parts",
@@ -62,9 +66,10 @@ __all__ = [
 ]
 
 _LAZY = {
-    **dict.fromkeys(("blocks", "parts", "studies")),
+    **dict.fromkeys(("blocks", "designs", "parts", "studies")),
     **dict.fromkeys(("Derivatives", "Function", "Jump", "Mode", "Peak"), "laval._derivatives"),
     "Figure": "laval._figures",
+    **dict.fromkeys(("Cases", "Sweep"), "laval._cases"),
 }
 
 

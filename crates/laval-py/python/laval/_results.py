@@ -215,8 +215,19 @@ class StudyResults:
 
         return tuple(one(p) for p in self._data["special_points"])
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _study_again, (Results(self._core), self._number)
+
     def __repr__(self) -> str:
         return f"<laval.StudyResults {self.name!r}: {len(self.findings)} findings, tables {', '.join(self.tables) or 'none'}>"
+
+
+def _study_again(results: Results, number: int) -> StudyResults:
+    return results[number]
+
+
+def _again(text: str, origin: str, build: str, content: bytes) -> Results:
+    return Results(_native.again(_native.read(text.encode(), origin), build, content))
 
 
 class Results(Sequence[StudyResults]):
@@ -322,7 +333,7 @@ class Results(Sequence[StudyResults]):
         return iter(self.studies)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        raise TypeError("results do not pickle as a whole: take their findings and tables, or write them to a folder")
+        return _again, self._core.kept()
 
     def __str__(self) -> str:
         return self.summary() or "\n".join(finding.text for finding in self.findings)

@@ -915,7 +915,7 @@ def uncertainty(
         parameters: the uncertain parameters, independent of each other (required).
             a list of { parameter = .., distribution = .., .. }; distributions "normal" (deviation: standard deviation; mean unless it is the value of the machine), "log_normal" (the same, for what cannot be negative: its logarithm is normal), "uniform" (from and to, or tolerance: half the width about the value of the machine), "triangular" (the same, most probable at mode, the value of the machine unless given); numbers in the unit of the parameter, or in % of its value in the machine
         samples: number of samples; with indices the number of base points or trajectories (default 256).
-            a whole number from 2 to 65536
+            a whole number from 2 to 1000000
         method: how points are chosen; those of Morris are random (default sobol).
             "sobol" (points of a scrambled Sobol sequence, which fill the space evenly) or "monte_carlo" (independent random points)
         indices: which parameter matters (default none).

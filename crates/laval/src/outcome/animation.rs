@@ -2,9 +2,10 @@
 
 use super::message::{Arg, Message};
 use super::{Data, OutcomeError, Table};
+use serde::{Deserialize, Serialize};
 
 /// Circles that move as the rows of a table say. Places are in axes that turn with the rotor, so that they change slowly; the spin angle turns them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Animation {
     /// Machine name.
     pub name: String,
@@ -25,7 +26,7 @@ pub struct Animation {
 }
 
 /// A circle that moves.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Circle {
     /// Its name.
     pub name: Arg,

@@ -1,6 +1,7 @@
 //! Findings: one fact each, with its numbers and what supports them.
 
 use super::message::{Arg, Message};
+use serde::{Deserialize, Serialize};
 
 /// One fact a reader takes away, as data: which sentence of the catalogues says it, with which values. The report chooses words, units and digits.
 ///
@@ -14,7 +15,7 @@ use super::message::{Arg, Message};
 ///     .evidence("bracket width", 2e-9, "rad/s");
 /// assert_eq!(f.number("operating"), Some(314.159));
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// Stable machine name, such as `first_critical_speed`.
     pub id: String,
@@ -35,7 +36,7 @@ pub struct Finding {
 }
 
 /// How a finding is to be taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Level {
     /// A result.
     Info,
@@ -57,7 +58,7 @@ impl Level {
 }
 
 /// A number that supports a finding: residual, bracket width, difference from a second method.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Evidence {
     /// What the number is.
     pub what: Arg,

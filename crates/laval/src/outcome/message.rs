@@ -1,13 +1,16 @@
 //! What a finding says, as data: the name of a sentence in the catalogues and the values it names, in SI units.
 
+use super::stored::{self, Fixed};
 use crate::text::Text;
+use serde::{Deserialize, Serialize};
 
 /// A sentence of the catalogues (`crates/laval/text`) and its arguments.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Message {
     /// Name in the catalogue: `modes-stable`.
     pub key: String,
     /// Arguments, by the names that the sentence uses.
+    #[serde(with = "stored::args")]
     pub args: Vec<(&'static str, Arg)>,
 }
 
@@ -41,7 +44,7 @@ impl Message {
 }
 
 /// A value that a sentence names.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Arg {
     /// A number with its SI unit. The report chooses unit and digits.
     Quantity(Quantity),
@@ -50,10 +53,12 @@ pub enum Arg {
     /// A name from the machine file; never translated.
     Name(String),
     /// A word that a sentence chooses by: `forward`, `up`.
-    Word(&'static str),
+    #[serde(with = "stored::word")]
+    Word(Fixed),
     /// A fixed phrase of a part, in English, such as a statement of its validity; the catalogues may have it in other languages.
     Term(String),
     /// A sentence of a diagnostic.
+    #[serde(with = "stored::said")]
     Said(Text),
     /// A phrase of the catalogues.
     Phrase(Message),
@@ -62,7 +67,7 @@ pub enum Arg {
 }
 
 /// A number with its SI unit.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantity {
     /// In SI units.
     pub value: f64,
@@ -75,7 +80,7 @@ pub struct Quantity {
 }
 
 /// What a quantity measures, where its unit leaves that open.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Role {
     /// The unit says it; rad/s is a spin speed.
     #[default]

@@ -37,6 +37,7 @@ mod kept;
 mod message;
 mod number;
 mod overview;
+mod stored;
 mod table;
 mod tiles;
 
@@ -51,6 +52,7 @@ pub(crate) use number::quantity_to;
 pub use number::{quantity, significant, unit_text};
 pub use overview::{Block, Check, Joint, Mode, OverSpeed, Overview, Resonance, Unstable, Verdict};
 use serde::{Deserialize, Serialize};
+pub use stored::Fixed;
 pub use table::{Column, Data, Table, TableBuilder};
 pub use tiles::{Limit, Picture, Tiles, View};
 
@@ -59,7 +61,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 /// Everything one study found out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// The study's kind, the word in the file: `nonlinear_response`.
     pub kind: String,
@@ -82,11 +84,12 @@ pub struct Outcome {
     /// Work counters (steps, factorisations, residual calls): name to count, in order of name.
     pub work: BTreeMap<String, u64>,
     /// The study and its result, where the first page may need them.
+    #[serde(skip)]
     pub kept: Kept,
 }
 
 /// Name and unit of the quantity a study moves along.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Parameter {
     /// Name, such as `speed`.
     pub name: String,
@@ -302,7 +305,7 @@ impl End {
 }
 
 /// A fold, bifurcation, crossing or resonance on the study's path.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SpecialPoint {
     /// Stable machine name: `fold`, `neimark_sacker`, `critical_speed`.
     pub kind: String,
@@ -345,7 +348,7 @@ impl SpecialPoint {
 }
 
 /// How sure a special point is.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// Its own equations were solved.
     Located,

@@ -2,6 +2,7 @@
 
 use super::message::Arg;
 use super::{OutcomeError, unique};
+use serde::{Deserialize, Serialize};
 
 /// A table whose columns have one length and different names.
 ///
@@ -19,7 +20,7 @@ use super::{OutcomeError, unique};
 /// assert!(same_length.is_err());
 /// # Ok(()) }
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
     name: String,
     doc: Arg,
@@ -28,7 +29,7 @@ pub struct Table {
 }
 
 /// One column of a table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// Name, such as `amplitude`.
     pub name: String,
@@ -45,7 +46,7 @@ pub struct Column {
 }
 
 /// Values of a column. NaN stands for "no value".
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Data {
     /// Real numbers.
     Float(Vec<f64>),

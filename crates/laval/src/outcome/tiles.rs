@@ -2,10 +2,11 @@
 
 use super::message::Arg;
 use super::{Data, OutcomeError, Table};
+use serde::{Deserialize, Serialize};
 
 /// Pictures drawn from a table with a row for each point of each picture. The motion of a point is `x + i y = f exp(i a) + b exp(-i a)` over an angle a: a phase
 /// reference mark of a response, any instant of a mode is at a = 0.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tiles {
     /// The table.
     pub table: String,
@@ -22,7 +23,7 @@ pub struct Tiles {
 }
 
 /// What pictures show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum View {
     /// Orbits seen along the axis.
     Orbits,
@@ -36,7 +37,7 @@ pub enum View {
 }
 
 /// One picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
     /// Value of its rows in the column that tells pictures apart.
     pub number: i64,
@@ -51,7 +52,7 @@ pub struct Picture {
 }
 
 /// A circle that a motion must not cross.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Limit {
     /// Its radius.
     pub radius: f64,

@@ -2,6 +2,7 @@
 
 use crate::outcome::{Data, Table};
 use crate::plain;
+use std::io::{self, Write};
 
 /// A table as CSV (RFC 4180, UTF-8): comment lines with what the table and its columns hold, a header with units
 /// (`speed [rad/s]`), then the rows. Floats are written so that reading gives the same bits; missing ones as `NaN`.
@@ -15,33 +16,37 @@ use crate::plain;
 /// assert_eq!(laval::report::csv(&t), "# t: A rise\n# x [s]: time\nx [s],ok\n0.1,true\nNaN,false\n");
 /// ```
 pub fn csv(table: &Table) -> String {
-    let mut out = String::new();
-    let mut comment = |name: &str, doc: &str| {
-        if !doc.is_empty() {
-            out.push_str(&plain::line(&format!("# {name}: {doc}")));
-            out.push('\n');
-        }
+    let mut out = Vec::new();
+    // nothing fails in memory
+    let _ = write_csv(table, &mut out);
+    String::from_utf8(out).unwrap_or_default()
+}
+
+/// The same, row by row: a table of many rows needs no text of its own.
+pub(super) fn write_csv(table: &Table, out: &mut dyn Write) -> io::Result<()> {
+    let mut comment = |name: &str, doc: &str| match doc {
+        "" => Ok(()),
+        _ => writeln!(out, "{}", plain::line(&format!("# {name}: {doc}"))),
     };
-    comment(table.name(), &table.doc().to_string());
-    table.columns().iter().for_each(|c| comment(&c.heading(), &c.doc.to_string()));
+    comment(table.name(), &table.doc().to_string())?;
+    table.columns().iter().try_for_each(|c| comment(&c.heading(), &c.doc.to_string()))?;
     let header: Vec<String> = table.columns().iter().map(|c| quoted(&c.heading())).collect();
-    out.push_str(&header.join(","));
-    out.push('\n');
+    writeln!(out, "{}", header.join(","))?;
     for i in 0..table.rows() {
         for (k, c) in table.columns().iter().enumerate() {
             if k > 0 {
-                out.push(',');
+                out.write_all(b",")?;
             }
             match &c.data {
-                Data::Float(v) => out.push_str(&format!("{:?}", v[i])),
-                Data::Int(v) => out.push_str(&v[i].to_string()),
-                Data::Text(v) => out.push_str(&quoted(&v[i])),
-                Data::Flag(v) => out.push_str(if v[i] { "true" } else { "false" }),
+                Data::Float(v) => write!(out, "{:?}", v[i])?,
+                Data::Int(v) => write!(out, "{}", v[i])?,
+                Data::Text(v) => out.write_all(quoted(&v[i]).as_bytes())?,
+                Data::Flag(v) => out.write_all(if v[i] { b"true" } else { b"false" })?,
             }
         }
-        out.push('\n');
+        out.write_all(b"\n")?;
     }
-    out
+    Ok(())
 }
 
 fn quoted(text: &str) -> String {

@@ -1,7 +1,7 @@
 //! Writing a report over an earlier one: what laval itself wrote for studies that are gone is taken away, nothing else.
 
 use super::Report;
-use super::write::{Composed, Format, WriteError, compose, folders, write_all};
+use super::write::{Composed, Content, Format, WriteError, compose, folders, write_all};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::End;
 use crate::output_folder::{Held, Lasting, tidy, write_whole};
@@ -10,6 +10,7 @@ use crate::text::Text;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::io;
 use std::path::{Component, Path, PathBuf};
 
 /// The list of the files laval wrote into a folder.
@@ -129,7 +130,7 @@ fn entry(file: &Composed, report: &Report) -> Entry {
     let input = &report.provenance.input_hash;
     Entry {
         study: file.study.map(|k| report.outcomes[k].name.clone()),
-        hashes: vec![hash(&file.content)],
+        hashes: vec![hash_of(&file.content)],
         input: (!input.is_empty()).then(|| input.clone()),
     }
 }
@@ -208,8 +209,41 @@ fn remove(dir: &Path, name: &str, written: &[String]) {
 
 /// FNV-1a of 64 bits: tells a changed file.
 fn hash(content: &[u8]) -> String {
-    let h = content.iter().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x0000_0100_0000_01b3));
-    format!("{h:016x}")
+    let mut sum = Sum::new();
+    sum.add(content);
+    sum.text()
+}
+
+/// The same of content that is made while it is summed.
+fn hash_of(content: &Content) -> String {
+    let mut sum = Sum::new();
+    // a sum does not fail
+    let _ = content.write(&mut sum);
+    sum.text()
+}
+
+struct Sum(u64);
+
+impl Sum {
+    fn new() -> Sum {
+        Sum(0xcbf2_9ce4_8422_2325)
+    }
+    fn add(&mut self, bytes: &[u8]) {
+        self.0 = bytes.iter().fold(self.0, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x0000_0100_0000_01b3));
+    }
+    fn text(&self) -> String {
+        format!("{:016x}", self.0)
+    }
+}
+
+impl io::Write for Sum {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.add(bytes);
+        Ok(bytes.len())
+    }
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 #[cfg(test)]

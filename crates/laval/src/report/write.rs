@@ -1,13 +1,15 @@
 //! Writing a report into a folder: every file whole or not at all.
 
+use super::csv::write_csv;
 use super::text::file_name;
 use super::{Report, csv, html, json, svg};
 use crate::hash::sha256;
-use crate::outcome::OutcomeError;
-use crate::output_folder::{Lasting, write_whole};
+use crate::outcome::{OutcomeError, Table};
+use crate::output_folder::{Lasting, write_whole_by};
 use crate::text;
 use crate::text::Text;
 use std::collections::{HashMap, HashSet};
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::{fmt, fs, io};
@@ -231,16 +233,39 @@ pub fn write(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<Path
 }
 
 /// A file of a report.
-pub(super) struct Composed {
+pub(super) struct Composed<'a> {
     /// Relative to the folder, with `/`.
     pub name: String,
     /// Number of its study; `None` for what belongs to all.
     pub study: Option<usize>,
-    pub content: Vec<u8>,
+    pub content: Content<'a>,
+}
+
+/// What stands in a file.
+pub(super) enum Content<'a> {
+    Bytes(Vec<u8>),
+    /// The text of a large table is several times as large as the table, and is made row by row.
+    Csv(&'a Table),
+}
+
+/// Numbers of a table whose text is not kept in memory.
+const LARGE: usize = 200_000;
+
+impl Content<'_> {
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Content::Bytes(bytes) => out.write_all(bytes),
+            Content::Csv(table) => {
+                let mut out = BufWriter::with_capacity(1 << 16, out);
+                write_csv(table, &mut out)?;
+                out.flush()
+            }
+        }
+    }
 }
 
 /// All files of a report, in the order in which they are written.
-pub(super) fn compose(report: &Report, formats: &[Format]) -> Result<Vec<Composed>, WriteError> {
+pub(super) fn compose<'a>(report: &'a Report, formats: &[Format]) -> Result<Vec<Composed<'a>>, WriteError> {
     for o in &report.outcomes {
         for f in &o.figures {
             f.check(&o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
@@ -248,12 +273,14 @@ pub(super) fn compose(report: &Report, formats: &[Format]) -> Result<Vec<Compose
     }
     let names = Names::new(report);
     let mut out = Vec::new();
-    let mut file = |name: String, study: Option<usize>, content: Vec<u8>| out.push(Composed { name, study, content });
+    let mut put = |name: String, study: Option<usize>, content: Content<'a>| out.push(Composed { name, study, content });
     let wants = |f: Format| formats.contains(&f);
     for (i, o) in report.outcomes.iter().enumerate() {
         for (k, t) in o.tables.iter().enumerate() {
             if wants(Format::Csv) {
-                file(format!("{}.csv", names.table(i, k)), Some(i), csv(t).into_bytes());
+                let large = t.rows() * t.columns().len() > LARGE;
+                let content = if large { Content::Csv(t) } else { Content::Bytes(csv(t).into_bytes()) };
+                put(format!("{}.csv", names.table(i, k)), Some(i), content);
             }
             #[cfg(feature = "parquet")]
             if wants(Format::Parquet) {
@@ -261,20 +288,20 @@ pub(super) fn compose(report: &Report, formats: &[Format]) -> Result<Vec<Compose
                 let bytes = super::parquet(t);
                 let failed = |e| WriteError::Io { path: name.clone().into(), source: io::Error::other(e), written: Vec::new() };
                 let bytes = bytes.map_err(failed)?;
-                file(name, Some(i), bytes);
+                put(name, Some(i), Content::Bytes(bytes));
             }
         }
         for (k, f) in o.figures.iter().enumerate().filter(|_| wants(Format::Svg)) {
             let text = svg::draw_in(f, &o.tables, &report.style).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
-            file(format!("{}.svg", names.figure(i, k)), Some(i), text.into_bytes());
+            put(format!("{}.svg", names.figure(i, k)), Some(i), Content::Bytes(text.into_bytes()));
         }
     }
     if wants(Format::Json) {
-        file("results.json".into(), None, json(report).into_bytes());
+        put("results.json".into(), None, Content::Bytes(json(report).into_bytes()));
     }
     if wants(Format::Html) {
         let text = html::page(report, wants(Format::Csv)).map_err(|(study, source)| WriteError::Outcome { study, source })?;
-        file("report.html".into(), None, text.into_bytes());
+        put("report.html".into(), None, Content::Bytes(text.into_bytes()));
     }
     Ok(out)
 }
@@ -290,12 +317,12 @@ pub(super) fn write_all(dir: &Path, files: &[Composed]) -> Result<Vec<PathBuf>, 
 }
 
 /// Writes a file into a folder, whole or not at all, and returns its path; else the path that failed, and why.
-pub(super) fn place(dir: &Path, name: &str, content: &[u8]) -> Result<PathBuf, (PathBuf, io::Error)> {
+pub(super) fn place(dir: &Path, name: &str, content: &Content) -> Result<PathBuf, (PathBuf, io::Error)> {
     let path = dir.join(name);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(|e| (folder.to_path_buf(), e))?;
     }
-    match write_whole(&path, content, Lasting::Kill) {
+    match write_whole_by(&path, Lasting::Kill, |file| content.write(file)) {
         Ok(()) => Ok(path),
         Err(e) => Err((path, e)),
     }
@@ -371,6 +398,21 @@ mod tests {
         let file = dir.0.join("file");
         fs::write(&file, "").unwrap();
         assert!(matches!(write(&file, &report(&["a"]), Format::ALL), Err(WriteError::Io { .. })));
+    }
+
+    /// The text of a large table is never whole in memory; the file is the same.
+    #[test]
+    fn a_large_table_is_written_row_by_row() {
+        let rows = LARGE / 2 + 1;
+        let table = Table::new("t", "").float("x", "m", "", (0..rows).map(|i| i as f64 / 3.0).collect());
+        let table = table.text("s", "", (0..rows).map(|i| format!("a,{i}")).collect()).build().unwrap();
+        let text = csv(&table);
+        let report = Report { outcomes: vec![Outcome::new("k", "a").table(table)], ..Report::default() };
+        let composed = compose(&report, &[Format::Csv]).unwrap();
+        assert!(matches!(composed[0].content, Content::Csv(_)));
+        let dir = Dir::new("large");
+        let files = write(&dir.0, &report, &[Format::Csv]).unwrap();
+        assert!(fs::read_to_string(&files[0]).unwrap() == text);
     }
 
     #[test]

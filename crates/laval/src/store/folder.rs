@@ -184,7 +184,7 @@ impl Folder {
     }
 
     fn mark(&self, index: usize) -> String {
-        format!("{} chunk {index}", self.manifest.input_hash)
+        mark(&self.manifest.input_hash, index)
     }
 
     /// Writes a chunk, then the manifest that names it.
@@ -228,7 +228,12 @@ impl Folder {
     }
 }
 
-fn name_of(index: usize) -> String {
+/// What a chunk says of itself: the study it belongs to, and its place in it.
+pub fn mark(input_hash: &str, index: usize) -> String {
+    format!("{input_hash} chunk {index}")
+}
+
+pub fn name_of(index: usize) -> String {
     format!("chunk-{index:06}.parquet")
 }
 

@@ -38,10 +38,14 @@ mod manifest;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod piece;
+#[cfg(feature = "parquet")]
+mod reader;
 
 pub use cells::{Cells, Column, Kind};
 pub use collected::Collected;
 pub use piece::{Piece, Work};
+#[cfg(feature = "parquet")]
+pub use reader::Reader;
 
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, End, Finding, Message};
@@ -109,11 +113,16 @@ impl Plan {
         self.rows.div_ceil(self.chunk)
     }
 
-    fn range(&self, index: usize) -> Range<usize> {
+    /// Rows of a chunk.
+    pub fn range(&self, index: usize) -> Range<usize> {
         index * self.chunk..((index + 1) * self.chunk).min(self.rows)
     }
 
-    fn check(&self) -> Result<(), Diagnostic> {
+    /// Whether it can be computed.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn check(&self) -> Result<(), Diagnostic> {
         let wrong = |message: Text| Err(Diagnostic::error("store.plan", message));
         if self.rows == 0 || self.chunk == 0 || self.columns.is_empty() {
             return wrong(text!("a study needs at least one row, one row in a chunk, and one column"));

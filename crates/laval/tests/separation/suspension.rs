@@ -93,7 +93,7 @@ fn mean_times_and_surfaces() {
         let mean = c.products.iter().map(|p| p.0 / s).sum::<f64>() / N as f64;
         close(mean, number(row[12]), 1e-12, row[0]);
         let powder = Powder { size: Law::Single(2.0 * c.particle.radius), density: Law::Single(c.particle.density) };
-        let exits = ensemble::settle(&c.turning, &c.medium, &powder, &c.members, Model::Inertial);
+        let exits = suspension::settle(&c.turning, &c.medium, &powder, &c.members, Model::Inertial);
         let exact = exits.iter().map(|e| e.unwrap().time).sum::<f64>() / N as f64;
         close(exact, number(row[13]), 1e-9, row[0]);
         for (surface, k) in [(Surface::Wall, 15), (Surface::Bottom, 16), (Surface::Free, 17)] {
@@ -111,7 +111,7 @@ fn master_curves() {
         let drifting = c.sorted();
         let powder = Powder { size: Law::Single(2.0 * c.particle.radius), density: Law::Single(c.particle.density) };
         let inertial =
-            sorted(ensemble::settle(&c.turning, &c.medium, &powder, &c.members, Model::Inertial).iter().map(|e| e.map(|e| e.time)));
+            sorted(suspension::settle(&c.turning, &c.medium, &powder, &c.members, Model::Inertial).iter().map(|e| e.map(|e| e.time)));
         for row in table!("ensemble_master_curve").into_iter().filter(|r| r[0] == name) {
             let q = number(row[1]);
             close(quantile(&drifting, q), number(row[2]), 1e-10, &format!("{name} {q}"));

@@ -1077,6 +1077,17 @@ diag-say-one-or-the-other-5112 = екеуінің бірін ғана берің
 diag-a-map-of-two-parameters-needs-75f7 = екі параметр картасына нөлден үлкен айналу жиілігі керек
 diag-add-speed-3000-rpm-here-or-39c1 = speed = "3000 rpm" өрісін осында немесе [machine] бөліміне қосыңыз
 diag-and-are-the-same-parameter-dc84 = «{ $first }» мен «{ $second }» – бір параметр
+diag-is-no-value-9845 = { $path }: { $x } – мән бола алмайды
+diag-the-grid-has-more-points-than-9c74 = тордағы нүктелер саны есептеуге келмейтіндей көп
+diag-the-values-of-a-list-lie-32f5 = тізімнің мәндері оның нұсқаларының қалтасында сақталады
+diag-the-design-has-no-case-22d6 = жоспарда бірде-бір нұсқа жоқ
+diag-cases-are-more-than-can-be-6c04 = { $cases } нұсқа – нөмірлеуге болатыннан көп
+diag-is-damaged-6361 = { $path }: файл бүлінген
+diag-parameters-are-more-than-the-dimensions-aac5 = { $k } параметр Соболь тізбегінің { $most } өлшемінен көп
+diag-the-machine-has-no-study-026d = машинада «{ $name }» зерттеуі жоқ
+diag-stopped-before-the-first-case-3403 = бірінші нұсқаға дейін тоқтатылды
+diag-the-study-has-no-numbers-for-11b4 = зерттеу бұл машина үшін сан бермейді: { $why }
+diag-belongs-to-another-study-another-build-5178 = { $path } басқа зерттеуге, басқа жинаққа немесе басқа процессорға тиесілі
 diag-vary-two-parameters-e3b5 = екі параметрді өзгертіңіз
 diag-a-map-of-by-motions-is-21b0 = { $a } × { $b } қозғалыс картасы тым үлкен
 diag-at-most-motions-in-all-6722 = барлығы көп дегенде { $most } қозғалыс

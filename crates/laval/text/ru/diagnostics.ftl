@@ -855,6 +855,17 @@ diag-say-one-or-the-other-5112 = задайте одно из двух
 diag-a-map-of-two-parameters-needs-75f7 = для карты по двум параметрам нужна частота вращения больше нуля
 diag-add-speed-3000-rpm-here-or-39c1 = добавьте speed = "3000 rpm" здесь или в [machine]
 diag-and-are-the-same-parameter-dc84 = «{ $first }» и «{ $second }» — один и тот же параметр
+diag-is-no-value-9845 = { $path }: { $x } не является допустимым числом
+diag-the-grid-has-more-points-than-9c74 = в сетке больше точек, чем можно сосчитать
+diag-the-values-of-a-list-lie-32f5 = значения списка хранятся в папке его вариантов
+diag-the-design-has-no-case-22d6 = план не содержит ни одного варианта
+diag-cases-are-more-than-can-be-6c04 = вариантов { $cases } — больше, чем можно пронумеровать
+diag-is-damaged-6361 = { $path }: файл повреждён
+diag-parameters-are-more-than-the-dimensions-aac5 = параметров { $k } — больше, чем размерностей последовательности Соболя ({ $most })
+diag-the-machine-has-no-study-026d = у машины нет расчёта «{ $name }»
+diag-stopped-before-the-first-case-3403 = остановлено до первого варианта
+diag-the-study-has-no-numbers-for-11b4 = расчёт не даёт чисел для этой машины: { $why }
+diag-belongs-to-another-study-another-build-5178 = { $path } относится к другому расчёту, другой сборке или другому процессору
 diag-vary-two-parameters-e3b5 = варьируйте два параметра
 diag-a-map-of-by-motions-is-21b0 = карта из { $a } на { $b } движений слишком велика
 diag-at-most-motions-in-all-6722 = всего не больше { $most } движений

@@ -1035,6 +1035,17 @@ diag-say-one-or-the-other-5112 = ulardan bittasini bering
 diag-a-map-of-two-parameters-needs-75f7 = ikki parametr xaritasiga noldan katta tezlik kerak
 diag-add-speed-3000-rpm-here-or-39c1 = speed = "3000 rpm" kalitini shu yerga yoki [machine] blokiga qo‘shing
 diag-and-are-the-same-parameter-dc84 = "{ $first }" va "{ $second }" bitta parametrdir
+diag-is-no-value-9845 = { $path }: { $x } qiymat bo‘la olmaydi
+diag-the-grid-has-more-points-than-9c74 = to‘rdagi nuqtalar sanab bo‘lmas darajada ko‘p
+diag-the-values-of-a-list-lie-32f5 = ro‘yxat qiymatlari uning variantlari papkasida saqlanadi
+diag-the-design-has-no-case-22d6 = rejada birorta ham variant yo‘q
+diag-cases-are-more-than-can-be-6c04 = { $cases } ta variant raqamlash mumkin bo‘lganidan ko‘p
+diag-is-damaged-6361 = { $path }: fayl buzilgan
+diag-parameters-are-more-than-the-dimensions-aac5 = { $k } ta parametr Sobol ketma-ketligining { $most } o‘lchamidan ko‘p
+diag-the-machine-has-no-study-026d = mashinada "{ $name }" hisobi yo‘q
+diag-stopped-before-the-first-case-3403 = birinchi variantgacha to‘xtatildi
+diag-the-study-has-no-numbers-for-11b4 = hisob bu mashina uchun son bermaydi: { $why }
+diag-belongs-to-another-study-another-build-5178 = { $path } boshqa hisobga, boshqa yig‘maga yoki boshqa protsessorga tegishli
 diag-vary-two-parameters-e3b5 = ikkita har xil parametrni o‘zgartiring
 diag-a-map-of-by-motions-is-21b0 = { $a } × { $b } harakatli xarita juda katta
 diag-at-most-motions-in-all-6722 = jami ko‘pi bilan { $most } ta harakat

@@ -1,9 +1,10 @@
 //! Axes of figures.
 
 use crate::outcome::message::Arg;
+use serde::{Deserialize, Serialize};
 
 /// Scale of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Scale {
     /// Equal steps.
     Linear,
@@ -13,7 +14,7 @@ pub enum Scale {
 
 /// An axis. Every value along it (columns and constants alike) is multiplied by `factor` before it is drawn, so that tables
 /// and marks stay in SI units while the axis shows `rpm` or `µm`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// Label, such as `speed`.
     pub label: Arg,

@@ -1,9 +1,10 @@
 //! Shaded areas: intervals of one axis, what lies between two columns.
 
 use crate::outcome::message::Arg;
+use serde::{Deserialize, Serialize};
 
 /// A shaded interval.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Band {
     /// Where.
     pub place: BandPlace,
@@ -20,7 +21,7 @@ pub struct Band {
 }
 
 /// Where a [`Band`] lies; values before the axis factor.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum BandPlace {
     /// Between two values of x, the whole height.
     X(f64, f64),

@@ -1,9 +1,11 @@
 //! Curves.
 
+use super::super::stored;
 use crate::outcome::message::Arg;
+use serde::{Deserialize, Serialize};
 
 /// A curve through the rows of a table in their order; it may fold back. NaN breaks it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Line {
     /// Table.
     pub table: String,
@@ -20,6 +22,7 @@ pub struct Line {
     /// Column whose values give pieces of the curves their colour and their name in the legend, in place of the groups.
     pub class: Option<String>,
     /// Values of `class` that always have the same colour, whichever of them occur.
+    #[serde(with = "stored::words")]
     pub classes: &'static [&'static str],
     /// Curves of groups coincide: the earlier are drawn wider, so that all are seen.
     pub nested: bool,
@@ -38,6 +41,7 @@ pub struct Line {
     /// A smooth path: drawn through its points without corners, its start and direction marked.
     pub path: bool,
     /// Values of `class` that are drawn thin and grey.
+    #[serde(with = "stored::words")]
     pub muted: &'static [&'static str],
     /// In the colour of text, not of the palette: for intervals on bars.
     pub ink: bool,

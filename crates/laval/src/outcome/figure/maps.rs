@@ -2,9 +2,10 @@
 
 use super::Axis;
 use crate::outcome::message::Arg;
+use serde::{Deserialize, Serialize};
 
 /// A heat map of `value` over a grid of x and y, given row by row in any order; missing cells stay blank.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Heat {
     /// Table.
     pub table: String,

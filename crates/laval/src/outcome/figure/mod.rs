@@ -17,9 +17,10 @@ pub use rules::{Rule, Text};
 use super::message::{Arg, Message};
 use super::tiles::Tiles;
 use super::{Data, OutcomeError, Table};
+use serde::{Deserialize, Serialize};
 
 /// A figure: panels, one below the other, sharing the x axis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figure {
     /// Machine name, also part of the file name.
     pub name: String,
@@ -38,7 +39,7 @@ pub struct Figure {
 }
 
 /// One panel: a y axis and marks, drawn in order (heat maps and bands always lie below).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Panel {
     /// The y axis.
     pub y: Axis,
@@ -49,7 +50,7 @@ pub struct Panel {
 }
 
 /// One layer of a panel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Mark {
     /// Curve.
     Line(Line),

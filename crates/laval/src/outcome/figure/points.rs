@@ -1,9 +1,11 @@
 //! Markers.
 
+use super::super::stored;
 use crate::outcome::message::Arg;
+use serde::{Deserialize, Serialize};
 
 /// A marker per row.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Points {
     /// Table.
     pub table: String,
@@ -15,10 +17,12 @@ pub struct Points {
     pub group: Option<String>,
     /// Values of `group` that always have the same colour and shape, whichever of them occur: the first, the second, ... Their sizes differ, so that
     /// markers of two classes at one place are both seen.
+    #[serde(with = "stored::words")]
     pub classes: &'static [&'static str],
     /// Flag column: filled markers where true, open ones elsewhere.
     pub filled_where: Option<String>,
     /// Values of `group` that are grey.
+    #[serde(with = "stored::words")]
     pub muted: &'static [&'static str],
     /// Small, for many.
     pub small: bool,

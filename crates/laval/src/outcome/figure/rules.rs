@@ -1,9 +1,10 @@
 //! Straight lines across a panel, and words at a place.
 
 use crate::outcome::message::Arg;
+use serde::{Deserialize, Serialize};
 
 /// A straight line across the panel with a label; `at` before the axis factor.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rule {
     /// True: vertical, at a value of x. False: horizontal, at a value of y.
     pub vertical: bool,
@@ -34,7 +35,7 @@ impl Rule {
 }
 
 /// Words at a place in data coordinates (before the axis factors).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Text {
     /// x.
     pub x: f64,

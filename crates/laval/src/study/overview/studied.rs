@@ -23,7 +23,7 @@ const SAME: f64 = 1e-9;
 pub(super) type Found<R> = Option<(R, String)>;
 
 /// Studies of one kind that reached their end.
-fn complete<'o, S: 'static, R: 'static>(outcomes: &'o [Outcome]) -> impl Iterator<Item = (&'o S, &'o R, &'o str)> {
+fn complete<S: 'static, R: 'static>(outcomes: &[Outcome]) -> impl Iterator<Item = (&S, &R, &str)> {
     let whole = outcomes.iter().filter(|o| o.end.is_complete());
     whole.filter_map(|o| o.kept.get::<S, R>().map(|(study, result)| (study, result, o.name.as_str())))
 }

@@ -12,7 +12,7 @@
 //! Sources: Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; Jansen, Comput. Phys. Commun. 117 (1999) 35; Morris, Technometrics 33 (1991) 161;
 //! Campolongo et al., Environ. Model. Softw. 22 (2007) 1509.
 
-pub(in crate::study) mod collect;
+pub(crate) mod collect;
 mod figures;
 mod report;
 mod result;
@@ -30,7 +30,7 @@ pub use collect::Quantity;
 pub(in crate::study) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
 use laval_num::sampling::quantile::Interval;
-use laval_num::sampling::{MOST_DIMENSIONS, MOST_POINTS, Points, morris, sobol_indices};
+use laval_num::sampling::{MOST_DIMENSIONS, Points, morris, sobol_indices};
 use laval_num::work::Here;
 use rayon::prelude::*;
 pub use result::{Failure, Found, Samples, Shares, Spread, Statistics, UncertaintyResult};
@@ -91,7 +91,7 @@ samples = 256
         Field::required("parameters", FieldKind::Tolerances, "the uncertain parameters, independent of each other"),
         Field::optional(
             "samples",
-            FieldKind::Integer { min: 2, max: MOST_POINTS as i64 },
+            FieldKind::Integer { min: 2, max: MOST_RUNS as i64 },
             "256",
             "number of samples; with indices the number of base points or trajectories",
         ),
