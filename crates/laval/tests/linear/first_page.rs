@@ -385,6 +385,6 @@ fn the_headline_names_unstable_ranges_on_the_way_up() {
     let p = page(&tip(2000.0, "speed = 200.0"));
     assert_eq!((p.verdict, keys(&p.headline)), (Verdict::Attention, vec!["headline-stable", "headline-crosses"]));
     assert!(number(&p.headline[1], "from") > 140.0 && number(&p.headline[1], "to") < 161.0);
-    let below = page(&tip(2000.0, "speed = 110.0"));
+    let below = page(&tip(2000.0, "speed = 120.0"));
     assert_eq!(keys(&below.headline), ["headline-stable"]);
 }
