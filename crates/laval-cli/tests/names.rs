@@ -48,14 +48,14 @@ parameter = { parameter = "дөңгелек.mass", from = "1 kg", to = "3 kg", p
 kind = "transient"
 name = "іске қосу"
 duration = "0.1 s"
-start = { "дөңгелек.x" = "0.1 mm", "дөңгелек.x'" = "1 mm/s" }
+initial = { "дөңгелек.x" = "0.1 mm" }
 [[study]]
 kind = "uncertainty"
 name = "рұқсат"
 samples = 8
 seed = 1
 study = "Меншікті тербелістер"
-parameters = [{ parameter = "жоғарғы тірек.stiffness.x", distribution = "normal", deviation = "5 %" }]
+parameters = [{ parameter = "жоғарғы тірек.stiffness", distribution = "normal", deviation = "5 %" }]
 "#;
 
 #[test]

@@ -379,7 +379,7 @@ mod tests {
         let high = [two[0].clone(), ("at", vec![0.0, 0.1])];
         assert_eq!(build(&high, Some(0.1)).0, Some(2));
         assert!(build(&high, None).1.contains("does not tilt"));
-        assert!(build(&[("unbalance", vec![-1e-5])], None).1.contains("-0.00001 kg m"));
+        assert!(build(&[("unbalance", vec![-1e-5])], None).1.contains("-10 g mm"));
         assert!(build(&[("unbalance", vec![f64::NAN])], None).0.is_none());
     }
 

@@ -15,7 +15,7 @@ impl Context<'_> {
     pub(super) fn quantity(&mut self, field: &str, node: &Node, unit: &str, bounds: &Bounds) -> Option<f64> {
         let (x, bare) = match &node.data {
             Data::Text(t) => match units::read_quantity(t, unit) {
-                Ok(x) => (x, false),
+                Ok(x) => (x, t.trim().parse::<f64>().is_ok()),
                 Err(e) => {
                     self.unit_error(field, node, e, Some(unit));
                     return None;

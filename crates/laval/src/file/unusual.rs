@@ -25,11 +25,11 @@ const USUAL: &[(&str, &[&str], f64, f64)] = &[
     ("Pa", &[], 1e-6, 1e13),
 ];
 
-/// Kinds whose `eccentricity` is a length like any other.
-const OFF_SHAFT: &[&str] = &["liquid"];
+/// A key that admits more than this, m, places something off the shaft: no error of a centre of mass.
+const OFF_SHAFT: f64 = 0.5;
 
-fn usual(kind: &str, key: &str, unit: &str) -> Option<(f64, f64)> {
-    let holds = |keys: &[&str]| keys.is_empty() || keys.contains(&key) && !OFF_SHAFT.contains(&kind);
+fn usual(key: &str, unit: &str, admitted: f64) -> Option<(f64, f64)> {
+    let holds = |keys: &[&str]| keys.is_empty() || keys.contains(&key) && !(admitted > OFF_SHAFT);
     USUAL.iter().find(|u| u.0 == unit && holds(u.1)).map(|u| (u.2, u.3))
 }
 
@@ -39,6 +39,10 @@ pub(super) fn check(info: &KindInfo, values: &Values, who: &str, out: &mut Diagn
         if !values.written(field.name) {
             continue;
         }
+        let admitted = match &field.kind {
+            FieldKind::Quantity { bounds, .. } => bounds.max,
+            _ => f64::INFINITY,
+        };
         let given: Vec<(&str, f64)> = match field.kind {
             FieldKind::Quantity { unit, .. } => values.number(field.name).map(|x| (unit, x)).into_iter().collect(),
             FieldKind::Lateral { unit, .. } => values.lateral(field.name).into_iter().flatten().map(|x| (unit, x)).collect(),
@@ -49,7 +53,7 @@ pub(super) fn check(info: &KindInfo, values: &Values, who: &str, out: &mut Diagn
             _ => continue,
         };
         let wrong = given.into_iter().find_map(|(unit, x)| {
-            let (least, most) = usual(info.kind, field.name, unit)?;
+            let (least, most) = usual(field.name, unit, admitted)?;
             (x != 0.0 && !(least..=most).contains(&x.abs())).then_some((unit, x, if x.abs() > most { Err(most) } else { Ok(least) }))
         });
         let Some((unit, x, bound)) = wrong else { continue };

@@ -1,5 +1,5 @@
-//! The answer in the terminal: verdict, checks, a strip over the speed, at most three remarks, what to do next, in lines of 80 columns; with the name of the
-//! report behind it some 25 of them.
+//! The answer in the terminal: verdict, checks, a strip over the speed, at most three remarks, what to do next, in 25 lines of 80 columns with
+//! the name of the report behind it.
 
 use super::Report;
 use super::first_page::{required, sentence, verdict};
@@ -8,16 +8,19 @@ use super::words::Style;
 use crate::outcome::{Arg, Check, End, Level, Message, OverSpeed, Overview, Verdict};
 use crate::plain;
 
-/// Lines of the summary that a terminal shows beside the names of the files written: for more, remarks and suggestions are left out. Nothing is cut.
+/// Lines of the summary: of the 25 two are those of the files written.
 const MOST_LINES: usize = 23;
 /// Remarks below the strip, and suggestions.
 const MOST_REMARKS: usize = 3;
 const MOST_NEXT: usize = 2;
-/// Most width of the columns of checks but for the result, which takes what is left.
-const WHAT: usize = 23;
-const REQUIRED: usize = 12;
-/// Distance of columns.
-const APART: usize = 2;
+/// Remarks that come before the whole results of checks.
+const FIRST: usize = 2;
+/// Lines of the result of a check, and of a remark, where there is room.
+const LINES: usize = 2;
+/// Widths of the columns of checks, the last takes what is left.
+const WHAT: usize = 24;
+const REQUIRED: usize = 11;
+const VERDICT: usize = 11;
 
 /// The summary; empty where the report has no first page.
 pub fn summary(report: &Report, how: Terminal) -> String {
@@ -29,14 +32,50 @@ pub fn summary(report: &Report, how: Terminal) -> String {
     let texts: Vec<String> = page.headline.iter().map(|m| style.message(m)).collect();
     let headline: Vec<String> = wrapped(&plain::line(&texts.join(" ")), width - 2);
     let strip = page.over_speed.as_ref().map(|over| strip(page, over, style, width)).unwrap_or_default();
-    let checks = Cells::of(&page.checks, style, width);
-    let lines = |text: &str, width: usize| wrapped(&plain::line(text), width);
-    let mut remarks: Vec<Vec<String>> = remarks(page, report).iter().take(MOST_REMARKS).map(|r| lines(r, width - 4)).collect();
-    let mut next: Vec<Vec<String>> = page.next.iter().take(MOST_NEXT).map(|m| lines(&style.message(m), width - 2)).collect();
-    let fixed = 1 + headline.len() + usize::from(!checks.is_empty()) + strip.len() + checks.iter().map(|c| c.rows.len()).sum::<usize>();
-    let used = |blocks: [&[Vec<String>]; 2]| fixed + blocks.iter().map(|b| usize::from(!b.is_empty()) + b.concat().len()).sum::<usize>();
-    while used([&remarks, &next]) > MOST_LINES && (next.len() > 1 || remarks.len() > 1) {
-        if next.len() > 1 { &mut next } else { &mut remarks }.pop();
+    let checks: Vec<Cells> = page.checks.iter().map(|c| Cells::new(c, style, width)).collect();
+    let mut remarks: Vec<Lines> = remarks(page, report).iter().map(|r| Lines::new(wrapped(&plain::line(r), width - 4))).collect();
+    remarks.truncate(MOST_REMARKS);
+    let mut next: Vec<Lines> =
+        page.next.iter().take(MOST_NEXT).map(|m| Lines::new(wrapped(&plain::line(&style.message(m)), width - 2))).collect();
+    next.iter_mut().for_each(|n| n.shown = n.lines.len());
+
+    // one line each, then the whole results of checks, the worst first, then more remarks and suggestions
+    let fixed = 1 + headline.len() + usize::from(!checks.is_empty()) + strip.len();
+    let used = |checks: &[Cells], remarks: &[Lines], next: &[Lines]| {
+        let blocks = usize::from(!remarks.is_empty()) + usize::from(!next.is_empty());
+        let lines = |l: &[Lines]| l.iter().map(|l| l.shown).sum::<usize>();
+        fixed + blocks + checks.iter().map(Cells::height).sum::<usize>() + lines(remarks) + lines(next)
+    };
+    let mut checks = checks;
+    let (mut more_remarks, mut more_next) = (remarks.split_off(remarks.len().min(FIRST)), next.split_off(next.len().min(1)));
+    while used(&checks, &remarks, &next) > MOST_LINES && remarks.len() > 1 {
+        remarks.pop();
+        more_remarks.clear();
+    }
+    let mut order: Vec<usize> = (0..checks.len()).collect();
+    order.sort_by_key(|&k| std::cmp::Reverse(page.checks[k].verdict));
+    for k in order {
+        let before = checks[k].result.shown;
+        checks[k].result.shown = checks[k].result.lines.len().min(LINES);
+        if used(&checks, &remarks, &next) > MOST_LINES {
+            checks[k].result.shown = before;
+        }
+    }
+    for (all, more) in [(&mut remarks, &mut more_remarks), (&mut next, &mut more_next)] {
+        all.append(more);
+    }
+    while used(&checks, &remarks, &next) > MOST_LINES && (next.len() > 1 || remarks.len() > 1) {
+        if next.len() > 1 {
+            next.pop();
+        } else {
+            remarks.pop();
+        }
+    }
+    for k in 0..remarks.len() {
+        remarks[k].shown = remarks[k].lines.len().min(LINES);
+        if used(&checks, &remarks, &next) > MOST_LINES {
+            remarks[k].shown = 1;
+        }
     }
 
     let mut out = vec![paint(&plain::line(&report.machine), "1")];
@@ -48,45 +87,75 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         out.push(String::new());
     }
     for (c, cells) in page.checks.iter().zip(&checks) {
-        let verdict = paint(&cells.verdict, self::sign(c.verdict).1);
-        out.extend(cells.rows.iter().enumerate().map(|(k, row)| if k == 0 { format!("{row}{verdict}") } else { row.clone() }));
+        out.extend(cells.rows(&paint(&plain::line(&verdict(style, c, true)), self::sign(c.verdict).1)));
     }
     out.extend(strip);
     for (block, mark) in [(&remarks, paint("!", "33")), (&next, ">".into())] {
         if !block.is_empty() {
             out.push(String::new());
         }
-        for lines in block {
+        for text in block {
+            let lines = text.cut();
             out.extend(lines.iter().enumerate().map(|(k, line)| format!("{} {line}", if k == 0 { &mark } else { " " })));
         }
     }
     out.iter().map(|line| format!("{}\n", line.trim_end())).collect()
 }
 
-/// A check in lines: its name, what was found, what is required; the verdict goes behind the first.
+/// A text in lines, of which the first are shown.
+struct Lines {
+    lines: Vec<String>,
+    shown: usize,
+}
+
+impl Lines {
+    fn new(lines: Vec<String>) -> Lines {
+        let shown = lines.len().min(1);
+        Lines { lines, shown }
+    }
+
+    /// The lines shown, with a mark where some are left out.
+    fn cut(&self) -> Vec<String> {
+        let mut out: Vec<String> = self.lines.iter().take(self.shown).cloned().collect();
+        if let Some(last) = out.last_mut().filter(|_| self.shown < self.lines.len()) {
+            last.push_str(" …");
+        }
+        out
+    }
+}
+
+/// A check: its name, what was found, what is required.
 struct Cells {
-    rows: Vec<String>,
-    verdict: String,
+    what: Vec<String>,
+    result: Lines,
+    required: Vec<String>,
+    room: usize,
 }
 
 impl Cells {
-    /// Columns are as wide as what stands in them, that of the results takes what is left.
-    fn of(checks: &[Check], style: &Style, width: usize) -> Vec<Cells> {
-        let what: Vec<Vec<String>> = checks.iter().map(|c| wrapped(&plain::line(&style.message(&c.what)), WHAT)).collect();
-        let required: Vec<Vec<String>> = checks.iter().map(|c| wrapped(&plain::line(&required(style, c)), REQUIRED)).collect();
-        let verdicts: Vec<String> = checks.iter().map(|c| plain::line(&verdict(style, c, true)).into_owned()).collect();
-        let widest = |lines: &mut dyn Iterator<Item = &String>| lines.map(|l| length(l)).max().unwrap_or(0);
-        let first = widest(&mut what.iter().flatten()) + APART;
-        let third = widest(&mut required.iter().flatten()) + APART;
-        let room = width.saturating_sub(2 + first + third + widest(&mut verdicts.iter()));
-        let one = |(k, c): (usize, &Check)| {
-            let result = wrapped(&plain::line(&style.message(&c.result)), room.saturating_sub(APART));
-            let cell = |lines: &[String], k: usize, width: usize| pad(lines.get(k).map_or("", String::as_str), width);
-            let row = |r: usize| format!("  {}{}{}", cell(&what[k], r, first), cell(&result, r, room), cell(&required[k], r, third));
-            let height = what[k].len().max(result.len()).max(required[k].len());
-            Cells { rows: (0..height).map(row).collect(), verdict: verdicts[k].clone() }
+    fn new(c: &Check, style: &Style, width: usize) -> Cells {
+        let room = width - WHAT - REQUIRED - VERDICT - 2;
+        Cells {
+            what: wrapped(&plain::line(&style.message(&c.what)), WHAT - 1),
+            result: Lines::new(wrapped(&plain::line(&style.message(&c.result)), room - 3)),
+            required: wrapped(&plain::line(&required(style, c)), REQUIRED - 1),
+            room,
+        }
+    }
+
+    fn height(&self) -> usize {
+        self.what.len().max(self.result.shown).max(self.required.len())
+    }
+
+    /// The lines of the table, the verdict behind the first.
+    fn rows(&self, verdict: &str) -> Vec<String> {
+        let result = self.result.cut();
+        let cell = |lines: &[String], k: usize, width: usize| pad(lines.get(k).map_or("", String::as_str), width);
+        let row = |k: usize| {
+            let last = if k == 0 { verdict } else { "" };
+            format!("  {}{}{}{last}", cell(&self.what, k, WHAT), cell(&result, k, self.room), cell(&self.required, k, REQUIRED))
         };
-        checks.iter().enumerate().map(one).collect()
+        (0..self.height()).map(row).collect()
     }
 }
 

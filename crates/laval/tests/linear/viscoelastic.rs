@@ -3,6 +3,7 @@
 use crate::common;
 
 use common::{number, rows};
+use laval::diagnostic::{Diagnostic, Severity};
 use laval::file::load;
 use laval::model::system::System;
 use laval::outcome::{Data, Outcome};
@@ -144,6 +145,11 @@ fn elastic_frequencies_of_the_readings() {
     }
 }
 
+/// Errors of a file, without what is said of unusual values.
+fn errors(file: &str) -> Vec<Diagnostic> {
+    load(file).err().unwrap().0.into_iter().filter(|d| d.severity == Severity::Error).collect()
+}
+
 #[test]
 fn kernel_transforms() {
     let table = rows(include_str!("../reference/viscoelastic/kernel_transform.csv"));
@@ -159,8 +165,8 @@ fn kernel_transforms() {
             )
         };
         if lasting <= 0.0 {
-            let said = load(&system(amplitude)).err().unwrap();
-            assert!(said.0.len() == 1 && said.0[0].message.contains("creeps without bound"), "{said:?}");
+            let said = errors(&system(amplitude));
+            assert!(said.len() == 1 && said[0].message.contains("creeps without bound"), "{said:?}");
             continue;
         }
         let system = machine(&system(amplitude));
@@ -185,9 +191,9 @@ fn complex_frequencies() {
         let beam = Beam { exponent: n[3], decay: n[4], mu: n[5], ..Beam::new(n[0], n[1], n[2]) };
         if n[9] <= 0.0 {
             let text = beam.file();
-            let said = load(&text).err().unwrap();
-            assert!(said.0.len() == 1 && said.0[0].code == "shaft_viscoelastic.creep", "{said:?}");
-            let span = said.0[0].span.clone().unwrap();
+            let said = errors(&text);
+            assert!(said.len() == 1 && said[0].code == "shaft_viscoelastic.creep", "{said:?}");
+            let span = said[0].span.clone().unwrap();
             let place = text.find("amplitude").unwrap();
             assert!(span.start >= place && span.end <= place + 20, "{:?}", &text[span]);
             refused += 1;

@@ -299,6 +299,16 @@ diag-a-power-is-a-number-as-f8ee = a power is a number, as in m^2, m^1.5 or m^(1
 
 diag-a-quantity-in-af40 = a quantity in { $unit }
 
+## laval-solve/src/co_rotating.rs
+
+diag-from-the-undeflected-machine-no-state-da81 = from the undeflected machine no state that turns with the rotor was found
+diag-the-machine-has-no-state-that-5f47 = the machine has no state that turns with the rotor: { $reason }
+diag-studies-about-rest-about-rest-by-e3da = studies about rest (about = "rest"), by harmonics, and in time (transient, run_up) take such a machine
+diag-the-machine-has-no-equilibrium-at-cc55 = the machine has no equilibrium at rest either: transient and run_up give the motion in time
+diag-the-weight-of-pulls-to-one-fdd8 = the weight of "{ $name }" pulls to one side (axis = "horizontal")
+diag-differs-in-x-and-y-a4f1 = { $base } differs in x ({ $x } { $unit }) and y ({ $y } { $unit })
+diag-the-forces-of-do-not-turn-00ed = the forces of "{ $name }" ({ $kind }) do not turn along when machine and state are turned
+
 ## laval-solve/src/ensemble/mod.rs
 
 diag-has-memory-states-which-an-explicit-422f = "{ $name }" has memory states, which an explicit method cannot follow
@@ -418,16 +428,6 @@ diag-without-that-no-roots-can-be-e4c1 = without that no roots can be counted; f
 diag-the-frequencies-of-the-machine-have-ce0d = the frequencies of the machine have no bound from which roots could be counted
 diag-give-frequency-limit-df65 = give frequency_limit
 
-## laval-solve/src/co_rotating.rs
-
-diag-from-the-undeflected-machine-no-state-da81 = from the undeflected machine no state that turns with the rotor was found
-diag-the-machine-has-no-state-that-5f47 = the machine has no state that turns with the rotor: { $reason }
-diag-studies-about-rest-about-rest-by-e3da = studies about rest (about = "rest"), by harmonics, and in time (transient, run_up) take such a machine
-diag-the-machine-has-no-equilibrium-at-cc55 = the machine has no equilibrium at rest either: transient and run_up give the motion in time
-diag-the-weight-of-pulls-to-one-fdd8 = the weight of "{ $name }" pulls to one side (axis = "horizontal")
-diag-differs-in-x-and-y-a4f1 = { $base } differs in x ({ $x } { $unit }) and y ({ $y } { $unit })
-diag-the-forces-of-do-not-turn-00ed = the forces of "{ $name }" ({ $kind }) do not turn along when machine and state are turned
-
 ## laval-separation/src/batch.rs
 
 diag-no-path-in-space-5c87 = no path in space
@@ -457,6 +457,24 @@ diag-stopped-9dac = stopped
 ## laval-separation/src/slowest.rs
 
 diag-no-place-of-the-liquid-is-aad6 = no place of the liquid is found where a path begins
+
+## laval/src/cases/design.rs
+
+diag-is-no-value-9845 = { $path }: { $x } is no value
+diag-the-grid-has-more-points-than-9c74 = the grid has more points than can be counted
+diag-the-values-of-a-list-lie-32f5 = the values of a list lie in the folder of its cases
+diag-the-design-has-no-case-22d6 = the design has no case
+diag-cases-are-more-than-can-be-6c04 = { $cases } cases are more than can be numbered
+diag-cannot-read-9ee9 = cannot read { $path }: { $e }
+diag-is-damaged-6361 = { $path } is damaged
+diag-parameters-are-more-than-the-dimensions-aac5 = { $k } parameters are more than the { $most } dimensions of the Sobol sequence
+diag-and-are-the-same-parameter-dc84 = "{ $first }" and "{ $second }" are the same parameter
+
+## laval/src/cases/mod.rs
+
+diag-the-machine-has-no-study-026d = the machine has no study "{ $name }"
+diag-stopped-before-the-first-case-3403 = stopped before the first case
+diag-the-study-has-no-numbers-for-11b4 = the study has no numbers for this machine: { $why }
 
 ## laval/src/file/assemble.rs
 
@@ -853,7 +871,6 @@ diag-is-rows-to-are-missing-2dec = { $path } is { $why }: rows { $first } to { $
 diag-is-rows-to-are-computed-again-50b5 = { $path } is { $why }: rows { $first } to { $last } are computed again
 diag-not-of-this-study-f8d5 = not of this study
 diag-chunk-cannot-be-written-as-parquet-3b0c = chunk { $index } cannot be written as Parquet: { $e }
-diag-cannot-read-9ee9 = cannot read { $path }: { $e }
 diag-the-manifest-cannot-be-written-2360 = the manifest cannot be written: { $e }
 diag-cannot-write-of-chunks-are-complete-f917 = cannot write { $path }: { $e }; { $kept } of { $all } chunks are complete and kept
 diag-make-room-or-mend-the-folder-66a3 = make room or mend the folder, then run the same command: it continues from there
@@ -876,6 +893,10 @@ diag-part-of-of-rows-are-there-9818 = part { $number } of { $of }: { $done } of 
 diag-of-rows-are-missing-those-of-2c01 = { $rows } of { $all } rows are missing, those of the chunks { $shown } of { $of }
 diag-run-the-parts-that-have-not-0f55 = run the parts that have not ended once more; chunk k belongs to part ((k - 1) mod n) + 1 of n. laval run computes what is missing
 diag-there-is-no-column-4824 = there is no column "{ $column }"
+
+## laval/src/store/reader.rs
+
+diag-belongs-to-another-study-another-build-5178 = { $path } belongs to another study, another build or another processor
 
 ## laval/src/study/centrifuge/cups/mod.rs
 
@@ -1140,7 +1161,6 @@ diag-both-a-range-of-speeds-and-8fcf = both a range of speeds and a parameter al
 diag-say-one-or-the-other-5112 = say one or the other
 diag-a-map-of-two-parameters-needs-75f7 = a map of two parameters needs a speed above zero
 diag-add-speed-3000-rpm-here-or-39c1 = add speed = "3000 rpm" here or to [machine]
-diag-and-are-the-same-parameter-dc84 = "{ $first }" and "{ $second }" are the same parameter
 diag-vary-two-parameters-e3b5 = vary two parameters
 diag-a-map-of-by-motions-is-21b0 = a map of { $a } by { $b } motions is too large
 diag-at-most-motions-in-all-6722 = at most { $most } motions in all

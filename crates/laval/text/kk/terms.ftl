@@ -497,3 +497,20 @@ term-what-is-computed-for-every-machine = әр машина үшін не есе
 term-what-is-computed-for-every-sample = әр таңдама үшін не есептеледі
 term-z-t-t-2-z-t-odd-orders = z(t + T/2) = -z(t): тақ реттер
 term-z-t-t-4-i-z-t-orders-1-3-5-7 = z(t + T/4) = i z(t): 1, -3, 5, -7 реттері
+term-a-of-each-term-bare-numbers-in-1-s-a = әр қосылғыштың A мәні, бірліксіз сандар 1/s^a-мен
+term-a-of-each-term = әр қосылғыштың a мәні
+term-b-of-each-term = әр қосылғыштың b мәні
+term-densities-increasing = тығыздықтар, өсу ретімен
+term-diameters-increasing = диаметрлер, өсу ретімен
+term-number-of-balls-on-each-track = әр жолдағы шарлар саны
+term-rate-at-which-it-relaxes-the-inverse-of-the-relaxation-time = релаксация жылдамдығы, релаксация уақытының кері шамасы
+term-share-of-each-class = әр кластың үлесі
+term-share-of-the-stiffness-that-relaxes = релаксацияланатын қаттылық үлесі
+term-spin-speed-at-these-times = осы уақыттардағы айналу жиілігі
+term-spin-speed-increasing = айналу жиілігі, өсу ретімен
+term-stiffness-in-x-against-x = x бойынша орын ауыстыруға x бойынша қаттылық
+term-stiffness-in-y-against-y = y бойынша орын ауыстыруға y бойынша қаттылық
+term-temperatures-increasing = температуралар, өсу ретімен
+term-times-increasing-from-0 = 0-ден басталатын уақыттар, өсу ретімен
+term-torque-there-over-torque = ондағы моменттің моментке қатынасы
+term-viscosity-at-each = әрқайсысындағы тұтқырлық

@@ -373,3 +373,20 @@ term-what-is-computed-for-every-machine = что рассчитывается д
 term-what-is-computed-for-every-sample = что рассчитывается для каждой выборки
 term-z-t-t-2-z-t-odd-orders = z(t + T/2) = -z(t): нечётные порядки
 term-z-t-t-4-i-z-t-orders-1-3-5-7 = z(t + T/4) = i z(t): порядки 1, -3, 5, -7
+term-a-of-each-term-bare-numbers-in-1-s-a = A каждого слагаемого, числа без единицы в 1/s^a
+term-a-of-each-term = a каждого слагаемого
+term-b-of-each-term = b каждого слагаемого
+term-densities-increasing = плотности по возрастанию
+term-diameters-increasing = диаметры по возрастанию
+term-number-of-balls-on-each-track = число шаров на каждой дорожке
+term-rate-at-which-it-relaxes-the-inverse-of-the-relaxation-time = скорость релаксации, обратная времени релаксации
+term-share-of-each-class = доля каждого класса
+term-share-of-the-stiffness-that-relaxes = доля жёсткости, которая релаксирует
+term-spin-speed-at-these-times = частота вращения в эти моменты времени
+term-spin-speed-increasing = частота вращения по возрастанию
+term-stiffness-in-x-against-x = жёсткость по x от перемещения по x
+term-stiffness-in-y-against-y = жёсткость по y от перемещения по y
+term-temperatures-increasing = температуры по возрастанию
+term-times-increasing-from-0 = моменты времени по возрастанию от 0
+term-torque-there-over-torque = момент там, делённый на момент
+term-viscosity-at-each = вязкость при каждой

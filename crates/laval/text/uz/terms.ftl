@@ -373,3 +373,20 @@ term-what-is-computed-for-every-machine = har bir mashina uchun nima hisoblanadi
 term-what-is-computed-for-every-sample = har bir tanlama uchun nima hisoblanadi
 term-z-t-t-2-z-t-odd-orders = z(t + T/2) = -z(t): toq tartiblar
 term-z-t-t-4-i-z-t-orders-1-3-5-7 = z(t + T/4) = i z(t): 1, -3, 5, -7 tartiblari
+term-a-of-each-term-bare-numbers-in-1-s-a = har bir qo‘shiluvchining A qiymati, birliksiz sonlar 1/s^a da
+term-a-of-each-term = har bir qo‘shiluvchining a qiymati
+term-b-of-each-term = har bir qo‘shiluvchining b qiymati
+term-densities-increasing = zichliklar, o‘sish tartibida
+term-diameters-increasing = diametrlar, o‘sish tartibida
+term-number-of-balls-on-each-track = har bir yo‘lakdagi sharlar soni
+term-rate-at-which-it-relaxes-the-inverse-of-the-relaxation-time = relaksatsiya tezligi, relaksatsiya vaqtining teskarisi
+term-share-of-each-class = har bir sinfning ulushi
+term-share-of-the-stiffness-that-relaxes = relaksatsiyalanadigan bikrlik ulushi
+term-spin-speed-at-these-times = shu vaqtlardagi aylanish chastotasi
+term-spin-speed-increasing = aylanish chastotasi, o‘sish tartibida
+term-stiffness-in-x-against-x = x bo‘yicha ko‘chishga x bo‘yicha bikrlik
+term-stiffness-in-y-against-y = y bo‘yicha ko‘chishga y bo‘yicha bikrlik
+term-temperatures-increasing = haroratlar, o‘sish tartibida
+term-times-increasing-from-0 = 0 dan boshlanuvchi vaqtlar, o‘sish tartibida
+term-torque-there-over-torque = u yerdagi momentning momentga nisbati
+term-viscosity-at-each = har biridagi qovushqoqlik

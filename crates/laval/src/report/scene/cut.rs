@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn every_stretch_beyond_the_range_is_marked_once() {
         let points: Vec<(f64, f64)> =
-            (0..=100).map(|k| (f64::from(k), 50.0 * (f64::from(k) * 0.2).sin())).chain([(f64::NAN, f64::NAN)]).collect();
+            (0..=95).map(|k| (f64::from(k), 50.0 * (f64::from(k) * 0.2).sin())).chain([(f64::NAN, f64::NAN)]).collect();
         let series = |reference, kind| Series {
             name: String::new(),
             state: String::new(),

@@ -11,6 +11,7 @@ use super::start::Start;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
+use crate::outcome::quantity;
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::{Choice, Plan, Trajectory, simulate};
 use crate::study::Context;
@@ -158,7 +159,7 @@ pub(in crate::study) fn per_second(unit: &str) -> String {
 /// Says how much there is to integrate: turns of the rotor at the mean speed, rad/s.
 pub(in crate::study) fn announce(context: &Context, duration: f64, speed: f64) {
     let turns = duration * speed.abs() / TAU;
-    context.announce(turns, 1e5, text!("turns of the rotor to integrate, {duration}", duration = text::quantity(duration, "s")));
+    context.announce(turns, 1e5, text!("turns of the rotor to integrate, {duration}", duration = quantity(duration, "s")));
 }
 
 /// Parts of the time that are distinguished: a motion over years moves on by few thousandths an hour.
