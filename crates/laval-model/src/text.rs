@@ -41,7 +41,7 @@ pub struct Value {
     pub unit: Cow<'static, str>,
 }
 
-/// Bit by bit, so that what is not a number equals itself and a sentence always does.
+/// Compared bit by bit: NaN equals itself, and so does every sentence.
 impl PartialEq for Value {
     fn eq(&self, other: &Value) -> bool {
         self.value.to_bits() == other.value.to_bits() && self.unit == other.unit

@@ -200,7 +200,7 @@ def test_rows_in_other_libraries(rotor: laval.Machine, tmp_path: Path) -> None:
         ours = cases[name].tolist()
         for theirs in (frame[name].to_list(), lazy.collect()[name].to_list(), data.to_table()[name].to_pylist()):
             assert np.array_equal(np.array(theirs), np.array(ours), equal_nan=isinstance(ours[0], float)), name
-    # an error on the way is said by the consumer
+    # an error on the way is raised in the consumer
     (tmp_path / "cases" / "chunk-000002.parquet").write_bytes(b"nothing")
     with pytest.raises(Exception, match="damaged"):
         pyarrow.table(cases)

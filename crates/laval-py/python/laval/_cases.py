@@ -82,7 +82,7 @@ class Sweep:
         if chunk is not None and (isinstance(chunk, bool) or not isinstance(chunk, int) or chunk < 1):
             raise ValueError(f"a file holds a whole number of cases from 1 on, not {chunk!r}")
         self._chunk = chunk
-        # what is wrong is said before anything is written; of a list, its parameters are enough
+        # mistakes are reported before anything is written; of a list, its parameters are enough
         request = self._request(chunk)
         if design._values is not None:
             request["design"] = {"kind": "grid", "axes": [[path, [0.0]] for path in design.parameters]}
@@ -295,7 +295,7 @@ class Cases:
         retries: int = 3,
         progress: bool | Callable[[Extent], Any] = False,
     ) -> Cases:
-        """Computes what is not there yet, then :meth:`collect`.
+        """Computes the missing cases, then :meth:`collect`.
 
         Args:
             client: of Dask; its workers must see the folder under the same path. ``None`` starts a cluster on this computer where Dask is installed, ``False``

@@ -90,7 +90,7 @@ def run(
     retries: int,
     progress: bool | Callable[[Extent], Any],
 ) -> None:
-    """Computes what is not there, and collects it."""
+    """Computes the missing cases and collects all."""
     with _shown(progress) as follow:
         meter = Meter(cases.done, cases.rows, follow)
         # the files that a collection rejects are those that parts compute again

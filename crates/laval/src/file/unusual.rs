@@ -105,7 +105,7 @@ mod tests {
         let light = warnings("mass = \"1e-9 kg\"");
         assert!(light.len() == 1 && light[0].contains("mass is 1e-9 kg; no machine has less than 1e-7 kg"), "{light:?}");
         assert_eq!(warnings("mass = \"2 kg\"\neccentricity = \"10 um\""), [""; 0]);
-        // 0 stands for what is not there
+        // 0 means absent
         assert_eq!(warnings("mass = \"2 kg\"\neccentricity = 0"), [""; 0]);
     }
 

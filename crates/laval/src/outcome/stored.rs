@@ -92,7 +92,7 @@ struct Said {
 enum Word {
     Plain(String),
     Number(String),
-    /// The bits of the value, so that what is not a number comes back too.
+    /// The bits of the value, so that NaN comes back too.
     Quantity(u64, String),
     Count(u64),
     Term(String),

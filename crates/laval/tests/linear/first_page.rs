@@ -333,7 +333,7 @@ fn a_machine_with_balls_has_its_distance_and_its_vibration() {
     }
 }
 
-/// An unstable machine is told up to which speed it may run.
+/// The page of an unstable machine states the speed up to which it is stable.
 #[test]
 fn the_unstable_range_about_the_operating_speed_is_named() {
     let inner = "[[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\ndamping = 2.0\naxes = \"rotating\"\n";

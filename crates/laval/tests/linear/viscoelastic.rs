@@ -145,7 +145,7 @@ fn elastic_frequencies_of_the_readings() {
     }
 }
 
-/// Errors of a file, without what is said of unusual values.
+/// Errors of a file, without warnings of unusual values.
 fn errors(file: &str) -> Vec<Diagnostic> {
     load(file).err().unwrap().0.into_iter().filter(|d| d.severity == Severity::Error).collect()
 }

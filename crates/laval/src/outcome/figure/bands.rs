@@ -76,7 +76,7 @@ impl Band {
         self
     }
 
-    /// Red, of what is not.
+    /// Red, for states to avoid.
     pub fn bad(mut self) -> Self {
         self.tint = Some(1);
         self

@@ -34,7 +34,7 @@ pub struct Line {
     pub name: Arg,
     /// Drawn thin and grey with its name at its end instead of in the legend: for orders such as 1× and 2×.
     pub reference: bool,
-    /// Flag column: what is not valid is drawn thin and grey, and the axes do not reach for it.
+    /// Flag column: rows outside validity are drawn thin and grey, and do not widen the axes.
     pub valid_where: Option<String>,
     /// An angle in rad, shown from half a turn below zero to half a turn above.
     pub wrapped: bool,

@@ -187,7 +187,7 @@ impl Facts<'_> {
         operation::required_margin(self.system)
     }
 
-    /// Speeds in which resonances were looked for.
+    /// Range of speeds searched for resonances.
     fn searched(&self, over: &OverSpeed) -> (f64, f64) {
         let criticals = self.criticals.get().map_or(&[][..], |c| &c.strongest);
         let along: Vec<f64> = criticals.iter().map(|s| self.sign * s.speed).collect();
