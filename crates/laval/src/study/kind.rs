@@ -62,6 +62,15 @@ pub trait Study: Send + Sync + Sized + 'static {
     fn keep(&self, _: Self::Result) -> Kept {
         Kept::default()
     }
+    /// Report of a result that nothing else needs, with what the first page may need of it. A study whose tables are much of its result moves them.
+    ///
+    /// # Errors
+    /// As [`report`](Self::report).
+    fn conclude(&self, system: &System, result: Self::Result, name: &str) -> Result<Outcome, Diagnostic> {
+        let mut outcome = self.report(system, &result, name)?;
+        outcome.kept = self.keep(result);
+        Ok(outcome)
+    }
 }
 
 /// Running a [`Study`], with its type known or forgotten: a machine that is too large, or beyond the tables of its parts, is
@@ -109,9 +118,7 @@ impl<T: Study> ErasedStudy for T {
         speed_range::known(self, system)?;
         let run = || {
             let result = self.compute(system, context)?;
-            let mut outcome = self.report(system, &result, context.name)?;
-            outcome.kept = self.keep(result);
-            Ok(outcome)
+            self.conclude(system, result, context.name)
         };
         let mut outcome = match watch::run(self, system, context, run)? {
             Ok(outcome) => outcome,

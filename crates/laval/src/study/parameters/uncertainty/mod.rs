@@ -188,6 +188,13 @@ samples = 256
             None => Ok(Outcome::new(Self::KIND, name).end(result.end)),
         }
     }
+
+    fn conclude(&self, _: &System, result: UncertaintyResult, name: &str) -> Result<Outcome, Diagnostic> {
+        match result.found {
+            Some(found) => report::conclude(self, found, result.end, name),
+            None => Ok(Outcome::new(Self::KIND, name).end(result.end)),
+        }
+    }
 }
 
 pub(in crate::study) fn build_inner(inner: &InnerStudy, system: &System, diagnostics: &mut Diagnostics) -> Option<Box<dyn ErasedStudy>> {

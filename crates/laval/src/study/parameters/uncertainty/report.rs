@@ -13,6 +13,18 @@ use std::collections::BTreeMap;
 
 /// The outcome of all samples that are there.
 pub fn report(study: &Uncertainty, found: &Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
+    let outcome = statistics(study, found, end, name)?;
+    with_samples(outcome, study, found.samples.clone())
+}
+
+/// The same with the samples moved into their table: of a million they are most of the memory.
+pub fn conclude(study: &Uncertainty, found: Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
+    let outcome = statistics(study, &found, end, name)?;
+    with_samples(outcome, study, found.samples)
+}
+
+/// All but the table of samples.
+fn statistics(study: &Uncertainty, found: &Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
     let samples = &found.samples;
     let mut outcome = Outcome::new(Uncertainty::KIND, name).end(end).work("runs of the study", samples.count as u64);
     let own: BTreeMap<&str, f64> = found.nominal.iter().map(|q| (q.label.as_str(), q.value)).collect();
@@ -30,25 +42,24 @@ pub fn report(study: &Uncertainty, found: &Found, end: End, name: &str) -> Resul
     if let Some(remark) = found.extent.remark() {
         outcome = outcome.finding(remark);
     }
-    outcome = outcome.table(table_of(study, samples)?);
-    outcome.checked().map_err(inconsistent)
+    Ok(outcome)
 }
 
 /// Every sample with its parameters and numbers.
-fn table_of(study: &Uncertainty, samples: &Samples) -> Result<Table, Diagnostic> {
+fn with_samples(outcome: Outcome, study: &Uncertainty, samples: Samples) -> Result<Outcome, Diagnostic> {
     let mut table = Table::new("samples", "Every run: values of the parameters and what was found").int(
         "sample",
         "",
         "number of the run",
         (0..samples.count as i64).collect(),
     );
-    for (p, x) in study.parameters.iter().zip(&samples.parameters) {
-        table = table.float(&p.path, p.unit, "parameter", x.clone());
+    for (p, x) in study.parameters.iter().zip(samples.parameters) {
+        table = table.float(&p.path, p.unit, "parameter", x);
     }
-    for ((name, unit), v) in samples.names.iter().zip(&samples.values) {
-        table = table.float(name, unit, "number found; NaN where it was not", v.clone());
+    for ((name, unit), v) in samples.names.iter().zip(samples.values) {
+        table = table.float(name, unit, "number found; NaN where it was not", v);
     }
-    table.build().map_err(inconsistent)
+    outcome.table(table.build().map_err(inconsistent)?).checked().map_err(inconsistent)
 }
 
 fn interval(table: TableBuilder, name: &str, unit: &str, doc: &'static str, all: &[Interval]) -> TableBuilder {
