@@ -104,7 +104,7 @@ fn states_of_a_fixed_ring_flat_and_tilted() {
             PI / 40.0,
             PI / 6.0
         );
-        let o = File { stiffness: 2922676.0, damping, housing: 1.5, ring, study: at_speed(w, 150) }.run();
+        let o = File { stiffness: 2922676.0, damping, housing: 1.5, ring, study: at_speed(w, 60) }.run();
         let found = here(&o, w);
         for r in &wanted {
             let n: Vec<f64> = r.iter().map(|x| number(x)).collect();
@@ -198,7 +198,7 @@ fn states_of_a_free_ring_over_the_node_line() {
         // printed to eight decimals
         let node_line = (number(key[3]) * 12.0 / PI).round() * PI / 12.0;
         assert!((node_line - number(key[3])).abs() < 1e-8);
-        let o = free_ring(number(key[0]), key[2], &format!("{node_line}"), at_speed(w, 200)).run();
+        let o = free_ring(number(key[0]), key[2], &format!("{node_line}"), at_speed(w, 80)).run();
         // a ring turned over with its balls is the same ring
         let all = here(&o, w);
         for (n, &k) in all.iter().enumerate() {
@@ -279,7 +279,7 @@ fn planar(ball: f64, drag: f64, study: &str) -> String {
 fn charts_of_the_planar_balancer() {
     let table = rows(include_str!("../reference/balancer/planar_two_parameter.csv"));
     assert_eq!(table.len(), 1360);
-    let speed = "speed = { from = 0.7, to = 4.0, points = 34 }\nstarts = 40";
+    let speed = "speed = { from = 0.7, to = 4.0, points = 34 }\nstarts = 16";
     let mut worst = 0.0f64;
     let mut compare = |found: f64, want: f64, place: &str| {
         let off = (found - want).abs() / (1e-4 + want.abs());
@@ -307,7 +307,7 @@ fn charts_of_the_planar_balancer() {
     assert!(boundary.0.len() > 20, "{boundary:?}");
     let frequency = column(&o, "boundary", "frequency");
     assert!(frequency.iter().all(|f| *f > 0.0), "{frequency:?}");
-    for (w, drag) in boundary.0.iter().zip(boundary.1).step_by(4) {
+    for (w, drag) in boundary.0.iter().zip(boundary.1).step_by(8) {
         // located along the speed, or between two values
         let along = drags.iter().any(|d| (d - drag).abs() < 1e-9 * d);
         let growth = [-1e-6, 1e-6].map(|off| {

@@ -298,7 +298,8 @@ impl Exact {
         exact
     }
     fn cut_at(&self, t: f64) -> C64 {
-        self.cut.iter().fold(C64::ZERO, |sum, (rate, x)| sum + x.scale((-rate * t).exp()))
+        // the rates ascend: from exp(-745) on all terms are zero
+        self.cut.iter().take_while(|(rate, _)| rate * t < 746.0).fold(C64::ZERO, |sum, (rate, x)| sum + x.scale((-rate * t).exp()))
     }
     /// z/s0 at a time.
     fn at(&self, t: f64) -> C64 {
@@ -380,13 +381,18 @@ fn largest_amplitudes() {
         let n: Vec<f64> = chunk[0].iter().map(|x| number(x)).collect();
         let beam = Beam { exponent: n[3], decay: n[4], ..Beam::new(n[0], n[1], n[2]) };
         let (elastic, memory) = (Exact::new(&beam.elastic(), 20.0), Exact::new(&beam, 20.0));
+        // 120 samples a turn; a longer window holds the shorter ones
+        let step = 2.0 * PI / (120.0 * 20.0);
+        let (mut next, mut a, mut b) = (0, 0.0f64, 0.0f64);
         let mut before = [0.0f64; 2];
         for r in chunk {
             let end = number(r[5]);
-            // 120 samples a turn
-            let samples = (end * 120.0 * 20.0 / (2.0 * PI)).ceil();
-            let largest = |e: &Exact| (0..=samples as usize).map(|k| e.at(end * k as f64 / samples).re.abs()).fold(0.0, f64::max);
-            let (a, b) = (largest(&elastic), largest(&memory));
+            let last = (end / step).floor() as usize;
+            for t in (next..=last).map(|k| step * k as f64).chain([end]) {
+                a = a.max(elastic.at(t).re.abs());
+                b = b.max(memory.at(t).re.abs());
+            }
+            next = last + 1;
             // sampled: by a thousandth in the table, but where a longer window has a smaller value, which none can have
             let mut sound = true;
             for (k, (found, cell)) in [(a, 6), (b, 7)].into_iter().enumerate() {

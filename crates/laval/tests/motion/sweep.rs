@@ -168,14 +168,14 @@ fn slow_sweeps_jump_at_the_folds() {
     let folds = up.0 - down.0;
     assert!((hysteresis.value.unwrap() - folds).abs() < 2.0 * 20.0 / 64.0, "{hysteresis:?} {folds}");
     // from the state before the jump, in the steps of the reference
-    for (way, (fold, (step, before, after)), lead) in [("up", up, 5.0), ("down", down, 5.0)] {
+    for (way, (fold, (step, before, after))) in [("up", up), ("down", down)] {
         let sign = (after - before).signum();
-        let (a, b) = (before - sign * lead * step, after + sign * 3.0 * step);
+        let (a, b) = (before - sign * 2.0 * step, after + sign * step);
         let range = if way == "up" { format!("from = 2900, to = {a}, points = 40") } else { format!("from = {a}, to = 2900, points = 30") };
         let lead = run(&m, &format!("speed = {{ {range} }}\nstart = \"{way}\"\nsettling = \"shooting\"\n{}", initial_of(&m, way)));
         let fine = run(
             &m,
-            &format!("speed = {{ from = {}, to = {}, points = 10 }}\nstart = \"{way}\"\n{}", a.min(b), a.max(b), initial(&lead, way)),
+            &format!("speed = {{ from = {}, to = {}, points = 5 }}\nstart = \"{way}\"\n{}", a.min(b), a.max(b), initial(&lead, way)),
         );
         let found = jumps(&fine);
         assert_eq!(found.len(), 1);
@@ -200,7 +200,7 @@ fn peaks_are_those_of_harmonic_balance() {
     let response = respond(Base::default().builder(), request(range.0, range.1));
     for (settling, start) in [("decay", "rest"), ("shooting", "all")] {
         let study =
-            format!("speed = {{ from = 1600, to = 3600, points = 5 }}\nstart = \"{start}\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
+            format!("speed = {{ from = 1600, to = 3600, points = 3 }}\nstart = \"{start}\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
         let l = loaded(&m, &study);
         let o = l.studies[0].study.run(&l.system, &Context::quiet("s")).unwrap();
         assert!(o.end == End::Reached && texts(&o, "sweep", "motion").iter().all(|m| m == "periodic"));
@@ -233,7 +233,7 @@ fn linear_machines_settle_on_the_linear_response() {
         .replace("cubic_stiffness = 0\n", "");
     for settling in ["decay", "shooting"] {
         let study =
-            format!("speed = {{ from = 300, to = 4300, points = 9 }}\nstart = \"all\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
+            format!("speed = {{ from = 300, to = 4300, points = 5 }}\nstart = \"all\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
         let l = loaded(&m, &study);
         let o = l.studies[0].study.run(&l.system, &Context::quiet("s")).unwrap();
         let speeds = numbers(&o, "sweep", "speed");
@@ -252,7 +252,7 @@ fn linear_machines_settle_on_the_linear_response() {
         }
         if settling == "shooting" {
             let shot = numbers(&o, "sweep", "multiplier");
-            assert!(shot.iter().filter(|x| x.is_finite()).count() >= 9);
+            assert!(shot.iter().filter(|x| x.is_finite()).count() >= 5);
             for ((mu, rate), w) in shot.iter().zip(numbers(&o, "sweep", "decay")).zip(&speeds).filter(|x| x.0.0.is_finite()) {
                 let known = (-rate * std::f64::consts::TAU / w).exp();
                 assert!((mu - known).abs() < 1e-5, "{w} {mu} {known}");
