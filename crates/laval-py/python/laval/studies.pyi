@@ -89,7 +89,7 @@ def critical_speeds(
             one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
         orders: multiples of the spin speed that excite: 1 is unbalance (default [1]).
             a list; a pure number, above 0 and at most 1000
-        margin: distance from lightly damped critical speeds, relative to the operating speed, that it should keep (default 0.15).
+        margin: distance from lightly damped critical speeds, relative to the operating speed, that it should keep; resonance_margin of [operation], clearance of [limits], or 15 %, where absent (optional).
             a pure number, between 0 and 1
 
     In a machine file::
@@ -97,7 +97,7 @@ def critical_speeds(
         [[study]]
         kind = "critical_speeds"
         speed = { from = "100 rpm", to = "12000 rpm" }
-        margin = 0.15
+        margin = "20 %"
     """
 
 def stability_map(
@@ -921,7 +921,7 @@ def uncertainty(
         indices: which parameter matters (default none).
             "none" (distributions alone) or "sobol" (first-order and total indices of Sobol: samples times (number of parameters + 2) runs) or "morris" (elementary effects of Morris instead of distributions: samples times (number of parameters + 1) runs)
         quantiles: shares of the samples below the values reported (default [0.05, 0.5, 0.95]).
-            a list; a pure number, between 1e-6 and 0.999999
+            a list; a pure number, between 1e-6 and 1
         seed: another seed gives other points (default 1).
             a whole number from 0 to 4294967295
         show: beginning of the names of the numbers drawn, as critical_speed; the first four unless given (optional).
