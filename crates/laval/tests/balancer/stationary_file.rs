@@ -307,7 +307,7 @@ fn charts_of_the_planar_balancer() {
     assert!(boundary.0.len() > 20, "{boundary:?}");
     let frequency = column(&o, "boundary", "frequency");
     assert!(frequency.iter().all(|f| *f > 0.0), "{frequency:?}");
-    for (w, drag) in boundary.0.iter().zip(boundary.1).step_by(8) {
+    for (w, drag) in boundary.0.iter().zip(boundary.1).step_by(4) {
         // located along the speed, or between two values
         let along = drags.iter().any(|d| (d - drag).abs() < 1e-9 * d);
         let growth = [-1e-6, 1e-6].map(|off| {

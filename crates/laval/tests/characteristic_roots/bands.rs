@@ -132,7 +132,7 @@ fn growth_beside_accumulating_waves_is_counted() {
     };
     let wrong: Vec<String> = [0.1575, 0.158]
         .par_iter()
-        .flat_map(|free| (0..26).into_par_iter().map(move |k| (*free, 152.2 + f64::from(k))))
+        .flat_map(|free| (0..52).into_par_iter().map(move |k| (*free, 152.2 + 0.5 * f64::from(k))))
         .filter_map(|(free, speed)| {
             let system = build(&text(free));
             // a threshold of a thousandth of the speed: roots near it lie in the band in which slow ones are not counted

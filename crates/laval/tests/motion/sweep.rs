@@ -200,7 +200,7 @@ fn peaks_are_those_of_harmonic_balance() {
     let response = respond(Base::default().builder(), request(range.0, range.1));
     for (settling, start) in [("decay", "rest"), ("shooting", "all")] {
         let study =
-            format!("speed = {{ from = 1600, to = 3600, points = 3 }}\nstart = \"{start}\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
+            format!("speed = {{ from = 1600, to = 3600, points = 5 }}\nstart = \"{start}\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
         let l = loaded(&m, &study);
         let o = l.studies[0].study.run(&l.system, &Context::quiet("s")).unwrap();
         assert!(o.end == End::Reached && texts(&o, "sweep", "motion").iter().all(|m| m == "periodic"));
@@ -233,7 +233,7 @@ fn linear_machines_settle_on_the_linear_response() {
         .replace("cubic_stiffness = 0\n", "");
     for settling in ["decay", "shooting"] {
         let study =
-            format!("speed = {{ from = 300, to = 4300, points = 5 }}\nstart = \"all\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
+            format!("speed = {{ from = 300, to = 4300, points = 9 }}\nstart = \"all\"\ntolerance = 1e-8\nsettling = \"{settling}\"");
         let l = loaded(&m, &study);
         let o = l.studies[0].study.run(&l.system, &Context::quiet("s")).unwrap();
         let speeds = numbers(&o, "sweep", "speed");
@@ -252,7 +252,7 @@ fn linear_machines_settle_on_the_linear_response() {
         }
         if settling == "shooting" {
             let shot = numbers(&o, "sweep", "multiplier");
-            assert!(shot.iter().filter(|x| x.is_finite()).count() >= 5);
+            assert!(shot.iter().filter(|x| x.is_finite()).count() >= 9);
             for ((mu, rate), w) in shot.iter().zip(numbers(&o, "sweep", "decay")).zip(&speeds).filter(|x| x.0.0.is_finite()) {
                 let known = (-rate * std::f64::consts::TAU / w).exp();
                 assert!((mu - known).abs() < 1e-5, "{w} {mu} {known}");

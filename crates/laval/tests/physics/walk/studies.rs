@@ -8,7 +8,7 @@ pub const STUDIES: &[(&str, &str, bool)] = &[
     ("critical_speeds", "speed = { from = 100, to = 1300, points = 6 }", true),
     ("stability_map", "speed = { from = 100, to = 2000, points = 4 }", true),
     ("forced_response", "speed = { from = 100, to = 1300, points = 6 }", true),
-    ("nonlinear_response", "speed = { from = 850, to = 900 }\nharmonics = 1\nstability = false", false),
+    ("nonlinear_response", "speed = { from = 800, to = 900 }\nharmonics = 1\nstability = false", false),
     (
         "bifurcation_loci",
         "speed = { from = 500, to = 2500 }\nparameter = { parameter = \"drum.eccentricity\", from = \"20 um\", to = \"30 um\", points = 2 }\n\
