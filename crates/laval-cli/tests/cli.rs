@@ -404,9 +404,8 @@ fn templates_are_sound_and_never_overwrite() {
         assert!(dir.laval(["check", &file]).done().starts_with("ok: "));
         // the answer fits 25 lines of 80 columns, in the units of the file
         let said = dir.laval(["run", &file]);
-        // on standard error is what takes long
-        let out = &said.out;
         assert_eq!(said.code, 0, "{}", said.err);
+        let out = &said.out;
         let lines: Vec<&str> = out.lines().collect();
         assert!(lines.len() <= 25 && lines.iter().all(|l| l.chars().count() <= 80), "{out}");
         assert!(!dir.read(&file).contains("rpm\"") || out.contains("rpm") && !out.contains("rad/s"), "{out}");

@@ -62,7 +62,8 @@ pub trait Study: Send + Sync + Sized + 'static {
     fn keep(&self, _: Self::Result) -> Kept {
         Kept::default()
     }
-    /// Report of a result that nothing else needs, with what the first page may need of it. A study whose tables are much of its result moves them.
+    /// [`report`](Self::report) of a result that is not needed afterwards, with what [`keep`](Self::keep) keeps of it. A study whose result is mostly
+    /// tables moves them here, so that they are not in memory twice.
     ///
     /// # Errors
     /// As [`report`](Self::report).

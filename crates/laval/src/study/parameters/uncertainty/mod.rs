@@ -182,16 +182,13 @@ samples = 256
         Ok(UncertaintyResult { found: Some(Found::new(self, quantities(&nominal), &results)?), end: results.end() })
     }
 
-    fn report(&self, _: &System, result: &UncertaintyResult, name: &str) -> Result<Outcome, Diagnostic> {
-        match &result.found {
-            Some(found) => report::report(self, found, result.end, name),
-            None => Ok(Outcome::new(Self::KIND, name).end(result.end)),
-        }
+    fn report(&self, system: &System, result: &UncertaintyResult, name: &str) -> Result<Outcome, Diagnostic> {
+        self.conclude(system, result.clone(), name)
     }
 
     fn conclude(&self, _: &System, result: UncertaintyResult, name: &str) -> Result<Outcome, Diagnostic> {
         match result.found {
-            Some(found) => report::conclude(self, found, result.end, name),
+            Some(found) => report::report(self, found, result.end, name),
             None => Ok(Outcome::new(Self::KIND, name).end(result.end)),
         }
     }

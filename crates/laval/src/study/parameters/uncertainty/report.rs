@@ -11,14 +11,8 @@ use laval_num::sampling::quantile::Interval;
 use laval_num::sampling::sobol_indices::Indices;
 use std::collections::BTreeMap;
 
-/// The outcome of all samples that are there.
-pub fn report(study: &Uncertainty, found: &Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
-    let outcome = statistics(study, found, end, name)?;
-    with_samples(outcome, study, found.samples.clone())
-}
-
-/// The same with the samples moved into their table: of a million they are most of the memory.
-pub fn conclude(study: &Uncertainty, found: Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
+/// The outcome of all samples that are there. They are moved into their table: of a million they are most of the memory.
+pub fn report(study: &Uncertainty, found: Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
     let outcome = statistics(study, &found, end, name)?;
     with_samples(outcome, study, found.samples)
 }
