@@ -162,13 +162,15 @@ impl Uncertainty {
 impl Samples {
     fn read(study: &Uncertainty, nominal: &[Quantity], results: &Results) -> Result<Samples, Diagnostic> {
         let k = study.parameters.len();
+        let rows = results.done() as usize;
+        let columns = |n: usize| (0..n).map(|_| Vec::with_capacity(rows)).collect();
         let mut out = Samples {
-            parameters: vec![Vec::new(); k],
+            parameters: columns(k),
             names: nominal.iter().map(|q| (q.label.clone(), q.unit.clone())).collect(),
-            values: vec![Vec::new(); nominal.len()],
+            values: columns(nominal.len()),
             invalid: 0,
             failures: BTreeMap::new(),
-            failed: Vec::new(),
+            failed: Vec::with_capacity(rows),
             count: 0,
         };
         let mut places: BTreeMap<String, usize> = nominal.iter().enumerate().map(|(i, q)| (q.label.clone(), i)).collect();
