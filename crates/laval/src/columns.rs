@@ -14,6 +14,7 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::Type;
 use serde_json::{Map, Value, json};
 use std::fs::File;
+use std::io::Write;
 use std::sync::Arc;
 
 /// Values of a column to write.
@@ -88,10 +89,20 @@ fn write(column: &mut SerializedColumnWriter, values: Values) -> Result<(), Parq
 /// # Errors
 /// When the Parquet writer refuses.
 pub fn encode(columns: &[Column], notes: &[(&str, &str)]) -> Result<Vec<u8>, String> {
-    encode_columns(columns, notes).map_err(|e| e.to_string())
+    let mut out = Vec::new();
+    encode_into(columns, notes, &mut out)?;
+    Ok(out)
 }
 
-fn encode_columns(columns: &[Column], notes: &[(&str, &str)]) -> Result<Vec<u8>, ParquetError> {
+/// The same, written while it is made: of a file larger than a page only pages are in memory.
+///
+/// # Errors
+/// When the Parquet writer refuses or `out` cannot be written.
+pub fn encode_into(columns: &[Column], notes: &[(&str, &str)], out: &mut (dyn Write + Send)) -> Result<(), String> {
+    encode_columns(columns, notes, out).map_err(|e| e.to_string())
+}
+
+fn encode_columns(columns: &[Column], notes: &[(&str, &str)], out: &mut (dyn Write + Send)) -> Result<(), ParquetError> {
     let fields = columns.iter().map(field).collect::<Result<Vec<_>, _>>()?;
     let schema = Arc::new(Type::group_type_builder("schema").with_fields(fields).build()?);
     let about: Map<String, Value> = columns.iter().map(|c| (c.name.to_string(), json!({ "unit": c.unit, "doc": c.doc }))).collect();
@@ -99,8 +110,7 @@ fn encode_columns(columns: &[Column], notes: &[(&str, &str)]) -> Result<Vec<u8>,
     entries.push(KeyValue::new("columns".to_string(), Value::Object(about).to_string()));
     let properties =
         WriterProperties::builder().set_compression(Compression::ZSTD(Default::default())).set_key_value_metadata(Some(entries)).build();
-    let mut out = Vec::new();
-    let mut writer = SerializedFileWriter::new(&mut out, schema, Arc::new(properties))?;
+    let mut writer = SerializedFileWriter::new(out, schema, Arc::new(properties))?;
     if !columns.is_empty() {
         let mut group = writer.next_row_group()?;
         for c in columns {
@@ -111,7 +121,7 @@ fn encode_columns(columns: &[Column], notes: &[(&str, &str)]) -> Result<Vec<u8>,
         group.close()?;
     }
     writer.close()?;
-    Ok(out)
+    Ok(())
 }
 
 /// Type of the values of a column.

@@ -1,6 +1,8 @@
 //! Writing a report into a folder: every file whole or not at all.
 
 use super::csv::write_csv;
+#[cfg(feature = "parquet")]
+use super::parquet::write_parquet;
 use super::text::file_name;
 use super::{Report, csv, html, json, svg};
 use crate::hash::sha256;
@@ -244,15 +246,17 @@ pub(super) struct Composed<'a> {
 /// What stands in a file.
 pub(super) enum Content<'a> {
     Bytes(Vec<u8>),
-    /// The text of a large table is several times as large as the table, and is made row by row.
+    /// The files of a large table are as large as the table or larger, and are made while they are written.
     Csv(&'a Table),
+    #[cfg(feature = "parquet")]
+    Parquet(&'a Table),
 }
 
-/// Numbers of a table whose text is not kept in memory.
+/// Numbers of a table whose files are not kept in memory.
 const LARGE: usize = 200_000;
 
 impl Content<'_> {
-    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+    pub fn write(&self, out: &mut (dyn Write + Send)) -> io::Result<()> {
         match self {
             Content::Bytes(bytes) => out.write_all(bytes),
             Content::Csv(table) => {
@@ -260,6 +264,8 @@ impl Content<'_> {
                 write_csv(table, &mut out)?;
                 out.flush()
             }
+            #[cfg(feature = "parquet")]
+            Content::Parquet(table) => write_parquet(table, out).map_err(io::Error::other),
         }
     }
 }
@@ -277,18 +283,17 @@ pub(super) fn compose<'a>(report: &'a Report, formats: &[Format]) -> Result<Vec<
     let wants = |f: Format| formats.contains(&f);
     for (i, o) in report.outcomes.iter().enumerate() {
         for (k, t) in o.tables.iter().enumerate() {
+            let large = t.rows() * t.columns().len() > LARGE;
             if wants(Format::Csv) {
-                let large = t.rows() * t.columns().len() > LARGE;
                 let content = if large { Content::Csv(t) } else { Content::Bytes(csv(t).into_bytes()) };
                 put(format!("{}.csv", names.table(i, k)), Some(i), content);
             }
             #[cfg(feature = "parquet")]
             if wants(Format::Parquet) {
                 let name = format!("{}.parquet", names.table(i, k));
-                let bytes = super::parquet(t);
                 let failed = |e| WriteError::Io { path: name.clone().into(), source: io::Error::other(e), written: Vec::new() };
-                let bytes = bytes.map_err(failed)?;
-                put(name, Some(i), Content::Bytes(bytes));
+                let content = if large { Content::Parquet(t) } else { Content::Bytes(super::parquet(t).map_err(failed)?) };
+                put(name, Some(i), content);
             }
         }
         for (k, f) in o.figures.iter().enumerate().filter(|_| wants(Format::Svg)) {
@@ -400,9 +405,9 @@ mod tests {
         assert!(matches!(write(&file, &report(&["a"]), Format::ALL), Err(WriteError::Io { .. })));
     }
 
-    /// The text of a large table is never whole in memory; the file is the same.
+    /// The files of a large table are never whole in memory; they are the same.
     #[test]
-    fn a_large_table_is_written_row_by_row() {
+    fn a_large_table_is_written_while_it_is_made() {
         let rows = LARGE / 2 + 1;
         let table = Table::new("t", "").float("x", "m", "", (0..rows).map(|i| i as f64 / 3.0).collect());
         let table = table.text("s", "", (0..rows).map(|i| format!("a,{i}")).collect()).build().unwrap();
@@ -413,6 +418,13 @@ mod tests {
         let dir = Dir::new("large");
         let files = write(&dir.0, &report, &[Format::Csv]).unwrap();
         assert!(fs::read_to_string(&files[0]).unwrap() == text);
+        #[cfg(feature = "parquet")]
+        {
+            let composed = compose(&report, &[Format::Parquet]).unwrap();
+            assert!(matches!(composed[0].content, Content::Parquet(_)));
+            let files = write(&dir.0, &report, &[Format::Parquet]).unwrap();
+            assert!(fs::read(&files[0]).unwrap() == super::super::parquet(&report.outcomes[0].tables[0]).unwrap());
+        }
     }
 
     #[test]

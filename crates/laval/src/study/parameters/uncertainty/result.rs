@@ -152,8 +152,9 @@ impl Uncertainty {
 
     /// Values of a number that exist in independent draws, rising.
     pub(super) fn sorted(&self, values: &[f64]) -> Vec<f64> {
-        let own = values.iter().enumerate().filter(|(r, x)| self.independent(*r) && x.is_finite());
-        let mut sorted: Vec<f64> = own.map(|(_, x)| *x).collect();
+        let own = || values.iter().enumerate().filter(|(r, x)| self.independent(*r) && x.is_finite());
+        let mut sorted: Vec<f64> = Vec::with_capacity(own().count());
+        sorted.extend(own().map(|(_, x)| *x));
         ascending(&mut sorted);
         sorted
     }
