@@ -1,6 +1,7 @@
 //! Small dense matrices, row-major, and their LU factors, real or complex. Large problems belong to a sparse library.
 
 use crate::complex::{C64, c};
+use crate::refill::refill;
 use crate::work::spend;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, Neg, Sub, SubAssign};
@@ -116,8 +117,7 @@ impl<T: Field> Mat<T> {
     pub fn reset(&mut self, rows: usize, cols: usize) {
         self.rows = rows;
         self.cols = cols;
-        self.data.clear();
-        self.data.resize(rows * cols, T::ZERO);
+        refill(&mut self.data, rows * cols, T::ZERO);
     }
     /// Copies shape and entries, keeping the allocation where it suffices.
     pub fn copy_from(&mut self, o: &Self) {

@@ -22,6 +22,7 @@ pub mod optimise;
 pub mod order;
 pub mod quadrature;
 pub mod rational;
+pub mod refill;
 pub mod sampling;
 pub mod scalar;
 pub mod text;

@@ -6,6 +6,7 @@
 
 use crate::continuation::{Failure, Zero};
 use crate::dense::{Lu, Mat, max_abs, norm};
+use crate::refill::refill;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -207,8 +208,7 @@ impl Solver {
             At::Iterate => (&self.y, &mut self.r),
             At::Trial => (&self.trial, &mut self.r_trial),
         };
-        r.clear();
-        r.resize(n, 0.0);
+        refill(r, n, 0.0);
         self.work.evaluations += 1;
         if with_jac {
             self.work.jacobians += 1;

@@ -1,5 +1,6 @@
 //! Linear form of a part, or of a whole machine, at one spin speed.
 
+use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 use std::ops::{Index, IndexMut};
 
@@ -20,8 +21,7 @@ impl<S: Scalar> Grid<S> {
     pub fn reset(&mut self, rows: usize, cols: usize) {
         self.rows = rows;
         self.cols = cols;
-        self.data.clear();
-        self.data.resize(rows * cols, S::zero());
+        refill(&mut self.data, rows * cols, S::zero());
     }
     /// `sum_j self[i][j] x[j]`.
     #[inline(always)]
@@ -47,8 +47,7 @@ impl<S: Scalar> Grid<laval_num::complex::Complex<S>> {
     pub fn reset_complex(&mut self, n: usize) {
         self.rows = n;
         self.cols = n;
-        self.data.clear();
-        self.data.resize(n * n, laval_num::complex::Complex::zero());
+        refill(&mut self.data, n * n, laval_num::complex::Complex::zero());
     }
 }
 
@@ -232,12 +231,10 @@ impl<S: Scalar> Blocks<S> {
         }
         self.memory.clear();
         for f in [&mut self.rate, &mut self.spin_accel_rate_cos, &mut self.spin_accel_rate_sin] {
-            f.clear();
-            f.resize(m, S::zero());
+            refill(f, m, S::zero());
         }
         for f in [&mut self.force, &mut self.force_cos, &mut self.force_sin, &mut self.spin_accel_cos, &mut self.spin_accel_sin] {
-            f.clear();
-            f.resize(n, S::zero());
+            refill(f, n, S::zero());
         }
     }
 

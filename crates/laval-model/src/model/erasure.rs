@@ -51,6 +51,9 @@ macro_rules! parts {
             fn warnings(&self, p: &[f64]) -> Vec<Text> {
                 Part::warnings(self, &T::Family::from_slice(p))
             }
+            fn spin_row_d8(&self, p: &[D8], at: &At<D8>) -> D8 {
+                Part::spin_row(self, &T::Family::from_slice(p), at)
+            }
             fn body(&self) -> Option<&dyn BodyPart> {
                 Part::body(self)
             }

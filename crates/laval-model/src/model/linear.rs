@@ -5,6 +5,7 @@ use super::erased::{Evaluate, FrequencyDomain};
 use super::part::{Domain, Physics};
 use super::system::{Slot, System, scatter};
 use laval_num::complex::{Complex, c};
+use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 use laval_num::work::spend;
 
@@ -234,8 +235,7 @@ impl System {
         if form == Form::Frequency {
             for (slot, part) in self.in_frequency_domain() {
                 let k = slot.map.len();
-                scratch.impedance.clear();
-                scratch.impedance.resize(k * k, Complex::zero());
+                refill(&mut scratch.impedance, k * k, Complex::zero());
                 S::impedance(part, &params[slot.params.clone()], s, b.speed, &mut scratch.impedance);
                 for (i, rows) in slot.map.iter().enumerate() {
                     for (j, cols) in slot.map.iter().enumerate() {

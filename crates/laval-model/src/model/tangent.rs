@@ -6,6 +6,7 @@ use super::part::{At, Rows};
 use super::system::{Slot, System, Workspace, gather};
 use laval_num::dense::Mat;
 use laval_num::dual::Dual;
+use laval_num::refill::refill;
 use laval_num::work::spend;
 
 /// Residual and its tangents at one point. With `spin`, the spin angle is coordinate `n` and the spin row is row `n`.
@@ -35,10 +36,8 @@ pub struct Tangent {
 
 impl Tangent {
     fn reset(&mut self, n: usize, m: usize) {
-        self.force.clear();
-        self.force.resize(n, 0.0);
-        self.rate.clear();
-        self.rate.resize(m, 0.0);
+        refill(&mut self.force, n, 0.0);
+        refill(&mut self.rate, m, 0.0);
         for x in [&mut self.q, &mut self.v, &mut self.a] {
             x.reset(n, n);
         }
@@ -154,10 +153,8 @@ impl System {
             }
         }
         let (n, m) = (slot.map.len(), slot.states.len());
-        w.force.clear();
-        w.force.resize(n, Dual::lift(0.0));
-        w.rate.clear();
-        w.rate.resize(m, Dual::lift(0.0));
+        refill(&mut w.force, n, Dual::lift(0.0));
+        refill(&mut w.rate, m, Dual::lift(0.0));
         let mut spin_row = D8::lift(0.0);
         let [q, v, a, z] = &w.seeded;
         let [phase, speed, spin_accel] = spin_vars;

@@ -9,6 +9,7 @@ use super::branch::{Kind, Side, Special, Status};
 use super::step::{Node, Tracer, distance, extended};
 use crate::dense::{Lu, Mat, dot, norm};
 use crate::newton::Options;
+use crate::refill::refill;
 
 /// Cosine of the least turn that counts as a corner, about 3 degrees: a step may turn by 10.
 const SMOOTH: f64 = 0.9985;
@@ -31,8 +32,7 @@ impl Tracer<'_> {
         jac.row_mut(n).copy_from_slice(&a.t);
         out.weight.push(1.0);
         let lu = Lu::new(&jac).ok()?;
-        out.t.clear();
-        out.t.resize(n + 1, 0.0);
+        refill(&mut out.t, n + 1, 0.0);
         out.t[n] = 1.0;
         lu.solve(&mut out.t);
         let length = norm(&out.t);

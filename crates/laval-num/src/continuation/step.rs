@@ -6,6 +6,7 @@ use super::problem::{Failure, Zero};
 use super::settings::Settings;
 use crate::dense::{Mat, dot, norm};
 use crate::newton::{Cause, Converged, FixedParameter, NotConverged, Options, Solver, System};
+use crate::refill::refill;
 
 /// A corrected point in scaled variables `y = (x / scale, p / parameter scale)`.
 #[derive(Clone, Debug, Default)]
@@ -115,8 +116,7 @@ pub(super) fn extended(
         return problem.eval(&w.x, p, &mut r[..n], None, None);
     };
     w.jac.reset(n, n);
-    w.dr_dp.clear();
-    w.dr_dp.resize(n, 0.0);
+    refill(&mut w.dr_dp, n, 0.0);
     problem.eval(&w.x, p, &mut r[..n], Some(&mut w.jac), Some(&mut w.dr_dp))?;
     for i in 0..n {
         let row = jac.row_mut(i);
@@ -202,8 +202,7 @@ impl<'a> Tracer<'a> {
     /// Tangent from the factors of the bordered Jacobian whose last row had length `row`.
     fn tangent(&mut self, node: &mut Node, row: f64) -> Result<(), Cause> {
         let n = self.n();
-        node.t.clear();
-        node.t.resize(n + 1, 0.0);
+        refill(&mut node.t, n + 1, 0.0);
         node.t[n] = 1.0 / row;
         self.solver.lu.solve(&mut node.t);
         let length = norm(&node.t);
@@ -353,7 +352,6 @@ impl<'a> Tracer<'a> {
 }
 
 pub(super) fn resized(v: &mut Vec<f64>, n: usize) -> &mut Vec<f64> {
-    v.clear();
-    v.resize(n, 0.0);
+    refill(v, n, 0.0);
     v
 }

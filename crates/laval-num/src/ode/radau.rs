@@ -5,6 +5,7 @@ use super::driver::Method;
 use super::step::Step;
 use super::system::{DenseSolver, Failure, StiffOde};
 use crate::complex::{C64, c};
+use crate::refill::refill;
 
 const SQRT6: f64 = 2.449489742783178;
 /// Nodes.
@@ -261,11 +262,9 @@ impl<S: StiffOde + ?Sized> Method<S> for Radau {
             (&mut self.f, 3),
             (&mut self.rows, 3),
         ] {
-            v.clear();
-            v.resize(rows * n, 0.0);
+            refill(v, rows * n, 0.0);
         }
-        self.complex.clear();
-        self.complex.resize(n, c(0.0, 0.0));
+        refill(&mut self.complex, n, c(0.0, 0.0));
         self.y0.copy_from_slice(y);
         (self.last_length, self.factored, self.accepted) = (None, None, None);
         (self.linearised, self.fresh) = (false, false);

@@ -1,7 +1,7 @@
 //! Accelerations from the residual: any speed, mass that depends on the configuration, free spin.
 
 use super::point;
-use crate::model::erased::{D8, Evaluate};
+use super::seeded::{Seeded, Targets};
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System, Workspace};
@@ -10,6 +10,7 @@ use laval_model::text;
 use laval_model::text::{Arg, Argument};
 use laval_num::dense::{Lu, Mat};
 use laval_num::ode::Failure;
+use laval_num::refill::refill;
 
 /// Scratch and results of the general evaluation. Rows of coordinates come first; with a free spin its row is the last.
 pub(super) struct Direct {
@@ -38,21 +39,10 @@ pub(super) struct Direct {
     state_rate: Vec<f64>,
     plain: Workspace<f64>,
     seeded: Seeded,
-    params8: Vec<D8>,
 }
 
-#[derive(Default)]
-struct Seeded {
-    vars: [Vec<D8>; 4],
-    local: [Vec<f64>; 3],
-    force: Vec<D8>,
-    rate: Vec<D8>,
-    blocks: crate::model::blocks::Blocks<D8>,
-}
-
-fn zeroed(x: &mut Vec<f64>, n: usize) {
-    x.clear();
-    x.resize(n, 0.0);
+pub(super) fn zeroed(x: &mut Vec<f64>, n: usize) {
+    refill(x, n, 0.0);
 }
 
 impl Direct {
@@ -76,8 +66,7 @@ impl Direct {
             z: vec![],
             state_rate: vec![],
             plain: Workspace::default(),
-            seeded: Seeded::default(),
-            params8: system.params().iter().map(|&x| D8::lift(x)).collect(),
+            seeded: Seeded::new(system),
         }
     }
 
@@ -150,15 +139,9 @@ impl Direct {
         let at = At { spin_accel: if self.free { 0.0 } else { spin.accel }, ..point(system, t, spin, y, &self.zero) };
         if self.free {
             self.mass.reset(rows, rows);
+            let Direct { seeded, force, rate, mass, rate_a, .. } = self;
             for slot in system.slots() {
-                self.seeded.add(
-                    system,
-                    slot,
-                    &at,
-                    true,
-                    &self.params8,
-                    Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a),
-                );
+                seeded.add(system, slot, &at, true, &mut Targets { force, rate, mass, rate_a });
             }
             return;
         }
@@ -170,15 +153,9 @@ impl Direct {
         let mut out = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut ignored };
         system.residual(system.params(), &at, &mut out, &mut self.plain, |s| !s.is_linear() && !reads_acceleration(s));
         if self.varying {
+            let Direct { seeded, force, rate, mass, rate_a, .. } = self;
             for slot in system.slots().iter().filter(|s| reads_acceleration(s)) {
-                self.seeded.add(
-                    system,
-                    slot,
-                    &at,
-                    false,
-                    &self.params8,
-                    Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a),
-                );
+                seeded.add(system, slot, &at, false, &mut Targets { force, rate, mass, rate_a });
             }
         }
         debug_assert_eq!(self.force.len(), n);
@@ -259,95 +236,6 @@ pub(super) fn memory_rows(system: &System, model: &LinearModel<f64>, at: &At<f64
             rate[i] += input - s.rate * at.z[i] + turning;
             for &(g, c) in &map[s.output] {
                 force[g] += c * s.gain * at.z[i];
-            }
-        }
-    }
-}
-
-struct Targets<'t> {
-    force: &'t mut [f64],
-    rate: &'t mut [f64],
-    mass: &'t mut Mat,
-    rate_a: &'t mut Mat,
-}
-
-impl<'t> Targets<'t> {
-    fn of(force: &'t mut [f64], rate: &'t mut [f64], mass: &'t mut Mat, rate_a: &'t mut Mat) -> Self {
-        Targets { force, rate, mass, rate_a }
-    }
-}
-
-impl Seeded {
-    /// Adds a part's rows at zero acceleration with their exact derivatives in the accelerations (and the spin's when `free`).
-    fn add(&mut self, system: &System, slot: &Slot, at: &At<f64>, free: bool, params: &[D8], out: Targets) {
-        for (x, local) in [at.q, at.v, at.a].iter().zip(&mut self.local) {
-            local.clear();
-            local.extend(slot.map.iter().map(|row| row.iter().map(|&(g, c)| c * x[g]).sum::<f64>()));
-        }
-        for (a, &g) in self.local[2].iter_mut().zip(&slot.weight) {
-            *a += g;
-        }
-        let (n, m) = (slot.map.len(), slot.states.len());
-        let z = &at.z[slot.states.clone()];
-        for (x, vars) in self.local.iter().map(Vec::as_slice).chain([z]).zip(&mut self.vars) {
-            vars.clear();
-            vars.extend(x.iter().map(|&x| D8::lift(x)));
-        }
-        let directions = n + usize::from(free);
-        let spin_row = system.n();
-        for start in (0..directions).step_by(8) {
-            let end = directions.min(start + 8);
-            let mut accel = D8::lift(at.spin_accel);
-            for j in start..end {
-                if j < n {
-                    self.vars[2][j].eps[j - start] = 1.0;
-                } else {
-                    accel.eps[j - start] = 1.0;
-                }
-            }
-            self.force.clear();
-            self.force.resize(n, D8::lift(0.0));
-            self.rate.clear();
-            self.rate.resize(m, D8::lift(0.0));
-            let mut spin = D8::lift(0.0);
-            let [q, v, a, z] = &self.vars;
-            let lift = D8::lift;
-            let local = At { q, v, a, z, phase: lift(at.phase), speed: lift(at.speed), spin_accel: accel, t: lift(at.t) };
-            let mut rows = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut spin };
-            D8::residual(&*slot.part, &params[slot.params.clone()], &local, &mut rows, &mut self.blocks);
-            if start == 0 {
-                for (row, f) in slot.map.iter().zip(&self.force) {
-                    for &(g, c) in row {
-                        out.force[g] += c * f.re;
-                    }
-                }
-                for (r, x) in out.rate[slot.states.clone()].iter_mut().zip(&self.rate) {
-                    *r += x.re;
-                }
-                if free {
-                    out.force[spin_row] += spin.re;
-                }
-            }
-            for j in start..end {
-                let k = j - start;
-                let single = [(spin_row, 1.0)];
-                let columns: &[(usize, f64)] = if j < n { &slot.map[j] } else { &single };
-                for &(col, cj) in columns {
-                    for (row, f) in slot.map.iter().zip(&self.force) {
-                        for &(g, c) in row {
-                            out.mass[(g, col)] += c * cj * f.eps[k];
-                        }
-                    }
-                    for (i, r) in self.rate.iter().enumerate() {
-                        out.rate_a[(slot.states.start + i, col)] += cj * r.eps[k];
-                    }
-                    if free {
-                        out.mass[(spin_row, col)] += cj * spin.eps[k];
-                    }
-                }
-                if j < n {
-                    self.vars[2][j].eps[k] = 0.0;
-                }
             }
         }
     }

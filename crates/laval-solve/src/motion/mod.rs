@@ -20,6 +20,7 @@ pub(super) mod compiled;
 pub(super) mod constant;
 mod direct;
 pub mod envelope;
+mod seeded;
 mod single;
 mod stiff;
 pub mod trajectory;
@@ -33,6 +34,7 @@ use compiled::Compiled;
 use direct::Direct;
 use laval_model::text;
 use laval_num::ode::{Failure, Ode};
+use laval_num::refill::refill;
 use single::Single;
 use stiff::Elimination;
 
@@ -367,8 +369,7 @@ fn point<'b>(system: &System, t: f64, spin: Spin, y: &'b [f64], a: &'b [f64]) ->
 impl PowerScratch {
     fn torque(&mut self, system: &System, at: &At<f64>) -> f64 {
         for (x, len) in [(&mut self.force, system.n()), (&mut self.rate, system.m())] {
-            x.clear();
-            x.resize(len, 0.0);
+            refill(x, len, 0.0);
         }
         let mut spin = 0.0;
         let mut rows = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut spin };

@@ -16,6 +16,7 @@ use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Lu, Mat, Singular};
 use laval_num::ode::{DenseSolver, Failure, StiffOde};
+use laval_num::refill::refill;
 
 /// A field that holds the reals.
 trait Shift: Field {
@@ -195,8 +196,7 @@ impl Elimination {
         out.shift = Some(s);
         // F (s - D)^-1 U, column by column of U
         out.coupling.reset(rows, u);
-        out.w.clear();
-        out.w.resize(w, T::ZERO);
+        refill(&mut out.w, w, T::ZERO);
         for col in 0..u {
             if w == 0 {
                 break;

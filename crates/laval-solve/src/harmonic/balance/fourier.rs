@@ -13,6 +13,7 @@
 use crate::harmonic::balance::terms::{Term, Terms};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
+use laval_num::refill::refill;
 
 /// Where coefficients and their derivatives go.
 pub struct Into<'o> {
@@ -38,8 +39,7 @@ pub fn turns(tau: f64, most: usize, out: &mut Vec<C64>) {
 /// Coordinates and their derivatives in time at the base phase of `turns`, which reach the largest order.
 pub fn motion_at(terms: &Terms, x: &[f64], frequency: f64, turns: &[C64], out: &mut [Vec<f64>; 3]) {
     for o in out.iter_mut() {
-        o.clear();
-        o.resize(terms.coordinates, 0.0);
+        refill(o, terms.coordinates, 0.0);
     }
     for &(term, at) in &terms.list {
         let order = term.order();
@@ -116,8 +116,7 @@ impl Coefficients {
         (self.coordinates, self.harmonics) = (terms.coordinates, terms.harmonics);
         let m = terms.coordinates;
         for rows in [&mut self.rows, &mut self.rows_speed] {
-            rows.clear();
-            rows.resize(m * (terms.harmonics + 1), C64::zero());
+            refill(rows, m * (terms.harmonics + 1), C64::zero());
         }
         self.seen = [false; 3];
     }
@@ -139,8 +138,7 @@ impl Coefficients {
             for (at, &value) in tangent.data().iter().enumerate().filter(|(_, v)| **v != 0.0) {
                 if !*seen {
                     *seen = true;
-                    own.clear();
-                    own.resize(m * m * orders, C64::zero());
+                    refill(own, m * m * orders, C64::zero());
                 }
                 accumulate(&mut own[at * orders..][..orders], turns, share * value);
             }

@@ -7,6 +7,7 @@ use crate::model::erased::{D1, D8, Evaluate};
 use crate::model::part::{At, Rows, Uses};
 use crate::model::system::{System, gather, scatter};
 use laval_num::dense::Mat;
+use laval_num::refill::refill;
 use laval_num::work::spend;
 use std::ops::Range;
 
@@ -78,8 +79,7 @@ impl Sampled {
         let (m, samples) = (terms.coordinates, terms.samples);
         let w = pace.frequency;
         for (d, factor) in [1.0, w, w * w].into_iter().enumerate() {
-            self.u[d].clear();
-            self.u[d].resize(samples * m, 0.0);
+            refill(&mut self.u[d], samples * m, 0.0);
             terms.synthesis[d].mul_vec_add(x, &mut self.u[d]);
             self.u[d].iter_mut().for_each(|v| *v *= factor);
         }
@@ -131,10 +131,8 @@ impl Sampled {
             self.tangent.iter_mut().for_each(|t| t.reset(samples * m, m));
         }
         self.uses = [true, members.iter().any(|p| p.uses.velocity || !p.states.is_empty()), members.iter().any(|p| p.uses.acceleration)];
-        self.rows.clear();
-        self.rows.resize(samples * m, 0.0);
-        self.rows_speed.clear();
-        self.rows_speed.resize(samples * m, 0.0);
+        refill(&mut self.rows, samples * m, 0.0);
+        refill(&mut self.rows_speed, samples * m, 0.0);
         for member in members {
             if tangents {
                 let slot = &system.slots()[member.slot];
@@ -178,10 +176,8 @@ impl Sampled {
         self.gather(member, &slot.weight, range.clone());
         let states = range.start + member.states.start..range.start + member.states.end;
         let (mut force, mut rate) = (std::mem::take(&mut self.force), std::mem::take(&mut self.rate));
-        force.clear();
-        force.resize(member.map.len(), 0.0);
-        rate.clear();
-        rate.resize(states.len(), 0.0);
+        refill(&mut force, member.map.len(), 0.0);
+        refill(&mut rate, states.len(), 0.0);
         let mut spin = 0.0;
         let [q, v, a] = &self.local;
         let at = At { q, v, a, z: &self.u[0][states.clone()], phase, speed: instants.pace.speed, spin_accel: 0.0, t };
@@ -214,10 +210,8 @@ impl Sampled {
                     s.eps[k] = 1.0;
                 }
             }
-            self.force8.clear();
-            self.force8.resize(n, D8::lift(0.0));
-            self.rate8.clear();
-            self.rate8.resize(z.len(), D8::lift(0.0));
+            refill(&mut self.force8, n, D8::lift(0.0));
+            refill(&mut self.rate8, z.len(), D8::lift(0.0));
             let mut spin = D8::lift(0.0);
             let [q, v, a, zs] = &self.seeded;
             let lift = D8::lift;
@@ -280,10 +274,8 @@ impl Sampled {
         }
         self.seeded1[3].clear();
         self.seeded1[3].extend(self.u[0][start + states.start..start + states.end].iter().map(|&x| D1::lift(x)));
-        self.force1.clear();
-        self.force1.resize(member.map.len(), D1::lift(0.0));
-        self.rate1.clear();
-        self.rate1.resize(states.len(), D1::lift(0.0));
+        refill(&mut self.force1, member.map.len(), D1::lift(0.0));
+        refill(&mut self.rate1, states.len(), D1::lift(0.0));
         let mut spin = D1::lift(0.0);
         let [q, v, a, z] = &self.seeded1;
         let time = D1 { re: t, eps: [-t * stretch] };

@@ -10,6 +10,7 @@ use crate::model::part::{At, Rows};
 use crate::model::probe::Probe;
 use crate::model::system::{Slot, System, Workspace, gather};
 use laval_num::complex::C64;
+use laval_num::refill::refill;
 use std::f64::consts::TAU;
 
 /// A quantity with a size at every instant.
@@ -243,16 +244,13 @@ impl<S: Evaluate> Local<S> {
         gather(&slot.map, now.q, q);
         gather(&slot.map, now.v, v);
         if slot.layout.body {
-            a.clear();
-            a.resize(slot.map.len(), S::zero());
+            refill(a, slot.map.len(), S::zero());
         } else {
             gather(&slot.map, now.a, a);
             a.iter_mut().zip(&slot.weight).for_each(|(a, g)| *a += S::cst(*g));
         }
-        rows.clear();
-        rows.resize(slot.map.len(), S::zero());
-        rate.clear();
-        rate.resize(slot.states.len(), S::zero());
+        refill(rows, slot.map.len(), S::zero());
+        refill(rate, slot.states.len(), S::zero());
         let mut spin = S::zero();
         let at =
             At { q, v, a, z: &now.z[slot.states.clone()], phase: S::cst(now.phase), speed: now.speed, spin_accel: S::zero(), t: S::zero() };
