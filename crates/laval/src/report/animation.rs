@@ -1,6 +1,6 @@
 //! Motions to be played: the last frame as a drawing, and the frames for the script that plays them.
 
-use super::text::escape;
+use super::text::prose;
 use super::words::Style;
 use crate::outcome::{Animation, Circle, Message, OutcomeError, Table};
 use serde_json::{Value, json};
@@ -57,8 +57,8 @@ pub(super) fn animation(a: &Animation, tables: &[Table], id: &str, style: &Style
     let mut s = format!(
         "<figure class=\"play\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n\
          <svg viewBox=\"{} {} {} {}\" role=\"img\"><g class=\"axes\"><path d=\"M-128 0H128M0 -128V128\"/></g>",
-        escape(&style.arg(&a.title)),
-        escape(&style.message(&a.alt)),
+        prose(&style.arg(&a.title)),
+        prose(&style.message(&a.alt)),
         -HALF,
         -HALF,
         2.0 * HALF,
@@ -79,7 +79,7 @@ pub(super) fn animation(a: &Animation, tables: &[Table], id: &str, style: &Style
             "<circle class=\"{class}\" cx=\"{x:.2}\" cy=\"{:.2}\" r=\"{:.2}\"><title>{}</title></circle>",
             -y,
             t.radius,
-            escape(&style.arg(&c.name))
+            prose(&style.arg(&c.name))
         );
     }
     let frames = tracks
@@ -90,7 +90,7 @@ pub(super) fn animation(a: &Animation, tables: &[Table], id: &str, style: &Style
         "p": phases.iter().map(|p| short(*p)).collect::<Vec<_>>(),
         "c": frames.collect::<Vec<_>>(),
     });
-    let say = |key: &'static str| escape(&style.message(&Message::new(key)));
+    let say = |key: &'static str| prose(&style.message(&Message::new(key)));
     let speed = style.units.speed();
     let _ = writeln!(
         s,
@@ -99,8 +99,8 @@ pub(super) fn animation(a: &Animation, tables: &[Table], id: &str, style: &Style
          <select aria-label=\"{}\"><option value=\"1\">{}</option><option value=\"0\">{}</option></select>\
          <select aria-label=\"{}\"><option value=\"0\">{}</option><option value=\"1\">{}</option></select><output></output></div>\n\
          <script type=\"application/json\">{}</script>\n</figure>",
-        escape(&style.language.unit("s")),
-        escape(&style.language.unit(&speed.name)),
+        prose(&style.language.unit("s")),
+        prose(&style.language.unit(&speed.name)),
         speed.size,
         say("play-pause"),
         say("play-play"),

@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::html::say;
-use super::text::escape;
+use super::text::prose;
 use super::words::Style;
 use crate::outcome::{Evidence, Finding};
 use std::fmt::Write;
@@ -40,12 +40,12 @@ pub(super) fn table(s: &mut String, report: &Report) {
         say(style, "page-evidence-number"),
     );
     for (i, k, o, f) in known {
-        let subject = if f.subject.is_empty() { String::new() } else { format!(" {}", escape(&style.subject(&f.subject))) };
-        let value = f.message.args.iter().find(|a| a.0 == "value").map_or(String::new(), |a| escape(&style.arg(&a.1)));
+        let subject = if f.subject.is_empty() { String::new() } else { format!(" {}", prose(&style.subject(&f.subject))) };
+        let value = f.message.args.iter().find(|a| a.0 == "value").map_or(String::new(), |a| prose(&style.arg(&a.1)));
         for (row, e) in f.evidence.iter().enumerate() {
             let Evidence { what, value: number, unit } = e;
             let name = match row {
-                0 => format!("<a href=\"#s{i}\">{}</a>: {}{subject}", escape(&o.name), escape(&f.id.replace('_', " "))),
+                0 => format!("<a href=\"#s{i}\">{}</a>: {}{subject}", prose(&o.name), prose(&f.id.replace('_', " "))),
                 _ => String::new(),
             };
             let id = if row == 0 { format!(" id=\"{}\"", place(i, k)) } else { String::new() };
@@ -53,8 +53,8 @@ pub(super) fn table(s: &mut String, report: &Report) {
                 s,
                 "<tr{id}><td class=\"w\">{name}</td><td class=\"w\">{}</td><td class=\"w\">{}</td><td>{}</td></tr>",
                 if row == 0 { value.as_str() } else { "" },
-                escape(&style.arg(what)),
-                escape(&style.number(*number, unit))
+                prose(&style.arg(what)),
+                prose(&style.number(*number, unit))
             );
         }
     }

@@ -8,7 +8,7 @@ use super::first_page;
 use super::payload::{column_for, payload};
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
-use super::text::escape;
+use super::text::{escape, prose};
 use super::units::Rung;
 use super::words::Style;
 use super::write::Names;
@@ -76,13 +76,13 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
             s,
             "<section class=\"study\" id=\"input\">\n<h2>{}</h2>\n<details><summary>{}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n</section>",
             say(style, "page-input"),
-            escape(name.trim()),
+            prose(name.trim()),
             escape(input)
         );
     }
     let _ = write!(s, "</main>\n<footer>\n<details><summary>{}</summary><dl>", say(style, "page-provenance"));
     let mut row = |k: &Arg, v: &str| {
-        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&style.arg(k)), escape(v));
+        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", prose(&style.arg(k)), prose(v));
     };
     row(&Arg::name("laval"), &p.version);
     if !p.build.is_empty() {
@@ -131,7 +131,7 @@ fn answer(s: &mut String, page: &Overview, over: Option<&Scene>, column: f64, st
 /// Up to the beginning of the main part.
 fn opening(report: &Report) -> String {
     let style = &report.style;
-    let machine = if report.machine.is_empty() { say(style, "page-nameless") } else { escape(&report.machine) };
+    let machine = if report.machine.is_empty() { say(style, "page-nameless") } else { prose(&report.machine) };
     let mut s = format!(
         "<!doctype html>\n<html lang=\"{}\">\n<head data-decimal=\"{}\" data-lengths=\"{}\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
@@ -146,12 +146,12 @@ fn opening(report: &Report) -> String {
     let p = &report.provenance;
     let mut from = Vec::new();
     if !p.input_name.is_empty() {
-        from.push(escape(&style.message(&Message::new("page-from").arg("file", Arg::name(&p.input_name)))));
+        from.push(prose(&style.message(&Message::new("page-from").arg("file", Arg::name(&p.input_name)))));
     }
-    from.push(format!("laval {}", escape(&p.version)).trim_end().to_string());
+    from.push(format!("laval {}", prose(&p.version)).trim_end().to_string());
     if !p.input_hash.is_empty() {
         let short: String = p.input_hash.chars().take(12).collect();
-        from.push(format!("{} <span title=\"{}\">{}</span>", say(style, "page-hash"), escape(&p.input_hash), escape(&short)));
+        from.push(format!("{} <span title=\"{}\">{}</span>", say(style, "page-hash"), prose(&p.input_hash), prose(&short)));
     }
     let _ = writeln!(s, "<p class=\"from\">{}</p>\n</header>\n<main>", from.join(" · "));
     s
@@ -166,7 +166,7 @@ fn summary(s: &mut String, report: &Report) {
     let many = report.outcomes.len() > 1;
     let all = || report.outcomes.iter().enumerate().flat_map(|(i, o)| o.findings.iter().map(move |f| (i, o, f)));
     let link =
-        |i: usize, o: &Outcome| if many { format!(" <a class=\"where\" href=\"#s{i}\">{}</a>", escape(&o.name)) } else { String::new() };
+        |i: usize, o: &Outcome| if many { format!(" <a class=\"where\" href=\"#s{i}\">{}</a>", prose(&o.name)) } else { String::new() };
     let mut sorted: Vec<_> = all().filter(|f| f.2.level > Level::Info).collect();
     sorted.sort_by_key(|f| std::cmp::Reverse(f.2.level));
     for (i, o) in report.outcomes.iter().enumerate().filter(|(_, o)| !o.end.is_complete()) {
@@ -174,7 +174,7 @@ fn summary(s: &mut String, report: &Report) {
             s,
             "<li class=\"warning\"><span class=\"tag\">! {}</span>{}{}</li>",
             say(&report.style, "page-stopped"),
-            escape(&report.style.message(&o.end_message())),
+            prose(&report.style.message(&o.end_message())),
             link(i, o)
         );
     }
@@ -208,7 +208,7 @@ fn summary(s: &mut String, report: &Report) {
     if many {
         let _ = write!(s, "<nav aria-label=\"{}\"><ul>", say(&report.style, "page-studies"));
         for (i, o) in report.outcomes.iter().enumerate() {
-            let _ = write!(s, "<li><a href=\"#s{i}\">{}</a></li>", escape(&o.name));
+            let _ = write!(s, "<li><a href=\"#s{i}\">{}</a></li>", prose(&o.name));
         }
         s.push_str("</ul></nav>\n");
     }
@@ -239,17 +239,17 @@ fn sentence(f: &Finding, style: &Style) -> String {
         Level::Warning => format!("<span class=\"tag\">! {}</span>", say(style, "page-warning")),
         Level::Invalid => format!("<span class=\"tag\">!! {}</span>", say(style, "page-outside")),
     };
-    format!("<li class=\"{}\">{tag}{}", f.level.word(), escape(&style.sentence(f)))
+    format!("<li class=\"{}\">{tag}{}", f.level.word(), prose(&style.sentence(f)))
 }
 
 fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) -> Result<(), OutcomeError> {
     let (o, overview) = (&report.outcomes[i], &report.overview);
     // the question it answers, and its own name where it has one
     let question = report.style.message(&Message::new(["study-", &o.kind].concat()));
-    let name = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", escape(&o.name)) };
-    let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{name}</h2>", escape(&question));
+    let name = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", prose(&o.name)) };
+    let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{name}</h2>", prose(&question));
     if !o.end.is_complete() {
-        let _ = writeln!(s, "<p class=\"end stopped\">! {}</p>", escape(&report.style.message(&o.end_message())));
+        let _ = writeln!(s, "<p class=\"end stopped\">! {}</p>", prose(&report.style.message(&o.end_message())));
     }
     if !o.findings.is_empty() {
         s.push_str("<ul class=\"findings\">\n");
@@ -290,7 +290,7 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
     if !o.work.is_empty() {
         let _ = write!(s, "<details><summary>{}</summary><dl>", say(&report.style, "page-work"));
         for (name, count) in &o.work {
-            let _ = write!(s, "<dt>{}</dt><dd>{count}</dd>", escape(&report.style.word(name)));
+            let _ = write!(s, "<dt>{}</dt><dd>{count}</dd>", prose(&report.style.word(name)));
         }
         s.push_str("</dl></details>\n");
     }
@@ -300,12 +300,12 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
 
 /// A sentence of the catalogues, escaped.
 pub(super) fn say(style: &Style, key: &str) -> String {
-    escape(&style.message(&Message::new(key)))
+    prose(&style.message(&Message::new(key)))
 }
 
 /// The same with a count.
 fn counted(style: &Style, key: &str, count: usize) -> String {
-    escape(&style.message(&Message::new(key).arg("count", Arg::count(count))))
+    prose(&style.message(&Message::new(key).arg("count", Arg::count(count))))
 }
 
 /// How to read a figure with the mouse and the keyboard.
@@ -319,7 +319,7 @@ fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
         let _ = writeln!(
             s,
             "<figure class=\"tiles\" id=\"{id}\">\n<figcaption><b>{}</b></figcaption>\n<div class=\"plot\">",
-            escape(&scene.title)
+            prose(&scene.title)
         );
         s.push_str(&render(scene, WIDE, 1.0, Some(id)));
         s.push_str(&render(scene, NARROW, 1.0, Some(id)));
@@ -329,7 +329,7 @@ fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
     let _ = writeln!(
         s,
         "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b></figcaption>\n<div class=\"plot\">",
-        escape(&scene.title)
+        prose(&scene.title)
     );
     s.push_str(&render(scene, WIDE, column.max(1.0), Some(&format!("{id}w"))));
     s.push_str(&render(scene, NARROW, column.max(1.0), Some(&format!("{id}n"))));
@@ -353,8 +353,8 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     let rung = style.units.column(name, own);
     let size = rung.as_ref().map_or(1.0, |r| r.size);
     let unit = style.language.unit(&unit_text(rung.as_ref().map_or(own, |r| &r.name)));
-    let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit)) };
-    let name = escape(&style.word(name));
+    let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", prose(&unit)) };
+    let name = prose(&style.word(name));
     // many would push the figures of the next study out of sight
     let folded = o.special_points.len() > FEW_POINTS;
     let heading = say(style, "page-points");
@@ -377,19 +377,19 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     );
     for p in o.special_points.iter().take(MOST_ROWS) {
         let SpecialPoint { kind, subject, at, status, evidence, .. } = p;
-        let of = if subject.is_empty() { String::new() } else { format!(", {}", escape(&style.subject(subject))) };
+        let of = if subject.is_empty() { String::new() } else { format!(", {}", prose(&style.subject(subject))) };
         let status = match status {
             Status::Doubtful(reason) => {
-                format!("! {}", escape(&style.message(&Message::new("page-doubtful").arg("reason", Arg::term(reason)))))
+                format!("! {}", prose(&style.message(&Message::new("page-doubtful").arg("reason", Arg::term(reason)))))
             }
-            s => escape(&style.word(s.word())),
+            s => prose(&style.word(s.word())),
         };
         let list: Vec<String> =
-            evidence.iter().map(|e| format!("{} {}", escape(&style.arg(&e.what)), escape(&style.number(e.value, &e.unit)))).collect();
+            evidence.iter().map(|e| format!("{} {}", prose(&style.arg(&e.what)), prose(&style.number(e.value, &e.unit)))).collect();
         let _ = write!(
             s,
             "<tr><td class=\"w\">{}{of}</td><td>{}</td><td>{}</td><td class=\"w\">{status}</td><td class=\"w\">{}</td></tr>",
-            escape(&style.word(kind)),
+            prose(&style.word(kind)),
             style.language.number(&significant(*at / size, 7)),
             style.language.number(&width(p, size)),
             list.join(", ")
@@ -409,7 +409,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
     let many = t.columns().len() > MANY_COLUMNS;
     let count = counted(style, "page-rows", rows);
     let title = style.arg(t.doc());
-    let title = if title.is_empty() { escape(t.name()) } else { escape(&title) };
+    let title = if title.is_empty() { prose(t.name()) } else { prose(&title) };
     let _ = write!(
         s,
         "<details class=\"table\"{}><summary>{title} <span class=\"kind\">{count}</span></summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table{}><thead><tr>",
@@ -418,18 +418,20 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
     );
     let words = |c: &Column| if matches!(c.data, Data::Text(_)) { " class=\"w\"" } else { "" };
     let mut shown: Vec<(&Column, Option<Rung>)> = t.columns().iter().map(|c| (c, style.units.column(&c.name, &c.unit))).collect();
-    // a frequency that the table has in rad/s and in Hz stands once where both are read in Hz
-    let hertz = |name: &str, all: &[(&Column, Option<Rung>)]| {
-        all.iter().any(|(c, rung)| Some(c.name.as_str()) == name.strip_suffix("_hz") && rung.as_ref().is_some_and(|r| r.name == "Hz"))
+    // a frequency or speed that the table has in rad/s and in Hz or rpm stands once where both are read in that unit
+    let again = |name: &str, all: &[(&Column, Option<Rung>)]| {
+        let read_in =
+            |plain: &str, unit: &str| all.iter().any(|(c, rung)| c.name == plain && rung.as_ref().is_some_and(|r| r.name == unit));
+        [("_hz", "Hz"), ("_rpm", "rpm")].iter().any(|(end, unit)| name.strip_suffix(end).is_some_and(|plain| read_in(plain, unit)))
     };
-    let twice: Vec<bool> = shown.iter().map(|(c, _)| hertz(&c.name, &shown)).collect();
+    let twice: Vec<bool> = shown.iter().map(|(c, _)| again(&c.name, &shown)).collect();
     let mut twice = twice.into_iter();
     shown.retain(|_| twice.next() != Some(true));
     for (c, rung) in &shown {
         let unit = rung.as_ref().map_or(c.unit.as_str(), |r| r.name.as_str());
         let unit =
-            if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&style.language.unit(&unit_text(unit)))) };
-        let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), escape(&style.arg(&c.doc)), escape(&style.arg(&c.label)));
+            if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", prose(&style.language.unit(&unit_text(unit)))) };
+        let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), prose(&style.arg(&c.doc)), prose(&style.arg(&c.label)));
     }
     s.push_str("</tr></thead><tbody>");
     let digits = if many { 4 } else { 6 };
@@ -441,8 +443,8 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
                 Data::Float(v) if v[r].is_nan() => "–".into(),
                 Data::Float(v) => style.language.number(&significant(v[r] / size, digits)),
                 Data::Int(v) => v[r].to_string(),
-                Data::Text(v) if c.names => escape(&style.owner(&v[r])),
-                Data::Text(v) => escape(&style.word(&v[r])),
+                Data::Text(v) if c.names => prose(&style.owner(&v[r])),
+                Data::Text(v) => prose(&style.word(&v[r])),
                 Data::Flag(v) => say(style, if v[r] { "page-yes" } else { "page-no" }),
             };
             let _ = write!(s, "<td{}>{cell}</td>", words(c));
@@ -451,7 +453,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
     }
     s.push_str("</tbody></table></div>\n");
     let first = || Message::new("page-first-rows").arg("first", Arg::count(MOST_ROWS)).arg("count", Arg::count(rows));
-    let shown = if rows > MOST_ROWS { escape(&style.message(&first())) } else { String::new() };
+    let shown = if rows > MOST_ROWS { prose(&style.message(&first())) } else { String::new() };
     match file {
         Some(f) if rows > 0 => {
             let all = say(style, "page-all-values");
@@ -467,6 +469,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
 
 #[cfg(test)]
 mod tests {
+    use super::super::units::Units;
     use super::*;
 
     #[test]
@@ -475,5 +478,19 @@ mod tests {
         assert_eq!(only(&[0; 12]), (0..10).collect::<Vec<_>>());
         assert_eq!(only(&[&[0; 12][..], &[1; 3], &[2]].concat()), [0, 1, 2, 3, 4, 5, 12, 13, 14, 15]);
         assert_eq!(only(&[3, 4]), [0, 1]);
+    }
+
+    /// A speed that a table has in rad/s and in rpm stands once where it is read in rpm, and twice where it is not.
+    #[test]
+    fn a_speed_stands_once_in_each_unit() {
+        let t = Table::new("t", "").float("speed", "rad/s", "spin speed", vec![100.0]).float("speed_rpm", "rpm", "spin speed", vec![955.0]);
+        let t = t.build().unwrap();
+        let columns = |units: Units| {
+            let mut s = String::new();
+            table(&mut s, &t, &Style { units, ..Style::default() }, true, None);
+            s.matches("</th>").count()
+        };
+        let rpm = || [("rpm".to_string(), std::f64::consts::TAU / 60.0, "rad/s".to_string())];
+        assert_eq!((columns(Units::new(rpm())), columns(Units::new([]))), (1, 2));
     }
 }

@@ -4,7 +4,7 @@ use super::embed::hash;
 use super::payload::drawn;
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
-use super::text::escape;
+use super::text::prose;
 use super::words::Style;
 use crate::outcome::{Figure, OutcomeError, Table};
 
@@ -18,7 +18,7 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
          <title>{}</title>\n<style>{css}</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
         hash(&css),
-        escape(title)
+        prose(title)
     )
 }
 
@@ -30,8 +30,8 @@ pub fn figure(figure: &Figure, tables: &[Table], id: &str) -> Result<String, Out
     let scene = Scene::new(figure, tables, &Style::default())?;
     Ok(format!(
         "<figure class=\"fig\" id=\"{id}\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">{}{}</div>\n</figure>\n",
-        escape(&scene.title),
-        escape(&scene.alt),
+        prose(&scene.title),
+        prose(&scene.alt),
         render(&scene, WIDE, drawn(&scene), Some(&format!("{id}w"))),
         render(&scene, NARROW, drawn(&scene), Some(&format!("{id}n"))),
     ))

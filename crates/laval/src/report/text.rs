@@ -2,7 +2,31 @@
 
 use crate::plain;
 
-/// Text for XML and HTML content and attributes: markup characters as entities, control characters as they are written in a machine file.
+/// Letters of a unit that has no slash, with a mark behind it: "mm/s" has one, "kN," has none.
+const LONGEST_UNIT: usize = 4;
+
+/// Sentences for XML and HTML content and attributes: [`escape`], and no line ends between a number and its unit or behind the slash of a unit.
+pub(super) fn prose(text: &str) -> String {
+    let text = escape(text);
+    let mut out = String::with_capacity(text.len());
+    let (mut last, mut unit) = (' ', false);
+    for (at, c) in text.char_indices() {
+        if c == ' ' {
+            let next = text[at + 1..].split(' ').next().unwrap_or("");
+            unit = last.is_ascii_digit() && (next.chars().count() <= LONGEST_UNIT || next.contains('/'));
+        }
+        last = c;
+        match c {
+            ' ' if unit => out.push('\u{a0}'),
+            '/' if unit => out.push_str("/\u{2060}"),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Text that is copied and found again, such as a machine file or an address, for XML and HTML content and attributes: markup characters as entities, control characters
+/// as they are written in a machine file.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in plain::lines(text).chars() {
@@ -138,6 +162,14 @@ mod tests {
     #[test]
     fn markup_and_control_characters() {
         assert_eq!(escape("<a b=\"c\">&'\u{0}\u{1b}"), "&lt;a b=&quot;c&quot;&gt;&amp;&#39;\\u0000\\u001b");
+    }
+
+    /// A line may end behind the slash of a path, not behind that of a unit.
+    #[test]
+    fn units_do_not_break_at_their_slash() {
+        assert_eq!(prose("out/m: 3 rad/s, 4 mm of a/b"), "out/m: 3\u{a0}rad/\u{2060}s, 4\u{a0}mm of a/b");
+        assert_eq!(prose("2 bearings and 5 kN."), "2 bearings and 5\u{a0}kN.");
+        assert_eq!(escape("speed = \"300 rad/s\""), "speed = &quot;300 rad/s&quot;");
     }
 
     #[test]

@@ -6,7 +6,7 @@ mod shapes;
 
 pub(super) use over_speed::{over_speed, tables};
 
-use super::text::escape;
+use super::text::prose;
 use super::words::Style;
 use crate::outcome::{Arg, Check, Message, Overview, Verdict};
 use std::fmt::Write;
@@ -57,14 +57,14 @@ pub(super) fn sentence(style: &Style, m: &Message) -> String {
 
 /// Banner, what to do next, checks, machine; the figure over the speed comes from the caller, who draws all figures alike.
 pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
-    let say = |m: &Message| escape(&style.message(m));
-    let title = |key: &str| escape(&style.message(&Message::new(key)));
+    let say = |m: &Message| prose(&style.message(m));
+    let title = |key: &str| prose(&style.message(&Message::new(key)));
     let headline: Vec<String> = page.headline.iter().map(say).collect();
     let _ = write!(s, "<div class=\"verdict {}\" role=\"status\">\n<p class=\"v\">{}</p>\n", class(page.verdict), headline.join(" "));
     if !page.remarks.is_empty() {
         s.push_str("<ul>\n");
         for (heading, texts) in &page.remarks {
-            let texts: Vec<String> = texts.iter().map(|t| escape(&sentence(style, t))).collect();
+            let texts: Vec<String> = texts.iter().map(|t| prose(&sentence(style, t))).collect();
             let _ = writeln!(s, "<li><b>{}</b>{}</li>", say(heading), texts.join(" "));
         }
         s.push_str("</ul>\n");
@@ -95,9 +95,9 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
                 } else {
                     String::new()
                 },
-                escape(&required(style, c)),
+                prose(&required(style, c)),
                 class(c.verdict),
-                escape(&verdict(style, c, false))
+                prose(&verdict(style, c, false))
             );
         }
         s.push_str("</tbody></table></section>\n");
@@ -114,7 +114,7 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
 pub(super) fn tail(s: &mut String, page: &Overview, style: &Style) {
     if let (Some(speed), false) = (page.operating, page.modes.is_empty()) {
         let heading = style.message(&Message::new("page-modes").arg("speed", Arg::speed(speed)));
-        let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>", escape(&heading));
+        let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>", prose(&heading));
         shapes::modes(s, page, style);
         s.push_str("</section>\n");
     }
@@ -126,9 +126,9 @@ fn listed(s: &mut String, heading: &str, list: &[Message], style: &Style) {
     if list.is_empty() {
         return;
     }
-    let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", escape(&style.message(&Message::new(heading))));
+    let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>\n<ul class=\"plain\">", prose(&style.message(&Message::new(heading))));
     for m in list {
-        let _ = writeln!(s, "<li>{}</li>", escape(&style.message(m)));
+        let _ = writeln!(s, "<li>{}</li>", prose(&style.message(m)));
     }
     s.push_str("</ul></section>\n");
 }

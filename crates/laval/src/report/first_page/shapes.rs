@@ -1,6 +1,6 @@
 //! Modes as small pictures of the orbits of the bodies.
 
-use super::super::text::{escape, px};
+use super::super::text::{prose, px};
 use super::super::words::Style;
 use crate::outcome::{Arg, Message, Mode, Overview};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
@@ -19,7 +19,7 @@ pub(super) fn modes(s: &mut String, page: &Overview, style: &Style) {
     }
     s.push_str("</div>\n<p class=\"key\">");
     for (k, name) in bodies.iter().enumerate() {
-        let _ = write!(s, "<i class=\"k{}\"></i>{}", k % 7, escape(name));
+        let _ = write!(s, "<i class=\"k{}\"></i>{}", k % 7, prose(name));
     }
     s.push_str("</p>\n");
 }
@@ -36,9 +36,9 @@ fn names(page: &Overview) -> Vec<&str> {
 }
 
 fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style) {
-    let say = |m: Message| escape(&style.message(&m));
+    let say = |m: Message| prose(&style.message(&m));
     let whirl = say(Message::new("page-whirl").arg("whirl", Arg::word(m.whirl)));
-    let frequency = escape(&style.arg(&Arg::frequency(m.frequency)));
+    let frequency = prose(&style.arg(&Arg::frequency(m.frequency)));
     let damping = if m.grows {
         say(Message::new("page-grows"))
     } else if m.growth > 0.0 {
@@ -86,6 +86,6 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
         );
     }
     // bodies that move at least half as far as the one that moves most
-    let most: Vec<String> = m.orbits.iter().filter(|o| o.1 >= 0.5).map(|o| escape(&o.0)).collect();
+    let most: Vec<String> = m.orbits.iter().filter(|o| o.1 >= 0.5).map(|o| prose(&o.0)).collect();
     let _ = writeln!(s, "</svg><div>{}</div><div>{whirl}</div><div class=\"mw\">{damping}</div></div>", most.join(" + "));
 }
