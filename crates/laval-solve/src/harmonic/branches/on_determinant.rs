@@ -65,6 +65,20 @@ struct Place {
     after: usize,
 }
 
+/// Where the exponent may be at arclength `s`, from those `known` (arclength, exponent): on the line through the neighbours, then at the nearer of them, then
+/// at the other. Newton's method may leave one of them for another exponent.
+fn guesses(known: &[(f64, C64)], s: f64) -> Vec<C64> {
+    let nearest =
+        |side: &dyn Fn(f64) -> bool| known.iter().filter(|k| side(k.0)).min_by(|a, b| (a.0 - s).abs().total_cmp(&(b.0 - s).abs())).copied();
+    let mut sides: Vec<(f64, C64)> = [nearest(&|a| a < s), nearest(&|a| a >= s)].into_iter().flatten().collect();
+    sides.sort_by(|a, b| (a.0 - s).abs().total_cmp(&(b.0 - s).abs()));
+    let line = match sides[..] {
+        [a, b] => Some(a.1 + (b.1 - a.1).scale((s - a.0) / (b.0 - a.0))),
+        _ => None,
+    };
+    line.into_iter().chain(sides.iter().map(|k| k.1)).collect()
+}
+
 /// One branch and what assesses it.
 struct Search<'a, 'b, 'c> {
     assessor: &'a mut Assessor,
@@ -85,16 +99,14 @@ impl Search<'_, '_, '_> {
         let mut known = vec![(a.s, ends[0]), (b.s, ends[1])];
         let (assessor, settings) = (&mut *self.assessor, self.settings);
         let special = zero_between(self.balance, [a, b], ends.map(|z| z.re), settings, |balance, point| {
-            let nearest = known.iter().min_by(|a, b| (a.0 - point.s).abs().total_cmp(&(b.0 - point.s).abs()));
-            let Some(&(_, start)) = nearest else { return f64::NAN };
             let within = FOLLOWED * base(balance, point.p);
-            let Some(z) = assessor.followed(balance, &point.x, point.p, (start, within)) else { return f64::NAN };
+            let mut starts = guesses(&known, point.s).into_iter();
+            let Some(z) = starts.find_map(|z| assessor.followed(balance, &point.x, point.p, (z, within))) else { return f64::NAN };
             known.push((point.s, z));
             z.re
         });
         let special = special.ok()?;
-        let nearest = known.iter().min_by(|a, b| (a.0 - special.point.s).abs().total_cmp(&(b.0 - special.point.s).abs()))?.1;
-        let exponent = self.followed(&special.point, nearest)?;
+        let exponent = guesses(&known, special.point.s).into_iter().find_map(|z| self.followed(&special.point, z))?;
         Some(Place { special, exponent, after: i })
     }
 
@@ -268,6 +280,16 @@ pub(in crate::harmonic) fn changes_between(
 mod tests {
     use super::*;
     use laval_num::complex::c;
+
+    #[test]
+    fn an_exponent_is_looked_for_between_the_places_beside() {
+        let known = [(0.0, c(-1.0, 10.0)), (4.0, c(3.0, 14.0)), (1.0, c(0.0, 11.0))];
+        assert_eq!(guesses(&known, 2.0), [c(1.0, 12.0), c(0.0, 11.0), c(3.0, 14.0)]);
+        // at a place that is known, and beyond all of them, the nearest stands first or alone
+        assert_eq!(guesses(&known, 1.0)[..2], [c(0.0, 11.0), c(0.0, 11.0)]);
+        assert_eq!(guesses(&known, 5.0), [c(3.0, 14.0)]);
+        assert!(guesses(&[], 1.0).is_empty());
+    }
 
     #[test]
     fn the_exponent_of_a_fold_is_left_out_of_the_side_that_has_it() {
