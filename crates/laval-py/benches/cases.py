@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from contextlib import ExitStack
 from pathlib import Path
 
 import laval
@@ -42,12 +43,12 @@ def peak() -> float:
 
 def rate(place: Path, cases: int = 10_000) -> None:
     """Cases per second of clusters of one and of two workers, without what it takes to start them; beside processes that share nothing at all."""
-    from distributed import Client, LocalCluster
+    from laval._engine import _here
 
     sweep = laval.Sweep(ROTOR_MACHINE, spread(cases), CRITICAL)
     found: dict[int, list[float]] = {}
     plain: dict[int, list[float]] = {}
-    for workers in (1, 2, 1, 2):
+    for workers in (1, 2, 1, 2, 1, 2):
         folder = place / f"plain-{workers}"
         shutil.rmtree(folder, ignore_errors=True)
         sweep.prepare(folder)
@@ -59,7 +60,8 @@ def rate(place: Path, cases: int = 10_000) -> None:
         folder = place / f"rate-{workers}"
         shutil.rmtree(folder, ignore_errors=True)
         prepared = sweep.prepare(folder)
-        with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        with ExitStack() as stack:
+            client = _here(workers, stack)
             # every worker has imported the package
             client.run(lambda: __import__("laval._engine"))
             begun = time.monotonic()

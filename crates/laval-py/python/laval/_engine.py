@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from functools import lru_cache
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 if TYPE_CHECKING:
@@ -119,8 +120,6 @@ def _dask() -> bool:
 
 
 def _distributed() -> Any:
-    from importlib import import_module
-
     return import_module("distributed")
 
 
@@ -176,7 +175,9 @@ def _here(workers: int | None, stack: ExitStack) -> Any:
     dask = _distributed()
     if workers is None:
         workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    cluster = dask.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None)
+    # nobody sees the samples of what workers do, which they take a hundred times a second
+    with import_module("dask").config.set({"distributed.worker.profile.enabled": False}):
+        cluster = dask.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None)
     return stack.enter_context(dask.Client(stack.enter_context(cluster)))
 
 
