@@ -22,7 +22,10 @@ use clap::{Parser, Subcommand};
 use laval::text;
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::ffi::OsString;
+use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::thread;
 
 /// Done.
 pub const DONE: u8 = 0;
@@ -83,6 +86,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(cli) => cli.command,
         Err(e) => return usage(&e),
     };
+    start_threads();
     let code = guarded(|| match &command {
         Command::Run(args) => run::run(args),
         Command::Plan(args) => pieces::plan(args),
@@ -97,6 +101,29 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
     })
     .unwrap_or(FAILED);
     if code == DONE && terminal::lost() { WRONG } else { code }
+}
+
+/// One thread computes where the system does not allow as many as RAYON_NUM_THREADS says, or one for each processor. They are tried first: the pool of parallel
+/// loops is built once, and cannot be built again after it has failed.
+fn start_threads() {
+    let said = std::env::var("RAYON_NUM_THREADS").ok().and_then(|n| n.parse().ok()).filter(|n| *n > 0);
+    let wanted = said.unwrap_or_else(|| thread::available_parallelism().map_or(1, NonZeroUsize::get));
+    let gate = Mutex::new(());
+    let tried = thread::scope(|scope| {
+        let held = gate.lock();
+        let all: Result<Vec<_>, _> = (0..wanted).map(|_| thread::Builder::new().spawn_scoped(scope, || drop(gate.lock()))).collect();
+        drop(held);
+        all.map(drop)
+    });
+    if let Err(e) = tried {
+        terminal::say(&text!(
+            "note: {wanted} threads cannot be started ({e}): one computes. RAYON_NUM_THREADS says how many are wanted.",
+            wanted,
+            e
+        ));
+        // fails where threads run already
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
+    }
 }
 
 /// Help and version are answers; anything else is a wrong request.
@@ -120,7 +147,6 @@ fn guarded<T>(f: impl FnOnce() -> T) -> Option<T> {
         terminal::say(&text!(
             "laval: this is a defect of the program, not of your file. Please report it with the machine file and the message above"
         ));
-        terminal::complain(concat!("  ", env!("CARGO_PKG_REPOSITORY"), "/issues\n"));
     }
     result
 }

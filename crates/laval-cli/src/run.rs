@@ -382,6 +382,9 @@ impl<'a> Run<'a> {
         // its computations are short, and only how long they take is shown
         let bar = Bar::new("summary", self.args.quiet);
         self.report.overview = guarded(|| study::overview(system, &speeds, &self.report.outcomes, &context));
+        if self.report.overview.is_none() {
+            self.code = FAILED;
+        }
         bar.finish();
         self.paragraph(&report::summary(&self.report, terminal::findings()));
     }

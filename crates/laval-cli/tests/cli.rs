@@ -346,6 +346,33 @@ fn output_that_is_lost_is_a_failure() {
     }
 }
 
+/// A computer that allows fewer threads than are wanted computes with one.
+#[test]
+#[cfg(target_os = "linux")]
+fn threads_that_cannot_be_started_are_not_needed() {
+    let dir = Dir::new("threads");
+    dir.file("pump.toml", SMALL);
+    let program = dir.command(["run", "pump.toml"]);
+    let mut limited = Command::new("sh");
+    limited.args(["-c", "ulimit -v 3000000 && exec \"$0\" \"$@\""]).arg(program.get_program()).args(program.get_args());
+    let said = Said::of(&limited.current_dir(&dir.0).env("RAYON_NUM_THREADS", "3000").output().unwrap());
+    assert!(said.code == 0 && said.err.contains("3000 threads cannot be started"), "{} {}", said.code, said.err);
+    assert!(dir.0.join("out/pump/report.html").exists());
+}
+
+/// Keys within keys need the stack of the program, also when the mistake is printed.
+#[test]
+fn tables_within_many_others_are_refused() {
+    let dir = Dir::new("deep");
+    for key in [vec!["\"\""; 75].join("."), vec!["a"; 79].join(".")] {
+        let nested = format!("[machine]\n{}1{}\n", format!("{key} = {{ ").repeat(75), " }".repeat(75));
+        dir.file("deep.toml", &nested);
+        for command in ["check", "run", "plan"] {
+            dir.laval([command, "deep.toml"]).refused(&["tables within more than 64 others"]);
+        }
+    }
+}
+
 #[test]
 fn a_work_limit_ends_a_study_early_and_says_so() {
     let dir = Dir::new("limit");

@@ -73,6 +73,8 @@ pub struct Cases<'a> {
 const MOST_CHUNKS: usize = 20_000;
 const CHUNKS: usize = 256;
 const LARGEST: usize = 1024;
+/// Numbers in a file at most: a file is held in memory.
+const LARGEST_FILE: usize = 20_000_000;
 
 /// Cases in a file, settled by the number of cases alone: every run of them has the same files.
 pub fn chunk_of(cases: usize) -> usize {
@@ -94,7 +96,18 @@ impl<'a> Cases<'a> {
         let chunk = request.chunk.unwrap_or_else(|| chunk_of(design.cases));
         let out = Cases { loaded, study, design, request, chunk };
         // as the store would say it later
-        out.plan().check().map_err(one)?;
+        let plan = out.plan();
+        plan.check().map_err(one)?;
+        let (rows, columns) = (plan.chunk.min(plan.rows), plan.columns.len());
+        if rows.saturating_mul(columns) > LARGEST_FILE {
+            let message = text!(
+                "files of {rows} cases with {columns} numbers each are too large: at most {most} numbers in a file",
+                rows,
+                columns,
+                most = LARGEST_FILE
+            );
+            return Err(one(Diagnostic::error("cases.chunk", message)));
+        }
         Ok(out)
     }
 

@@ -187,6 +187,11 @@ fn what_is_wrong_with_a_request() {
             1,
             "deviation",
         ),
+        (
+            json!({ "kind": "sobol", "cases": 4_000_000_000u32, "seed": 1, "parameters": [{ "parameter": "disc.mass", "distribution": "normal", "deviation": 0.1 }] }),
+            4_000_000_000,
+            "too large",
+        ),
         (json!({ "kind": "list", "parameters": ["disc.mass"], "cases": 1, "sums": [""] }), 1, "folder"),
     ] {
         let found = refused(design, chunk);

@@ -5,7 +5,7 @@ use super::{Block, Catalog, MachineBlock, RotorAxis, Spec, examine, held, joints
 use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Extra, Value};
 use crate::model::part::{At, Rows};
-use crate::model::system::{self, Machine, System, Workspace};
+use crate::model::system::{self, Machine, PartInput, System, Workspace};
 use crate::parts;
 use crate::study::operation;
 use crate::study::support::turns_alike;
@@ -196,6 +196,21 @@ pub fn assemble(spec: Spec, diagnostics: Diagnostics) -> Result<Loaded, Diagnost
     straight(spec, diagnostics).map_err(|found| sorted(examine::all(&draft, found)))
 }
 
+/// Coordinates and states of parts at most: matrices are full, 128 MB each at this size.
+const MOST: usize = 4000;
+
+/// The system, unless its matrices are larger than what a computer holds.
+pub(super) fn assembled(machine: Machine, parts: Vec<PartInput>) -> Result<System, Diagnostics> {
+    let system = System::assemble(machine, parts)?;
+    let (n, m) = (system.n(), system.m());
+    if n + m > MOST {
+        let message =
+            text!("the machine has {n} coordinates and {m} states of parts; at most {most} together are computed", n, m, most = MOST);
+        return Err(Diagnostics(vec![Diagnostic::error("machine.size", message)]));
+    }
+    Ok(system)
+}
+
 /// Assembles what has no mistakes; ends at the first stage that finds one.
 fn straight(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
     let registry = parts::registry();
@@ -212,7 +227,7 @@ fn straight(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnost
         return Err(diagnostics);
     }
     let machine = machine(&spec.machine, spec.extras.iter().map(|(word, b)| extra(word, b)).collect());
-    let system = match System::assemble(machine, built.into_iter().flatten().collect()) {
+    let system = match assembled(machine, built.into_iter().flatten().collect()) {
         Ok(system) => system,
         Err(mut found) => {
             diagnostics.0.append(&mut found.0);

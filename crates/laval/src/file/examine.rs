@@ -4,7 +4,7 @@
 //! body that has every coordinate stands in for the whole block. The file is examined twice, with different values: what both find is
 //! wrong whatever was meant. What names coordinates or parameters of such a block says nothing.
 
-use super::assemble::{extra, machine};
+use super::assemble::{assembled, extra, machine};
 use super::draft::{Draft, Drafted, invented};
 use super::stand_in::{NOWHERE, Side, number};
 use super::{Block, absent, joints, stages};
@@ -58,7 +58,7 @@ impl<'a> World<'a> {
         if self.draft.machine_unread.contains(&"speed") {
             block.speed = Some(number(&Bounds::up_to(1e4), self.side));
         }
-        match System::assemble(machine(&block, extras.iter().map(|e| e.0.clone()).collect()), inputs) {
+        match assembled(machine(&block, extras.iter().map(|e| e.0.clone()).collect()), inputs) {
             Ok(system) => {
                 for (extra, block) in &extras {
                     if !stages::extra(&known, extra, block, &system, &mut self.out) {

@@ -24,8 +24,8 @@ pub(super) fn read_draft(text: &str, catalog: &Catalog) -> (Option<Draft>, Diagn
     }
     if let Some(span) = tree::too_deep(text) {
         out.push(
-            Diagnostic::error("file.depth", text!("a key with more than 64 dots is not read"))
-                .at(span.start..span.end.min(span.start + 40))
+            Diagnostic::error("file.depth", text!("tables within more than {most} others are not read", most = tree::DEEPEST))
+                .at(span)
                 .label(text!("nested too deeply")),
         );
         return (None, out);

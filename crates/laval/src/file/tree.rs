@@ -108,23 +108,82 @@ pub(super) fn from_json(value: &serde_json::Value) -> Node<'_> {
     Node { data, span: None }
 }
 
-/// A key with so many parts that the tree would be deeper than the stack; returns its place.
+/// Tables within tables by which a file may go at most.
+pub(super) const DEEPEST: usize = 64;
+
+/// Where keys and brackets lead deeper than [`DEEPEST`]: what goes through the tree would need more than the stack of a thread has.
 pub(super) fn too_deep(text: &str) -> Option<Span> {
-    const LIMIT: usize = 64;
-    let (mut start, mut dots, mut after_dot) = (0, 0, true);
-    for (i, b) in text.bytes().enumerate() {
-        match b {
-            b'.' if !after_dot => {
-                dots += 1;
-                after_dot = true;
-                if dots > LIMIT {
-                    return Some(start..i);
-                }
+    let bytes = text.as_bytes();
+    let mut open: Vec<usize> = Vec::new();
+    // of the key that is read: where it begins, its parts, and whether its value has begun
+    let (mut start, mut parts, mut value) = (0, 1, false);
+    let (mut depth, mut i) = (0, 0);
+    while i < bytes.len() {
+        match bytes[i] {
+            quote @ (b'"' | b'\'') => i = end_of_string(bytes, i, quote),
+            b'#' => i += bytes[i..].iter().position(|b| *b == b'\n').map_or(bytes.len() - i, |n| n - 1),
+            b'.' if !value => parts += 1,
+            b'=' => value = true,
+            b'[' | b'{' => {
+                open.push(parts);
+                depth += parts;
+                (start, parts, value) = (i + 1, 1, false);
             }
-            b'.' | b'\n' | b'=' | b',' | b'[' | b']' | b'{' | b'}' => (start, dots, after_dot) = (i + 1, 0, true),
-            b' ' | b'\t' | b'"' | b'\'' => {}
-            _ => after_dot = false,
+            b']' | b'}' => {
+                depth -= open.pop().unwrap_or(0);
+                parts = 1;
+            }
+            b',' | b'\n' => (start, parts, value) = (i + 1, 1, false),
+            _ => {}
         }
+        if depth + parts > DEEPEST {
+            let end = (i + 1).min(start + 40);
+            return Some(start..(end..=text.len()).find(|e| text.is_char_boundary(*e)).unwrap_or(end));
+        }
+        i += 1;
     }
     None
+}
+
+/// The last byte of a string that begins at `i`, or of the text.
+fn end_of_string(bytes: &[u8], i: usize, quote: u8) -> usize {
+    let long = bytes[i..].starts_with(&[quote; 3]);
+    let mut at = i + if long { 3 } else { 1 };
+    while at < bytes.len() {
+        match bytes[at] {
+            b'\\' if quote == b'"' => at += 1,
+            b'\n' if !long => return at - 1,
+            b if b == quote && (!long || bytes[at..].starts_with(&[quote; 3])) => return at + if long { 2 } else { 0 },
+            _ => {}
+        }
+        at += 1;
+    }
+    bytes.len() - 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depth_is_that_of_keys_and_brackets_together() {
+        let deep = |text: &str| too_deep(text).is_some();
+        let dotted = |part: &str, n: usize| vec![part; n].join(".");
+        assert!(!deep(&format!("{} = 1", dotted("a", DEEPEST))) && deep(&format!("{} = 1", dotted("a", DEEPEST + 1))));
+        // quoted keys, empty ones too, are parts as well
+        assert!(deep(&format!("{} = 1", dotted("\"\"", DEEPEST + 1))) && deep(&format!("{} = 1", dotted("' '", DEEPEST + 1))));
+        let nested = |key: &str, n: usize| format!("{}1{}", format!("{key} = {{ ").repeat(n), " }".repeat(n));
+        assert!(!deep(&nested("a", 60)) && deep(&nested("a", 70)) && deep(&nested("a.b.c", 30)));
+        assert!(deep(&"[".repeat(70)) && deep(&"{".repeat(70)));
+        // what lies beside is not within
+        assert!(!deep(&"a.b = { c = 1.5, d = [1.0, 2.0] }\n".repeat(200)) && !deep(&format!("a = [{}]", "1.5, ".repeat(200))));
+        assert!(!deep(&"[[part]]\nx = 1\n".repeat(100)) && !deep(&"]".repeat(100)));
+        // dots and brackets of texts and comments are none
+        let dots = ".[{".repeat(100);
+        let quoted = [format!("# {dots}\na = 1"), format!("a = \"{dots}\\\"{dots}\""), format!("a = '''\n{dots}\n'{dots}'''\nb = 1")];
+        assert!(quoted.iter().all(|t| !deep(t)));
+        assert!(deep(&format!("{} = 1", dotted("\u{439}", DEEPEST + 1))));
+        // texts that do not end
+        assert!(["\"", "'''", "\"\\", "a = \"\"\"", "#"].iter().all(|t| !deep(t)));
+    }
 }

@@ -38,6 +38,9 @@ const RESULTS: [&str; 24] = [
 /// Units of a file, by how often they stand there; that of the operating speed first: text, size in the SI unit, SI unit. A file that cannot be read has
 /// none.
 pub fn written_units(text: &str) -> Vec<(String, f64, String)> {
+    if tree::too_deep(text).is_some() {
+        return Vec::new();
+    }
     let Ok(file) = text.parse::<toml::Table>() else { return Vec::new() };
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     let all = Value::Table(file);

@@ -41,6 +41,8 @@ pub struct Column {
     pub doc: Arg,
     /// Its words are names of the machine file, which no language translates.
     pub names: bool,
+    /// What readers see instead of words that are put together from numbers and names: one for each row, or none at all.
+    pub phrases: Vec<Arg>,
     /// The values.
     pub data: Data,
 }
@@ -171,7 +173,7 @@ impl TableBuilder {
     fn add(mut self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<Arg>, data: Data) -> Self {
         let name = name.into();
         let label = Arg::term(name.replace('_', " "));
-        self.table.columns.push(Column { name, unit: unit.into(), label, doc: doc.into(), names: false, data });
+        self.table.columns.push(Column { name, unit: unit.into(), label, doc: doc.into(), names: false, phrases: Vec::new(), data });
         self
     }
 
@@ -199,6 +201,16 @@ impl TableBuilder {
     /// Adds a column of words.
     pub fn text(self, name: impl Into<String>, doc: impl Into<Arg>, values: Vec<String>) -> Self {
         self.add(name, "", doc, Data::Text(values))
+    }
+
+    /// Adds a column of words that are put together from numbers and names, each with what readers see instead.
+    pub fn phrases(self, name: impl Into<String>, doc: impl Into<Arg>, values: Vec<(String, Arg)>) -> Self {
+        let (words, phrases) = values.into_iter().unzip();
+        let mut out = self.text(name, doc, words);
+        if let Some(column) = out.table.columns.last_mut() {
+            column.phrases = phrases;
+        }
+        out
     }
 
     /// Adds a column of names of the machine file.

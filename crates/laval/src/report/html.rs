@@ -443,6 +443,7 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
                 Data::Float(v) if v[r].is_nan() => "–".into(),
                 Data::Float(v) => style.language.number(&significant(v[r] / size, digits)),
                 Data::Int(v) => v[r].to_string(),
+                Data::Text(_) if r < c.phrases.len() => prose(&style.arg(&c.phrases[r])),
                 Data::Text(v) if c.names => prose(&style.owner(&v[r])),
                 Data::Text(v) => prose(&style.word(&v[r])),
                 Data::Flag(v) => say(style, if v[r] { "page-yes" } else { "page-no" }),

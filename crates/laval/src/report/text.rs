@@ -5,7 +5,7 @@ use crate::plain;
 /// Letters of a unit that has no slash, with a mark behind it: "mm/s" has one, "kN," has none.
 const LONGEST_UNIT: usize = 4;
 
-/// Sentences for XML and HTML content and attributes: [`escape`], and no line ends between a number and its unit or behind the slash of a unit.
+/// Sentences for XML and HTML content and attributes: [`escape`], and no line ends between a number and its unit, behind the slash of a unit or behind a relation sign.
 pub(super) fn prose(text: &str) -> String {
     let text = escape(text);
     let mut out = String::with_capacity(text.len());
@@ -15,9 +15,10 @@ pub(super) fn prose(text: &str) -> String {
             let next = text[at + 1..].split(' ').next().unwrap_or("");
             unit = last.is_ascii_digit() && (next.chars().count() <= LONGEST_UNIT || next.contains('/'));
         }
+        let relation = matches!(last, '≤' | '≥');
         last = c;
         match c {
-            ' ' if unit => out.push('\u{a0}'),
+            ' ' if unit || relation => out.push('\u{a0}'),
             '/' if unit => out.push_str("/\u{2060}"),
             c => out.push(c),
         }
@@ -169,6 +170,7 @@ mod tests {
     fn units_do_not_break_at_their_slash() {
         assert_eq!(prose("out/m: 3 rad/s, 4 mm of a/b"), "out/m: 3\u{a0}rad/\u{2060}s, 4\u{a0}mm of a/b");
         assert_eq!(prose("2 bearings and 5 kN."), "2 bearings and 5\u{a0}kN.");
+        assert_eq!(prose("≤ 600 N"), "≤\u{a0}600\u{a0}N");
         assert_eq!(escape("speed = \"300 rad/s\""), "speed = &quot;300 rad/s&quot;");
     }
 

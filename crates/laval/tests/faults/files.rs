@@ -1,6 +1,7 @@
 //! Rows that a long study stores, limits on memory.
 
 use crate::common::files::load;
+use laval::file;
 use laval::outcome::Outcome;
 use laval::store::{Keep, Work};
 use laval::study::Context;
@@ -43,6 +44,22 @@ fn no_flipped_bit_in_the_rows_of_a_map_reaches_its_tables() {
         assert!(tables(&run()) == whole, "byte {} of {}", seed % sound.len(), sound.len());
         assert!(fs::read(&chunk).unwrap() == sound);
     }
+}
+
+/// The states of one part would take a matrix of gigabytes.
+#[test]
+fn a_machine_that_no_matrix_holds_is_refused() {
+    let text = |rows: usize| {
+        format!(
+            "[machine]\nspeed = 100\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 1\n[[part]]\nkind = \"shaft_viscoelastic\"\n\
+             between = [\"d\", \"ground\"]\nstiffness = 1e5\nexponentials = {{ share = [{}], rate = [{}] }}\n",
+            "1e-6, ".repeat(rows),
+            "10.0, ".repeat(rows)
+        )
+    };
+    let refused = file::load(&text(10_000)).map(drop).unwrap_err();
+    assert_eq!(refused.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["machine.size"], "{refused:?}");
+    assert!(file::load(&text(10)).is_ok());
 }
 
 /// A hundred discs that tilt, a million places of time with velocities: refused before anything is computed,

@@ -473,6 +473,7 @@ diag-and-are-the-same-parameter-dc84 = "{ $first }" and "{ $second }" are the sa
 ## laval/src/cases/mod.rs
 
 diag-the-machine-has-no-study-026d = the machine has no study "{ $name }"
+diag-files-of-cases-with-numbers-each-e703 = files of { $rows } cases with { $columns } numbers each are too large: at most { $most } numbers in a file
 diag-stopped-before-the-first-case-3403 = stopped before the first case
 diag-the-study-has-no-numbers-for-11b4 = the study has no numbers for this machine: { $why }
 
@@ -484,6 +485,7 @@ diag-give-about-turning-or-c5d1 = give { $studies } about = "turning"; or { $or 
 diag-give-about-turning-e2db = give { $studies } about = "turning"
 diag-study-713d = study { $one }
 diag-studies-a7da = studies { $names }
+diag-the-machine-has-coordinates-and-states-452d = the machine has { $n } coordinates and { $m } states of parts; at most { $most } together are computed
 diag-cannot-be-built-from-what-is-17a3 = { $kind } "{ $name }" cannot be built from what is given
 diag-gives-a-force-that-is-not-403d = { $kind } "{ $name }" gives a force that is not a finite number
 diag-a-value-of-this-part-is-16e4 = a value of this part is too large or too small to compute with
@@ -659,7 +661,7 @@ diag-the-list-is-empty-168a = { $who }: the list is empty
 ## laval/src/file/reader.rs
 
 diag-the-file-has-mb-at-most-251d = the file has { $size } MB; at most 64 MB are read
-diag-a-key-with-more-than-64-3c3a = a key with more than 64 dots is not read
+diag-tables-within-more-than-others-are-f2ff = tables within more than { $most } others are not read
 diag-nested-too-deeply-40e0 = nested too deeply
 diag-the-file-is-no-text-byte-0366 = the file is no text: byte { $number } is NUL (0x00), which no text holds
 diag-nul-402d = NUL
@@ -1136,6 +1138,8 @@ diag-motions-to-follow-until-their-masses-76f2 = motions to follow until their m
 diag-basins-need-a-speed-above-there-e9a5 = basins need a speed above { $least }: there is no period at rest
 diag-a-run-up-makes-no-difference-e5b8 = a run-up makes no difference at { $speed }: this machine has no masses that move round in axes that turn with it
 diag-leave-run-up-out-90f9 = leave run_up out
+diag-motions-with-numbers-each-a1ca = { $rows } motions with { $columns } numbers each
+diag-give-the-range-fewer-points-f548 = give the range fewer points
 diag-the-spin-of-this-machine-is-c90d = the spin of this machine is free: it has no speed at which motions settle
 diag-leave-drive-free-out-or-follow-efcb = leave drive = "free" out, or follow its motion with transient
 diag-motions-to-follow-cells-and-the-b5b2 = { $count } motions to follow ({ $cells } cells and the undisturbed start), each for up to { $turns } turns: { $what }, so that nothing says how long settling takes
@@ -1214,7 +1218,6 @@ diag-there-is-no-column-4b0b = there is no column "{ $name }"
 
 diag-at-one-speed-nonlinear-response-finds-425e = { $help }; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads
 diag-a-sweep-needs-speeds-above-there-49bc = a sweep needs speeds above { $least }: there is no period at rest
-diag-motions-with-numbers-each-a1ca = { $rows } motions with { $columns } numbers each
 diag-give-the-range-fewer-points-or-9d64 = give the range fewer points, or leave out the waterfall
 diag-the-spin-of-this-machine-is-9eab = the spin of this machine is free: it has no speed of its own to be swept
 diag-is-no-displacement-or-tilt-of-e52c = "{ $name }" is no displacement or tilt of a body
@@ -1376,7 +1379,6 @@ diag-write-file-si-or-units-such-3458 = write file, si, or units such as "rpm, m
 ## laval/src/study/shared/size.rs
 
 diag-spectra-of-states-6d66 = { $speeds } spectra of { $states } states
-diag-give-the-range-fewer-points-f548 = give the range fewer points
 diag-take-about-gb-of-memory-more-e408 = { $of } take about { $needed } GB of memory, more than the { $most } GB allowed
 
 ## laval/src/study/shared/speed_range.rs
@@ -1504,6 +1506,7 @@ diag-laval-new-writes-a-machine-file-4dc1 = laval new writes a machine file to s
 
 ## laval-cli/src/lib.rs
 
+diag-note-threads-cannot-be-started-one-a291 = note: { $wanted } threads cannot be started ({ $e }): one computes. RAYON_NUM_THREADS says how many are wanted.
 diag-laval-this-is-a-defect-of-ae66 = laval: this is a defect of the program, not of your file. Please report it with the machine file and the message above
 
 ## laval-cli/src/new.rs

@@ -190,7 +190,7 @@ diag-the-list-is-empty-168a = { $who }: тізім бос
 ## laval/src/file/reader.rs
 
 diag-the-file-has-mb-at-most-251d = файл көлемі { $size } MB; көп дегенде 64 MB оқылады
-diag-a-key-with-more-than-64-3c3a = 64 нүктеден көп нүктесі бар өріс аты оқылмайды
+diag-tables-within-more-than-others-are-f2ff = { $most } кестеден артық кестенің ішіне салынған кестелер оқылмайды
 diag-nested-too-deeply-40e0 = қабаттасуы тым терең
 diag-the-file-is-no-text-byte-0366 = файл мәтін емес: { $number }-байт NUL (0x00), мәтінде ондай байт болмайды
 diag-nul-402d = NUL
@@ -1479,3 +1479,6 @@ diag-is-no-machine-has-less-than-088d = { $who }: { $name } = { $value }; маш
 diag-is-no-machine-has-more-than-21e1 = { $who }: { $name } = { $value }; машиналарда { $most } мәнінен көп болмайды
 diag-far-outside-a589 = шектен әлдеқайда тыс
 diag-check-the-number-and-its-unit-ee7b = сан мен оның бірлігін тексеріңіз; есептеу осы мәнмен жүреді
+diag-files-of-cases-with-numbers-each-e703 = { $rows } жағдайдан, әрқайсысында { $columns } саннан тұратын файлдар тым үлкен: бір файлда ең көбі { $most } сан
+diag-the-machine-has-coordinates-and-states-452d = машинада { $n } координата және элементтердің { $m } күйі бар; бірге ең көбі { $most } есептеледі
+diag-note-threads-cannot-be-started-one-a291 = ескерту: { $wanted } ағынды іске қосу мүмкін болмады ({ $e }): бір ағын есептейді. Қанша ағын керегін RAYON_NUM_THREADS айтады.

@@ -167,7 +167,7 @@ diag-a-list-of-numbers-ae1f = список чисел
 diag-the-list-is-empty-168a = { $who }: список пуст
 
 diag-the-file-has-mb-at-most-251d = размер файла { $size } МБ; читаются файлы до 64 МБ
-diag-a-key-with-more-than-64-3c3a = ключ, в котором больше 64 точек, не читается
+diag-tables-within-more-than-others-are-f2ff = таблицы, вложенные более чем в { $most } других, не читаются
 diag-nested-too-deeply-40e0 = слишком глубокая вложенность
 diag-the-file-is-no-text-byte-0366 = файл не является текстом: байт { $number } равен NUL (0x00), в тексте такого байта не бывает
 diag-nul-402d = NUL
@@ -1169,3 +1169,6 @@ diag-is-no-machine-has-less-than-088d = { $who }: { $name } = { $value }; у м�
 diag-is-no-machine-has-more-than-21e1 = { $who }: { $name } = { $value }; у машин не бывает больше { $most }
 diag-far-outside-a589 = далеко за пределами
 diag-check-the-number-and-its-unit-ee7b = проверьте число и его единицу; расчёт идёт с ним как есть
+diag-files-of-cases-with-numbers-each-e703 = файлы по { $rows } случаев с { $columns } числами в каждом слишком велики: в файле может быть не более { $most } чисел
+diag-the-machine-has-coordinates-and-states-452d = у машины { $n } координат и { $m } состояний элементов; рассчитывается не более { $most } вместе
+diag-note-threads-cannot-be-started-one-a291 = замечание: запустить потоки (их число { $wanted }) не удалось ({ $e }): считает один. Сколько потоков нужно, задаёт RAYON_NUM_THREADS.

@@ -191,7 +191,7 @@ diag-the-list-is-empty-168a = { $who }: ro‘yxat bo‘sh
 ## laval/src/file/reader.rs
 
 diag-the-file-has-mb-at-most-251d = fayl hajmi { $size } MB; ko‘pi bilan 64 MB o‘qiladi
-diag-a-key-with-more-than-64-3c3a = 64 tadan ko‘p nuqtali kalit o‘qilmaydi
+diag-tables-within-more-than-others-are-f2ff = { $most } tadan ko‘p jadval ichidagi jadvallar o‘qilmaydi
 diag-nested-too-deeply-40e0 = ichma-ichlik juda chuqur
 diag-the-file-is-no-text-byte-0366 = fayl matn emas: { $number }-bayt NUL (0x00), matnda bunday bayt bo‘lmaydi
 diag-nul-402d = NUL
@@ -1477,3 +1477,6 @@ diag-is-no-machine-has-less-than-088d = { $who }: { $name } = { $value }; mashin
 diag-is-no-machine-has-more-than-21e1 = { $who }: { $name } = { $value }; mashinalarda { $most } dan ko‘p bo‘lmaydi
 diag-far-outside-a589 = chegaradan ancha tashqarida
 diag-check-the-number-and-its-unit-ee7b = son va uning birligini tekshiring; hisob shu qiymat bilan bajariladi
+diag-files-of-cases-with-numbers-each-e703 = har birida { $columns } ta son bo‘lgan { $rows } ta holatdan iborat fayllar juda katta: bitta faylda ko‘pi bilan { $most } ta son
+diag-the-machine-has-coordinates-and-states-452d = mashinada { $n } ta koordinata va elementlarning { $m } ta holati bor; birgalikda ko‘pi bilan { $most } tasi hisoblanadi
+diag-note-threads-cannot-be-started-one-a291 = eslatma: { $wanted } ta oqimni ishga tushirib bo‘lmadi ({ $e }): bittasi hisoblaydi. Nechta oqim kerakligini RAYON_NUM_THREADS aytadi.

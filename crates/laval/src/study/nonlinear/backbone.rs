@@ -331,9 +331,10 @@ impl Shown<'_> {
         let all = in_order(self.found.families.iter().map(|f| &f.motions[..]), self.measured);
         let column = |f: &dyn Fn(&Motion) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
         let measured: Vec<&Measured> = all.iter().map(|a| a.2).collect();
+        let called = self.called();
         let t = Table::new("backbone", "Free whirls, family by family in order along each")
             .int("family", "", "number of the family", all.iter().map(|a| a.0 as i64 + 1).collect())
-            .text("begins", "where the family begins", all.iter().map(|a| self.begins(a.0)).collect())
+            .phrases("begins", "where the family begins", all.iter().map(|a| called[a.0].clone()).collect())
             .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|m| m.amplitude))
             .float("frequency", "rad/s", FREQUENCY, column(&|m| m.frequency))
             .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));

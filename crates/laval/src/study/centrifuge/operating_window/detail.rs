@@ -94,6 +94,11 @@ impl Detail {
         }
     }
 
+    /// What readers see in the place of the cell.
+    pub(super) fn shown(&self) -> Arg {
+        self.phrase().map_or_else(|| Arg::term(self.cell()), Arg::from)
+    }
+
     /// A phrase; none where the requirement says it all.
     pub(super) fn phrase(&self) -> Option<Message> {
         Some(match self {

@@ -111,14 +111,14 @@ impl Shown<'_> {
     }
 
     /// The speed of the fold at which the window ends.
-    fn fold(&self, e: &End) -> Option<f64> {
+    pub fn fold(&self, e: &End) -> Option<f64> {
         let folds = self.found.main.folds.iter().copied().filter(|_| e.event == "jump");
         let fold = folds.min_by(|a, b| (a - e.speed).abs().total_cmp(&(b - e.speed).abs()));
         fold.filter(|w| (w - e.speed).abs() <= 1e-6 * e.speed)
     }
 
     /// Why the window ends there.
-    fn reason(&self, e: &End, fold: bool) -> Message {
+    pub fn reason(&self, e: &End, fold: bool) -> Message {
         let what = e.detail.phrase().unwrap_or_else(|| requirement(&e.binding, self.flow().is_some()));
         let limit = self.limit(e);
         if e.detail.undefined() {

@@ -25,7 +25,7 @@ impl Shown<'_> {
                 "margin between -1 and 1, for the figure; NaN where it is not defined",
                 rows.iter().map(|r| finite(r.1.value).clamp(-1.0, 1.0)).collect(),
             )
-            .text("by", "what binds in it", rows.iter().map(|r| r.1.detail.cell()).collect())
+            .phrases("by", "what binds in it", rows.iter().map(|r| (r.1.detail.cell(), r.1.detail.shown())).collect())
             .build()
     }
 
@@ -123,8 +123,8 @@ impl Shown<'_> {
             .text("high binding", "requirement that ends it above", i.iter().map(|x| x.high.binding.clone()).collect())
             .text("low event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.low.event.into()).collect())
             .text("high event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.high.event.into()).collect())
-            .text("low reason", "why it ends below", i.iter().map(|x| self.reason_cell(&x.low)).collect())
-            .text("high reason", "why it ends above", i.iter().map(|x| self.reason_cell(&x.high)).collect())
+            .phrases("low reason", "why it ends below", i.iter().map(|x| self.reason_cell(&x.low)).collect())
+            .phrases("high reason", "why it ends above", i.iter().map(|x| self.reason_cell(&x.high)).collect())
             .float("low bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.low.bracket).collect())
             .float("high bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.high.bracket).collect())
             .float(
@@ -186,16 +186,19 @@ impl Shown<'_> {
     }
 
     /// The reason of an end.
-    fn reason_cell(&self, e: &End) -> String {
+    /// In words, and as the finding says it.
+    fn reason_cell(&self, e: &End) -> (String, Arg) {
         let what = e.detail.cell();
         let what = if what.is_empty() { &e.binding } else { &what };
-        match e.event {
+        let words = match e.event {
             "domain limit" => "the range of speeds ends".into(),
             _ if e.detail.undefined() => what.clone(),
             "jump" if e.states[1] > 1 => format!("{what} exceeds its limit in one of {} stable states", e.states[1]),
             "jump" => format!("{what} exceeds its limit"),
             _ => format!("{what} reaches its limit"),
-        }
+        };
+        let shown = if e.event == "domain limit" { Arg::term(&words) } else { self.reason(e, self.fold(e).is_some()).into() };
+        (words, shown)
     }
 }
 

@@ -26,6 +26,7 @@ use super::record::exact_parts;
 use super::start::{self, Entry, INITIAL, Start, state_names};
 use super::steady_state::columns::cells;
 use super::steady_state::fields::{self, SLOWEST};
+use super::steady_state::period::LONGEST;
 use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, fastest_growth, method, neutral, sizes, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
@@ -36,6 +37,7 @@ use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
+use crate::study::shared::size::{KEPT, Size};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
@@ -175,6 +177,19 @@ points = 50
         // a run-up begins at rest
         let from = if self.axes.iter().any(|a| a.index.is_none()) { 0.0 } else { self.speed };
         vec![SpinSpeeds::between(from, self.speed)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let rows: usize = self.axes.iter().map(|a| a.values().len()).product();
+        let states = 2 * system.n() + system.m();
+        // motions of balls are kept without their states
+        let kept = if masses::has(system, self.speed) { 1 } else { LONGEST };
+        let columns = 16 + 2 * system.bodies().len() + kept * states;
+        Some(Size {
+            bytes: rows as f64 * columns as f64 * (KEPT + KEPT),
+            of: text!("{rows} motions with {columns} numbers each", rows, columns),
+            fewer: text!("give the range fewer points"),
+        })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -1,6 +1,6 @@
 //! The tables: states, folds, other changes of stability, branches.
 
-use super::shown::{Shown, words};
+use super::shown::{Shown, branch, words};
 use crate::outcome::{self, Arg, OutcomeError, Table};
 use crate::solve::harmonic::branches::bifurcation::Change;
 use crate::solve::harmonic::branches::branch::Origin;
@@ -172,7 +172,7 @@ pub(super) fn branch_table(response: &Response, end: outcome::End) -> Result<Tab
     let int = |f: &dyn Fn(&Traced) -> usize| all.iter().map(|b| f(b) as i64).collect::<Vec<i64>>();
     Table::new("branches", "Families of states, and how each was followed")
         .int("branch", "", "number of the branch", (1..=all.len() as i64).collect())
-        .text("states", "where they come from", all.iter().map(|b| words(b.origin)).collect())
+        .phrases("states", "where they come from", all.iter().map(|b| (words(b.origin), branch(b.origin).into())).collect())
         .int("turns", "", "turns of the rotor after which the motion repeats", int(&Traced::turns))
         .text(
             "symmetry",

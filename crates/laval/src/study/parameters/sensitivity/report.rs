@@ -219,7 +219,7 @@ fn sensitivities(found: &Derivatives) -> Result<Table, Diagnostic> {
     let size = |tilt: bool, f: &dyn Fn(&Row) -> f64| float(&|r| if of(r).0.probe.is_tilt() == tilt { f(r) } else { f64::NAN });
     let table = Table::new("sensitivities", "Derivatives of every place in every parameter, by falling relative influence")
         .int("place", "", "number of the place", rows.iter().map(|r| r.0 as i64 + 1).collect())
-        .text("what", "the place", text(&|r| of(r).0.name()))
+        .phrases("what", "the place", rows.iter().map(|r| (of(r).0.name(), of(r).0.phrase().into())).collect())
         .names("parameter", "path; both halves of a lateral pair together where it has no .x", text(&|r| of(r).1.path.clone()))
         .float("value", "", "of the parameter, in its unit", float(&|r| of(r).1.value))
         .names("unit", "of the parameter", text(&|r| of(r).1.unit.to_string()))
