@@ -43,6 +43,8 @@ pub struct Column {
     pub names: bool,
     /// What readers see instead of words that are put together from numbers and names: one for each row, or none at all.
     pub phrases: Vec<Arg>,
+    /// Its numbers are in the unit of their row, which the column `unit` names.
+    pub in_row_units: bool,
     /// The values.
     pub data: Data,
 }
@@ -173,7 +175,16 @@ impl TableBuilder {
     fn add(mut self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<Arg>, data: Data) -> Self {
         let name = name.into();
         let label = Arg::term(name.replace('_', " "));
-        self.table.columns.push(Column { name, unit: unit.into(), label, doc: doc.into(), names: false, phrases: Vec::new(), data });
+        self.table.columns.push(Column {
+            name,
+            unit: unit.into(),
+            label,
+            doc: doc.into(),
+            names: false,
+            phrases: Vec::new(),
+            in_row_units: false,
+            data,
+        });
         self
     }
 
@@ -220,6 +231,12 @@ impl TableBuilder {
             column.names = true;
         }
         out
+    }
+
+    /// Says that the numbers of these columns are in the unit of their row, which the column `unit` names.
+    pub fn in_row_units(mut self, columns: &[&str]) -> Self {
+        self.table.columns.iter_mut().filter(|c| columns.contains(&c.name.as_str())).for_each(|c| c.in_row_units = true);
+        self
     }
 
     /// Adds a column of yes and no.

@@ -404,6 +404,20 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     }
 }
 
+/// The column of a table whose rows have units of their own.
+const UNIT: &str = "unit";
+
+/// The unit in which a row with a unit of its own is read, where it is another than that of the results.
+fn row_unit(t: &Table, row: usize, style: &Style) -> Option<Rung> {
+    let text = |c: &Column| match &c.data {
+        Data::Text(v) => v.get(row).cloned(),
+        _ => None,
+    };
+    let unit = t.column(UNIT).and_then(text)?;
+    let name = t.columns().iter().find(|c| c.names && c.name != UNIT).and_then(text).unwrap_or_default();
+    style.units.column(&name, &unit)
+}
+
 fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str>) {
     let rows = t.rows();
     let many = t.columns().len() > MANY_COLUMNS;
@@ -435,14 +449,21 @@ fn table(s: &mut String, t: &Table, style: &Style, open: bool, file: Option<&str
     }
     s.push_str("</tr></thead><tbody>");
     let digits = if many { 4 } else { 6 };
+    let by_row = t.columns().iter().any(|c| c.in_row_units);
     for r in 0..rows.min(MOST_ROWS) {
         s.push_str("<tr>");
+        let of_row = if by_row { row_unit(t, r, style) } else { None };
         for (c, rung) in &shown {
+            let rung = if c.in_row_units { &of_row } else { rung };
             let size = rung.as_ref().map_or(1.0, |r| r.size);
             let cell = match &c.data {
                 Data::Float(v) if v[r].is_nan() => "–".into(),
                 Data::Float(v) => style.language.number(&significant(v[r] / size, digits)),
                 Data::Int(v) => v[r].to_string(),
+                Data::Text(v) if by_row && c.name == UNIT => {
+                    let unit = of_row.as_ref().map_or(v[r].as_str(), |r| r.name.as_str());
+                    prose(&style.language.unit(&unit_text(unit)))
+                }
                 Data::Text(_) if r < c.phrases.len() => prose(&style.arg(&c.phrases[r])),
                 Data::Text(v) if c.names => prose(&style.owner(&v[r])),
                 Data::Text(v) => prose(&style.word(&v[r])),
@@ -493,5 +514,23 @@ mod tests {
         };
         let rpm = || [("rpm".to_string(), std::f64::consts::TAU / 60.0, "rad/s".to_string())];
         assert_eq!((columns(Units::new(rpm())), columns(Units::new([]))), (1, 2));
+    }
+
+    /// Rows have units of their own, and words put together from numbers those of the reader.
+    #[test]
+    fn rows_are_read_in_their_own_units() {
+        let all = vec![("at 100 rad/s".to_string(), Arg::speed(100.0)), ("none".to_string(), Arg::term("none"))];
+        let t = Table::new("t", "")
+            .names("quantity", "name", vec!["critical speed".into(), "force".into()])
+            .names("unit", "unit", vec!["rad/s".into(), "N".into()])
+            .float("value", "", "value", vec![100.0, 5.0])
+            .float("ratio", "", "a pure number", vec![100.0, 5.0])
+            .phrases("place", "where", all)
+            .in_row_units(&["value"]);
+        let mut s = String::new();
+        let rpm = Units::new([("rpm".to_string(), std::f64::consts::TAU / 60.0, "rad/s".to_string())]);
+        table(&mut s, &t.build().unwrap(), &Style { units: rpm, ..Style::default() }, true, None);
+        let cells: Vec<&str> = s.split("<td").skip(1).filter_map(|c| c.split('>').nth(1)?.split('<').next()).collect();
+        assert_eq!(cells, ["critical speed", "rpm", "954.93", "100", "954.9\u{a0}rpm", "force", "N", "5", "5", "none"]);
     }
 }

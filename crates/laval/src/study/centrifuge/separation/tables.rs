@@ -115,6 +115,7 @@ impl Shown<'_> {
             )
             .names("unit", "SI unit", rows.iter().map(|r| r.2.into()).collect())
             .text("meaning", "meaning", rows.iter().map(|r| r.3.into()).collect())
+            .in_row_units(&["value"])
             .build()
     }
 

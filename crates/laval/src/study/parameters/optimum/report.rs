@@ -228,6 +228,7 @@ fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Di
             float(&|k| side(k, 1.0)),
         )
         .float("slope down", "", "the same towards lower values; NaN likewise", float(&|k| side(k, -1.0)))
+        .in_row_units(&["value", "from", "to", "machine", "lower bound", "upper bound"])
         .build()
         .map_err(inconsistent)
 }

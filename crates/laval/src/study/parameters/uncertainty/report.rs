@@ -155,6 +155,7 @@ fn distributions(
         .int("count", "", "samples in which it was found", spreads.iter().map(|s| s.count as i64).collect())
         .leading();
     let table = interval(table, "share", "", "share of the samples with a result", &spreads.iter().map(|s| s.share).collect::<Vec<_>>());
+    let table = table.in_row_units(&["machine", "mean", "mean_low", "mean_high", "deviation", "smallest", "largest"]);
     outcome = outcome.table(table.build().map_err(inconsistent)?);
 
     let rows: Vec<(usize, usize)> = (0..spreads.len()).flat_map(|i| (0..study.quantiles.len()).map(move |j| (i, j))).collect();
@@ -163,7 +164,7 @@ fn distributions(
         .names("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
         .float("share", "", "share below", rows.iter().map(|r| study.quantiles[r.1]).collect());
     let all: Vec<Interval> = rows.iter().map(|r| spreads[r.0].quantiles[r.1]).collect();
-    let table = interval(table, "value", "", "quantile", &all);
+    let table = interval(table, "value", "", "quantile", &all).in_row_units(&["value", "value_low", "value_high"]);
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     figures::distributions(outcome, study, samples, spreads, own)
 }
@@ -319,7 +320,8 @@ fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found
             "standard deviation: interaction or curvature; NaN below two effects",
             rows.iter().map(|r| at(r).sigma).collect(),
         )
-        .int("count", "", "effects", rows.iter().map(|r| at(r).count as i64).collect());
+        .int("count", "", "effects", rows.iter().map(|r| at(r).count as i64).collect())
+        .in_row_units(&["mu_star", "mu_star_low", "mu_star_high", "mu", "sigma"]);
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     figures::effects(outcome, study, samples, found)
 }
