@@ -377,6 +377,14 @@ fn backward_critical_speeds_are_no_resonances() {
     let forward = (2.0f64 * 2e4 * 0.01 / (0.1 - 0.04)).sqrt();
     assert!((near.margin.unwrap() - (forward - 60.0) / 60.0).abs() < 1e-3, "{near:?}");
     assert_eq!(near.result.arg_named("below"), Some(&Arg::word("none")));
+    // cards: the cylindrical modes lie between the conical ones, of which the gyroscopic moment makes the forward one faster: Id w^2 -+ Ip W w - kt = 0
+    let conical = |side: f64| (0.04 * 60.0 * side + (0.04f64 * 60.0).hypot(2.0 * (0.1f64 * 2.0 * 2e4 * 0.01).sqrt())) / 0.2;
+    let cylindrical = (2.0f64 * 2e4 / 4.0).sqrt();
+    for (frequency, whirl) in [(conical(1.0), "forward"), (conical(-1.0), "backward"), (cylindrical, "forward"), (cylindrical, "backward")]
+    {
+        let found = p.modes.iter().filter(|m| m.whirl == whirl && (m.frequency.abs() / frequency - 1.0).abs() < 1e-4).count();
+        assert_eq!(found, 1, "{whirl} at {frequency}: {:?}", p.modes);
+    }
 }
 
 /// The headline names an unstable range that the run-up crosses, and none above the operating speed.
