@@ -103,6 +103,8 @@ pub struct OverSpeed {
     pub growth_speed: Vec<f64>,
     /// Largest growth rate at each, 1/s.
     pub growth: Vec<f64>,
+    /// Growth above which the machine counts as unstable, 1/s.
+    pub threshold: f64,
     /// Speeds of the amplitudes, rad/s.
     pub response_speed: Vec<f64>,
     /// Amplitude of each body at each speed, m.

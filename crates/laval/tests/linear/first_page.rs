@@ -358,6 +358,18 @@ fn doubts_of_the_studies_are_in_the_check_of_validity() {
     assert_eq!((p.verdict, keys(&p.headline)), (Verdict::Attention, vec!["headline-stable", "headline-validity"]));
 }
 
+/// A peak far narrower than the steps of the curve stands in it with its height: m e W^2/(c W) at W^2 = k/m, which damping this small moves by nothing visible.
+#[test]
+fn narrow_peaks_stand_in_the_curve() {
+    let damping = 1e-3;
+    let over = page(&jeffcott("speed = 80.0", damping, "")).over_speed.unwrap();
+    let height = MASS * ECCENTRICITY * CRITICAL / damping;
+    let largest = over.amplitudes[0].1.iter().copied().fold(0.0, f64::max);
+    assert!((largest / height - 1.0).abs() < 1e-3, "{largest} {height}");
+    assert_eq!(over.resonances[0].amplitude.as_ref().map(|a| a.1), Some(largest));
+    assert!(over.response_speed.is_sorted() && over.amplitudes[0].1.len() == over.response_speed.len());
+}
+
 /// Unbalance does not excite a whirl against the rotation: of a rigid rotor that tilts against two bearings the forward critical speed is at W^2 = kt/(Id - Ip), the
 /// backward one at kt/(Id + Ip).
 #[test]

@@ -71,9 +71,10 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed) -> Figure 
         if high - low > 4.0 * room {
             axis = axis.range((1.05 * low).max(-room), (1.05 * high).min(room));
         }
-        let panel = Panel::new(axis)
-            .mark(Line::new("growth", "speed", "growth").name(Message::new("axis-growth")))
-            .mark(Rule::y(0.0, Message::new("strip-stable-limit")));
+        let panel = Panel::new(axis).mark(Line::new("growth", "speed", "growth").name(Message::new("axis-growth"))).mark(Rule::y(
+            over.threshold,
+            if over.threshold == 0.0 { Message::new("strip-stable-limit").into() } else { Arg::term("threshold") },
+        ));
         figure = figure.panel(marks(panel));
     }
     figure

@@ -3,6 +3,7 @@
 use super::Facts;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
+use crate::solve::extrema::{Curve, Extremum};
 use crate::solve::pencil::Whirl;
 use crate::solve::stability::Row;
 use crate::study::Study;
@@ -23,6 +24,7 @@ const RISE: f64 = 1e-3;
 pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
     if let Some(row) = facts.stability.get() {
+        out.threshold = facts.threshold;
         out.unstable = unstable(row, facts);
         // ranges narrower than the steps over the whole range
         let near = facts.near.iter().flat_map(|row| unstable(row, facts));
@@ -33,8 +35,9 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     }
     out.unstable_response = unstable_responses(facts, &out.unstable);
     let forced = facts.forced.as_ref().map(|f| &f.curve);
+    let response = facts.criticals.get().map_or(forced, |found| found.response.as_ref());
     if facts.criticals.get().is_some() || forced.is_some() {
-        match facts.criticals.get().map_or(forced, |found| found.response.as_ref()) {
+        match response {
             Some(curve) => {
                 out.response_speed = curve.points.iter().map(|p| facts.sign * p.speed).collect();
                 let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
@@ -62,9 +65,31 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         out.response_speed.reverse();
         out.amplitudes.iter_mut().for_each(|a| a.1.reverse());
     }
+    if let Some(curve) = response {
+        with_peaks(facts, curve, &mut out);
+    }
     out.shown = shown(facts, &out);
     let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty() && out.unstable_response.is_empty());
     known.then_some(out)
+}
+
+/// Peaks that are narrower than the steps of the response, each in the curve of its body.
+fn with_peaks(facts: &Facts, curve: &Curve, out: &mut OverSpeed) {
+    let probes = facts.system.probes();
+    for e in curve.extrema.iter().filter(|e| e.maximum && !e.unbounded && probes[e.probe].is_reference()) {
+        let (speed, own) = (facts.sign * e.speed, &probes[e.probe].name);
+        let at = out.response_speed.partition_point(|w| *w < speed);
+        if at == 0 || at == out.response_speed.len() {
+            continue;
+        }
+        let (below, above) = (out.response_speed[at - 1], out.response_speed[at]);
+        let share = (speed - below) / (above - below);
+        out.response_speed.insert(at, speed);
+        for (name, sizes) in &mut out.amplitudes {
+            let between = sizes[at - 1] + share * (sizes[at] - sizes[at - 1]);
+            sizes.insert(at, if name == own { e.value } else { between });
+        }
+    }
 }
 
 /// From well below the lowest event or the operating speed on.
@@ -82,16 +107,16 @@ fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
 }
 
 /// Maxima of the response, one for all bodies that peak together.
-fn peaks(facts: &Facts, curve: &crate::solve::extrema::Curve) -> Vec<Resonance> {
+fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
     let probes = facts.system.probes();
     let maxima: Vec<_> = curve.extrema.iter().filter(|e| e.maximum).collect();
-    let size = |e: &crate::solve::extrema::Extremum| if e.unbounded { f64::INFINITY } else { e.value / probes[e.probe].typical() };
+    let size = |e: &Extremum| if e.unbounded { f64::INFINITY } else { e.value / probes[e.probe].typical() };
     let largest = maxima.iter().filter(|e| !e.unbounded).map(|e| size(e)).fold(0.0, f64::max);
     let mut out: Vec<Resonance> = Vec::new();
     let mut sorted = maxima.clone();
     sorted.sort_by_number_down(|a| size(a));
     // the lowest response on either side
-    let rises = |e: &crate::solve::extrema::Extremum| {
+    let rises = |e: &Extremum| {
         let side = |below: bool| {
             curve
                 .points
