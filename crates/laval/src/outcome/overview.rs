@@ -107,8 +107,8 @@ pub struct OverSpeed {
     pub threshold: f64,
     /// Speeds of the amplitudes, rad/s.
     pub response_speed: Vec<f64>,
-    /// Amplitude of each body at each speed, m.
-    pub amplitudes: Vec<(String, Vec<f64>)>,
+    /// Amplitude of each body at each speed, m, where it moves most: its name or that of the point.
+    pub amplitudes: Vec<(Arg, Vec<f64>)>,
 }
 
 /// A range of speeds in which the machine is unstable.
@@ -131,8 +131,8 @@ pub struct Unstable {
 pub struct Resonance {
     /// Spin speed, rad/s.
     pub speed: f64,
-    /// Body that moves most there, and its amplitude, m; infinite without damping. None where nothing forces the machine.
-    pub amplitude: Option<(String, f64)>,
+    /// Body or point of a body that moves most there, and its amplitude, m; infinite without damping. None where nothing forces the machine.
+    pub amplitude: Option<(Arg, f64)>,
 }
 
 /// A mode at the operating speed.

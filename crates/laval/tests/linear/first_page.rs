@@ -358,6 +358,46 @@ fn doubts_of_the_studies_are_in_the_check_of_validity() {
     assert_eq!((p.verdict, keys(&p.headline)), (Verdict::Attention, vec!["headline-stable", "headline-validity"]));
 }
 
+/// A rotor that tilts about its lower bearing, which is stiff, moves there hardly at all: vibration is that of its farthest point. Against the bearings of equal
+/// stiffness the whole rotor moves alike, and the body is named.
+#[test]
+fn vibration_is_that_of_the_point_that_moves_most() {
+    let bearing = |name: &str, at: f64, stiffness: f64| {
+        format!(
+            "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"disc\", at = {at:?} }}, \"ground\"]\nstiffness = {stiffness}\ndamping = 5.0\n"
+        )
+    };
+    let machine = |inner: f64, low: f64| {
+        format!(
+            "[machine]\nspeed = 60.0\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 4.0\neccentricity = 1e-4\ndiametral_inertia = {inner}\npolar_inertia = 0.01\n{}{}",
+            bearing("low", -0.2, low),
+            bearing("high", 0.2, 2e4)
+        )
+    };
+    let item = |p: &Overview| {
+        let size = check(p, "check-vibration").result.clone();
+        let Some(Arg::List(all)) = size.arg_named("sizes").cloned() else { panic!("{size:?}") };
+        assert_eq!(all.len(), 1);
+        let Arg::Phrase(item) = &all[0] else { panic!("{all:?}") };
+        (item.arg_named("name").cloned(), of_item(&size, "value").unwrap())
+    };
+    // with the centre of mass between bearings of one stiffness nothing tilts
+    let alike = page(&machine(0.1, 2e4));
+    let level = 4.0 * 1e-4 * 3600.0 / (4e4f64 - 4.0 * 3600.0).hypot(10.0 * 60.0);
+    let (name, value) = item(&alike);
+    assert_eq!(name, Some(Arg::name("disc")));
+    assert!((value / level - 1.0).abs() < 1e-6, "{value} {level}");
+    // about a fixed point 0.2 m below: the centre of mass moves as without tilt of a mass m + I/h^2 against four times the stiffness, the upper bearing twice as far
+    let inner = 0.1 - 0.01;
+    let pivoted = page(&machine(0.1, 2e9));
+    let centre = 4.0 * 1e-4 * 3600.0 / (8e4 - (4.0 + inner / 0.04) * 3600.0);
+    let (name, value) = item(&pivoted);
+    assert!(name.as_ref().is_some_and(|n| *n != Arg::name("disc")), "{name:?}");
+    assert!((value / (2.0 * centre) - 1.0).abs() < 1e-3, "{value} {centre}");
+    let over = pivoted.over_speed.unwrap();
+    assert_eq!(over.amplitudes.iter().map(|a| Some(a.0.clone())).collect::<Vec<_>>(), [name]);
+}
+
 /// A peak far narrower than the steps of the curve stands in it with its height: m e W^2/(c W) at W^2 = k/m, which damping this small moves by nothing visible.
 #[test]
 fn narrow_peaks_stand_in_the_curve() {

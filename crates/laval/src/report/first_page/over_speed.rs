@@ -13,7 +13,7 @@ const NAMED: usize = 4;
 pub(in super::super) fn tables(over: &OverSpeed) -> Vec<Table> {
     let mut response = Table::new(NAME, "").float("speed", "rad/s", "spin speed", over.response_speed.clone());
     for (k, (name, values)) in over.amplitudes.iter().enumerate() {
-        response = response.float(format!("amplitude_{k}"), "m", Arg::name(name), values.clone());
+        response = response.float(format!("amplitude_{k}"), "m", name.clone(), values.clone());
     }
     let growth = Table::new("growth", "").float("speed", "rad/s", "spin speed", over.growth_speed.clone());
     let growth = growth.float("growth", "1/s", "largest growth rate", over.growth.clone());
@@ -58,7 +58,7 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed) -> Figure 
         let axis = Axis { scale: Scale::Log, ..Axis::new(Message::new("axis-amplitude"), "").metres(most.min(1e-3)) };
         let mut panel = Panel::new(axis);
         for (k, (name, _)) in over.amplitudes.iter().enumerate() {
-            panel = panel.mark(Line::new(NAME, "speed", format!("amplitude_{k}")).name(Arg::name(name)));
+            panel = panel.mark(Line::new(NAME, "speed", format!("amplitude_{k}")).name(name.clone()));
         }
         figure = figure.panel(marks(panel));
     }

@@ -131,8 +131,8 @@ fn jump(speeds: &[f64]) -> Message {
 fn resonance(r: &crate::outcome::Resonance) -> Message {
     let m = |key: &str| Message::new(key).arg("speed", Arg::speed(r.speed));
     match &r.amplitude {
-        Some((body, x)) if x.is_finite() => m("remark-resonance").arg("body", Arg::name(body)).arg("value", Arg::quantity(*x, "m")),
-        Some((body, _)) => m("remark-resonance-unbounded").arg("body", Arg::name(body)),
+        Some((body, x)) if x.is_finite() => m("remark-resonance").arg("body", body.clone()).arg("value", Arg::quantity(*x, "m")),
+        Some((body, _)) => m("remark-resonance-unbounded").arg("body", body.clone()),
         None => m("remark-critical"),
     }
 }

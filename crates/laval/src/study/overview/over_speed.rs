@@ -1,6 +1,7 @@
 //! Growth, response and jumps over the spin speed.
 
 use super::Facts;
+use crate::model::probe::Probe;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
 use crate::solve::extrema::{Curve, Extremum};
@@ -9,6 +10,7 @@ use crate::solve::stability::Row;
 use crate::study::Study;
 use crate::study::linear::campbell::damping;
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+use crate::study::shared::probes::{self, farthest};
 use laval_num::order::{SortByNumber, ascending};
 
 /// A critical speed with more damping than this does not show as a resonance.
@@ -40,9 +42,8 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         match response {
             Some(curve) => {
                 out.response_speed = curve.points.iter().map(|p| facts.sign * p.speed).collect();
-                let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
-                let size = |p| curve.points.iter().map(|r| r.size(p)).collect();
-                out.amplitudes = bodies.map(|p| (p.name.clone(), size(p))).collect();
+                let size = |p: &Probe| curve.points.iter().map(|r| r.size(p)).collect();
+                out.amplitudes = most_moved(facts, curve).into_iter().map(|p| (probes::label(p), size(p))).collect();
                 out.resonances = peaks(facts, curve);
             }
             None => {
@@ -73,11 +74,22 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     known.then_some(out)
 }
 
+/// The point of each body that moves most over the speed.
+fn most_moved<'f>(facts: &'f Facts, curve: &Curve) -> Vec<&'f Probe> {
+    let largest = |p: &Probe| {
+        let peaks = curve.extrema.iter().filter(|e| facts.system.probes()[e.probe] == *p).map(|e| e.value);
+        let all = curve.points.iter().map(|r| r.size(p)).chain(peaks);
+        all.filter(|x| x.is_finite()).fold(0.0, f64::max)
+    };
+    farthest(facts.system, largest).into_iter().map(|p| p.0).collect()
+}
+
 /// Peaks that are narrower than the steps of the response, each in the curve of its body.
 fn with_peaks(facts: &Facts, curve: &Curve, out: &mut OverSpeed) {
-    let probes = facts.system.probes();
-    for e in curve.extrema.iter().filter(|e| e.maximum && !e.unbounded && probes[e.probe].is_reference()) {
-        let (speed, own) = (facts.sign * e.speed, &probes[e.probe].name);
+    let (all, shown) = (facts.system.probes(), most_moved(facts, curve));
+    for e in curve.extrema.iter().filter(|e| e.maximum && !e.unbounded) {
+        let Some(own) = shown.iter().position(|p| **p == all[e.probe]) else { continue };
+        let speed = facts.sign * e.speed;
         let at = out.response_speed.partition_point(|w| *w < speed);
         if at == 0 || at == out.response_speed.len() {
             continue;
@@ -85,9 +97,9 @@ fn with_peaks(facts: &Facts, curve: &Curve, out: &mut OverSpeed) {
         let (below, above) = (out.response_speed[at - 1], out.response_speed[at]);
         let share = (speed - below) / (above - below);
         out.response_speed.insert(at, speed);
-        for (name, sizes) in &mut out.amplitudes {
+        for (k, (_, sizes)) in out.amplitudes.iter_mut().enumerate() {
             let between = sizes[at - 1] + share * (sizes[at] - sizes[at - 1]);
-            sizes.insert(at, if name == own { e.value } else { between });
+            sizes.insert(at, if k == own { e.value } else { between });
         }
     }
 }
@@ -108,9 +120,9 @@ fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
 
 /// Maxima of the response, one for all bodies that peak together.
 fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
-    let probes = facts.system.probes();
+    let all = facts.system.probes();
     let maxima: Vec<_> = curve.extrema.iter().filter(|e| e.maximum).collect();
-    let size = |e: &Extremum| if e.unbounded { f64::INFINITY } else { e.value / probes[e.probe].typical() };
+    let size = |e: &Extremum| if e.unbounded { f64::INFINITY } else { e.value / all[e.probe].typical() };
     let largest = maxima.iter().filter(|e| !e.unbounded).map(|e| size(e)).fold(0.0, f64::max);
     let mut out: Vec<Resonance> = Vec::new();
     let mut sorted = maxima.clone();
@@ -118,12 +130,7 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
     // the lowest response on either side
     let rises = |e: &Extremum| {
         let side = |below: bool| {
-            curve
-                .points
-                .iter()
-                .filter(move |p| (p.speed < e.speed) == below)
-                .map(|p| p.size(&probes[e.probe]))
-                .fold(f64::INFINITY, f64::min)
+            curve.points.iter().filter(move |p| (p.speed < e.speed) == below).map(|p| p.size(&all[e.probe])).fold(f64::INFINITY, f64::min)
         };
         let floor = [true, false].map(side).into_iter().filter(|x| x.is_finite()).fold(0.0, f64::max);
         e.unbounded || !(e.value - floor <= RISE * e.value)
@@ -133,7 +140,7 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
             continue;
         }
         let amplitude =
-            (!probes[e.probe].is_tilt()).then(|| (probes[e.probe].name.clone(), if e.unbounded { f64::INFINITY } else { e.value }));
+            (!all[e.probe].is_tilt()).then(|| (probes::label(&all[e.probe]), if e.unbounded { f64::INFINITY } else { e.value }));
         out.push(Resonance { speed: facts.sign * e.speed, amplitude });
     }
     out

@@ -117,6 +117,20 @@ pub fn displaced<'p, I: IntoIterator<Item = (&'p Probe, f64)>>(sizes: impl Fn() 
     loud == 0.0 || sizes().into_iter().any(|(p, x)| !p.is_tilt() && !still(p, x, loud, ROUNDING))
 }
 
+/// How much farther another point of a body moves than its reference point, where that other point is named.
+const FARTHER: f64 = 1.001;
+
+/// The point of each body with the largest size, its reference point where they move alike; a size that is no number is the largest.
+pub fn farthest(system: &System, size: impl Fn(&Probe) -> f64) -> Vec<(&Probe, f64)> {
+    let mut out: Vec<(&Probe, f64)> = Vec::new();
+    for reference in system.probes().iter().filter(|p| p.is_reference()) {
+        let others = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference() && p.body == reference.body);
+        let farther = |a: (&'_ Probe, f64), x: f64| !(a.1.is_nan() || x <= FARTHER * a.1);
+        out.push(others.map(|p| (p, size(p))).fold((reference, size(reference)), |a, b| if farther(a, b.1) { b } else { a }));
+    }
+    out
+}
+
 /// Which probe of this kind has the largest of these sizes, and how large that is; sizes that are not known count as none.
 pub fn most(probes: &[Probe], sizes: &[f64], tilt: bool) -> Option<(usize, f64)> {
     let own = sizes.iter().copied().enumerate().filter(|&(k, x)| probes[k].is_tilt() == tilt && x.is_finite());

@@ -9,7 +9,8 @@ use crate::outcome::{Arg, Check, Finding, Level, Message, Verdict};
 use crate::solve::extrema::Curve;
 use crate::solve::rest::rest;
 use crate::study::shared::limits::Limit;
-use crate::study::shared::support::{larger, largest};
+use crate::study::shared::probes::{self, farthest};
+use crate::study::shared::support::{larger, largest, probe_name};
 use laval_num::order::SortByNumber;
 
 /// Share of a force from which on its part at rest is given beside it.
@@ -59,23 +60,22 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         }
         Err(_) => None,
     };
-    let probes = facts.system.probes();
-    let known = |p: &Probe| nonlinear.and_then(|s| s.sizes.iter().find(|x| p.is_reference() && x.0 == p.name)).map(|x| x.1);
+    let all = facts.system.probes();
+    let known = |p: &Probe| nonlinear.and_then(|s| s.sizes.iter().find(|x| !p.is_tilt() && x.0 == probe_name(p))).map(|x| x.1);
     let fastest = facts.operating.map_or(0.0, |o| o.high);
-    let linear = |p: &Probe| curve.map_or((f64::NAN, f64::NAN), |c| sizes(c, probes, p));
+    let linear = |p: &Probe| curve.map_or((f64::NAN, f64::NAN), |c| sizes(c, all, p));
     let size = |p: &Probe| known(p).unwrap_or_else(|| linear(p).0);
     let velocity = |p: &Probe| known(p).map_or_else(|| linear(p).1, |x| x * fastest);
-    let mut named: Vec<(&Probe, f64)> = probes.iter().filter(|p| p.is_reference()).map(|p| (p, size(p))).collect();
+    let mut named: Vec<(&Probe, f64)> = farthest(facts.system, size);
     named.sort_by_number_down(|a| a.1);
     named.truncate(MOST_NAMED);
-    let item =
-        |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", Arg::name(&p.name)).arg("value", Arg::quantity(*x, "m")));
+    let item = |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", probes::label(p)).arg("value", Arg::quantity(*x, "m")));
     let result = Message::new("vibration-sizes").arg("sizes", Arg::List(named.iter().map(item).collect()));
     let detail = named
         .first()
-        .map(|(p, _)| Message::new("vibration-velocity").arg("name", Arg::name(&p.name)).arg("peak", Arg::quantity(velocity(p), "m/s")));
+        .map(|(p, _)| Message::new("vibration-velocity").arg("name", probes::label(p)).arg("peak", Arg::quantity(velocity(p), "m/s")));
     let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
-        let of = |l: &&Limit| probes.iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body });
+        let of = |l: &&Limit| all.iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body });
         limits
             .iter()
             .filter_map(|l| Some((l, size(of(&l)?))))
