@@ -1,6 +1,6 @@
 //! The physics of random machines against an assembly of its own: modes, response, critical speeds, stability and motion in time, to eight digits.
 //!
-//! `LAVAL_FUZZ=10` runs ten times as many machines, `LAVAL_FUZZ=0.1` a tenth; `LAVAL_FUZZ_CASE=123` runs one and prints its file.
+//! `LAVAL_FUZZ=1` is the long form, four times as many machines, `LAVAL_FUZZ=10` ten times that; `LAVAL_FUZZ_CASE=123` runs one and prints its file.
 
 mod assembly;
 mod compare;
@@ -50,7 +50,7 @@ fn random_machines_obey_their_matrices() {
         println!("{}\n{:#?}", Machine::random(&mut Random::new(case)).file(), wrong(case, true));
         return;
     }
-    let count = (MACHINES as f64 * variable::<f64>("LAVAL_FUZZ").unwrap_or(1.0)) as u64;
+    let count = (MACHINES as f64 * variable::<f64>("LAVAL_FUZZ").unwrap_or(0.25)) as u64;
     let also: Vec<u64> = ALSO.into_iter().filter(|case| *case >= count).collect();
     let (next, found) = (AtomicU64::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
