@@ -5,20 +5,22 @@ use crate::plain;
 /// Letters of a unit that has no slash, with a mark behind it: "mm/s" has one, "kN," has none.
 const LONGEST_UNIT: usize = 4;
 
-/// Sentences for XML and HTML content and attributes: [`escape`], and no line ends between a number and its unit, behind the slash of a unit or behind a relation sign.
+/// Sentences for XML and HTML content and attributes: [`escape`], and no line ends between a number and its unit, behind the slash of a unit, behind a relation sign
+/// or before a dash.
 pub(super) fn prose(text: &str) -> String {
     let text = escape(text);
     let mut out = String::with_capacity(text.len());
-    let (mut last, mut unit) = (' ', false);
+    let (mut last, mut unit, mut dash) = (' ', false, false);
     for (at, c) in text.char_indices() {
         if c == ' ' {
-            let next = text[at + 1..].split(' ').next().unwrap_or("");
+            let next = text[at + 1..].split([' ', '&', ')']).next().unwrap_or("");
+            dash = next == "–";
             unit = last.is_ascii_digit() && (next.chars().count() <= LONGEST_UNIT || next.contains('/'));
         }
         let relation = matches!(last, '≤' | '≥');
         last = c;
         match c {
-            ' ' if unit || relation => out.push('\u{a0}'),
+            ' ' if unit || relation || dash => out.push('\u{a0}'),
             '/' if unit => out.push_str("/\u{2060}"),
             c => out.push(c),
         }
@@ -170,6 +172,7 @@ mod tests {
     fn units_do_not_break_at_their_slash() {
         assert_eq!(prose("out/m: 3 rad/s, 4 mm of a/b"), "out/m: 3\u{a0}rad/\u{2060}s, 4\u{a0}mm of a/b");
         assert_eq!(prose("2 bearings and 5 kN."), "2 bearings and 5\u{a0}kN.");
+        assert_eq!(prose("\"wheel (at 40 mm)\" 2 – 3"), "&quot;wheel (at 40\u{a0}mm)&quot; 2\u{a0}– 3");
         assert_eq!(prose("≤ 600 N"), "≤\u{a0}600\u{a0}N");
         assert_eq!(escape("speed = \"300 rad/s\""), "speed = &quot;300 rad/s&quot;");
     }

@@ -356,6 +356,7 @@ fn doubts_of_the_studies_are_in_the_check_of_validity() {
     assert_eq!((of(empty()), of(empty().finding(doubt.clone()))), (Verdict::NoLimit, Verdict::Attention));
     let p = overview(&loaded.system, &[], &[empty().finding(doubt)], &Context::quiet("page"));
     assert_eq!((p.verdict, keys(&p.headline)), (Verdict::Attention, vec!["headline-stable", "headline-validity"]));
+    assert!(keys(&p.next).contains(&"next-validity"));
 }
 
 /// A rotor that tilts about its lower bearing, which is stiff, moves there hardly at all: vibration is that of its farthest point. Against the bearings of equal
@@ -395,7 +396,12 @@ fn vibration_is_that_of_the_point_that_moves_most() {
     assert!(name.as_ref().is_some_and(|n| *n != Arg::name("disc")), "{name:?}");
     assert!((value / (2.0 * centre) - 1.0).abs() < 1e-3, "{value} {centre}");
     let over = pivoted.over_speed.unwrap();
-    assert_eq!(over.amplitudes.iter().map(|a| Some(a.0.clone())).collect::<Vec<_>>(), [name]);
+    // the curve is that of this point
+    let height = |a: &Arg| match a {
+        Arg::Phrase(m) => number(m, "height"),
+        _ => f64::NAN,
+    };
+    assert!(over.amplitudes.len() == 1 && height(&over.amplitudes[0].0) == 0.2 && name.is_some_and(|n| height(&n) == 0.2));
 }
 
 /// A peak far narrower than the steps of the curve stands in it with its height: m e W^2/(c W) at W^2 = k/m, which damping this small moves by nothing visible.
@@ -445,6 +451,17 @@ fn the_headline_names_unstable_ranges_on_the_way_up() {
     let p = page(&tip(2000.0, "speed = 200.0"));
     assert_eq!((p.verdict, keys(&p.headline)), (Verdict::Attention, vec!["headline-stable", "headline-crosses"]));
     assert!(number(&p.headline[1], "from") > 140.0 && number(&p.headline[1], "to") < 161.0);
+    // inside it, the speeds nearest below and above of which the ends are 15 % away
+    let map = "speed = 150.0\n[[study]]\nkind = \"stability_map\"\nspeed = { from = 5, to = 400, points = 400 }";
+    let inside = page(&tip(2000.0, map));
+    let next = inside.next.iter().find(|m| m.key == "next-unstable").expect("advice");
+    assert_eq!(next.arg_named("sides"), Some(&Arg::word("both")));
+    let ends = &inside.over_speed.as_ref().unwrap().unstable[0];
+    assert!((140.35..150.35).contains(&ends.from) && (150.35..160.35).contains(&ends.to));
+    for (side, end) in [("below", ends.from), ("above", ends.to)] {
+        let speed = number(next, side);
+        assert!(((speed - end).abs() / speed - 0.15).abs() < 1e-12, "{side}: {speed}");
+    }
     let below = page(&tip(2000.0, "speed = 120.0"));
     assert_eq!(keys(&below.headline), ["headline-stable"]);
 }

@@ -260,6 +260,7 @@ fn slow_waves_are_unresolved_in_the_check_and_on_the_cards() {
     let calm = page(machine);
     let stability = check(&calm, "check-stability");
     assert_eq!((stability.verdict, stability.result.key.as_str()), (Verdict::Attention, "stability-slow"));
+    assert!(calm.next.iter().any(|m| m.key == "next-viscosity"));
     let limit = number(&stability.result, "limit");
     assert!(calm.modes.iter().any(|m| m.growth > 0.0) && calm.modes.iter().all(|m| m.growth < limit && !m.grows));
     let fast = page(&machine.replacen("speed = \"900 rpm\"", "speed = \"1337 rpm\"", 1));

@@ -4,6 +4,8 @@
 label-of = { $what } of { $owner }
 # A point of a body.
 label-point = { $body } at { $height }
+# The same in front of a number.
+named-point = { $body } (at { $height })
 # A quantity and a reservation about it: "semi-major axis of the orbit; NaN where the motion failed".
 label-noted = { $what }; { $note }
 # A flag that is not set: "not stable".

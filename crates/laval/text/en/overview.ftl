@@ -166,11 +166,17 @@ run-up-resonances = { $count ->
         [one] crosses the resonance at { $resonances }
        *[other] crosses { $count } resonances, at { $resonances }
     }
-run-up-unstable = crosses the unstable range { $ranges }
+run-up-unstable = crosses the unstable { $several ->
+        [one] range
+       *[other] ranges
+    } { $ranges }
 run-up-both = crosses { $count ->
         [one] the resonance at { $resonances }
        *[other] { $count } resonances, at { $resonances },
-    } and the unstable range { $ranges }
+    } and the unstable { $several ->
+        [one] range
+       *[other] ranges
+    } { $ranges }
 speed-span = { $from } – { $to }
 why-refused = not available for this machine: { $reason }
 why-same = not available for the same reason
@@ -180,7 +186,14 @@ why-no-speed = no operating speed is set
 
 # What to do next.
 next-speed = Set speed in [machine]: the checks need an operating speed.
-next-unstable = Choose a speed outside the unstable range, or add damping; see the stability map.
+next-unstable = { $sides ->
+        [both] Choose a speed below { $below } or above { $above }
+        [below] Choose a speed below { $below }
+        [above] Choose a speed above { $above }
+       *[none] Choose a speed outside the unstable range
+    }, or add damping; see the stability map.
+next-viscosity = Give the liquid its viscosity: without it growth slower than { $limit } is not resolved.
+next-validity = Follow the findings on validity: they name the results in doubt and what to change in the model.
 next-stability-map = Add a study "stability_map" to find stable speeds and the damping that is needed.
 next-resonance = Move the operating speed or the resonance apart by { $margin } or more, or add damping.
 next-balls = Add a study "stationary": at which speeds the balls balance.

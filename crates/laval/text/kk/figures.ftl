@@ -4,6 +4,8 @@
 label-of = { $what } ({ $owner })
 # A point of a body.
 label-point = «{ $body }» денесі, { $height } биіктікте
+# The same in front of a number.
+named-point = { $body } ({ $height } биіктікте)
 # A quantity and a reservation about it.
 label-noted = { $what }; { $note }
 # A flag that is not set.

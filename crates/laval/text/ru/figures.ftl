@@ -4,6 +4,8 @@
 label-of = { $what } ({ $owner })
 # A point of a body.
 label-point = { $body }, высота { $height }
+# The same in front of a number.
+named-point = { $body } (высота { $height })
 # A quantity and a reservation about it.
 label-noted = { $what }; { $note }
 # A flag that is not set.

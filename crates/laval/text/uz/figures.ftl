@@ -4,6 +4,8 @@
 label-of = { $what } ({ $owner })
 # Jismning nuqtasi.
 label-point = { $body }, { $height } balandlik
+# The same in front of a number.
+named-point = { $body } ({ $height } balandlikda)
 # Kattalik va unga izoh: "orbitaning katta yarim o‘qi; harakat hisoblanmagan joyda NaN".
 label-noted = { $what }; { $note }
 # Qo‘yilmagan belgi: "turg‘un emas".

@@ -153,7 +153,14 @@ why-no-speed = ish tezligi berilmagan
 
 # Keyin nima qilish kerak.
 next-speed = [machine] bo‘limida speed qiymatini bering: tekshiruvlar uchun ish tezligi kerak.
-next-unstable = Noturg‘un oraliqdan tashqaridagi tezlikni tanlang yoki so‘ndirish qo‘shing; turg‘unlik xaritasiga qarang.
+next-unstable = { $sides ->
+        [both] { $below } dan past yoki { $above } dan yuqori tezlikni tanlang
+        [below] { $below } dan past tezlikni tanlang
+        [above] { $above } dan yuqori tezlikni tanlang
+       *[none] Noturg‘un oraliqdan tashqaridagi tezlikni tanlang
+    } yoki so‘ndirish qo‘shing; turg‘unlik xaritasiga qarang.
+next-viscosity = Suyuqlikning qovushqoqligini bering: usiz { $limit } dan sekin o‘sish aniqlanmaydi.
+next-validity = Qo‘llanish sohasi haqidagi xulosalarga amal qiling: ularda shubhali natijalar va modelda nimani o‘zgartirish kerakligi aytilgan.
 next-stability-map = Turg‘un tezliklarni va zarur so‘ndirishni topish uchun "stability_map" hisobini qo‘shing.
 next-resonance = Ish tezligi va rezonans orasini { $margin } yoki undan ko‘proq qiling yoki so‘ndirish qo‘shing.
 next-balls = "stationary" hisobini qo‘shing: sharchalar qaysi tezliklarda balansirlashini ko‘rsatadi.

@@ -150,6 +150,19 @@ fn above(over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Mes
     (!out.is_empty()).then(|| (Message::new("remark-above"), out.into_iter().map(|o| o.1).collect()))
 }
 
+/// The speeds nearest below and above the unstable range of the operating speed that keep the required margin to it, and lie in no other.
+fn outside(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> [Option<f64>; 2] {
+    let all = over.map_or(&[][..], |o| &o.unstable);
+    let Some(here) = all.iter().find(|u| u.from <= speed.high && speed.low <= u.to) else { return [None; 2] };
+    let margin = facts.operation.instability_margin.unwrap_or(MARGIN);
+    let known = over.map_or((f64::INFINITY, 0.0), |o| o.range);
+    let near = |w: f64| all.iter().any(|u| u != here && w * (1.0 + margin) > u.from && w * (1.0 - margin) < u.to);
+    // a margin is a share of the operating speed
+    let (below, above) = (here.from / (1.0 + margin), here.to / (1.0 - margin));
+    let clear = |w: f64, open: bool| (!open && known.0 <= w && w <= known.1 && !near(w)).then_some(w);
+    [clear(below, here.open.0), clear(above, here.open.1)]
+}
+
 /// What to do next: from what is missing or not met.
 fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: Operating) -> Vec<Message> {
     let mut out = Vec::new();
@@ -157,7 +170,28 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: Operat
     let runs = |kind: &str| facts.outcomes.iter().any(|o| o.kind == kind);
     let nonlinear = facts.system.slots().iter().any(|s| !s.is_linear());
     if checks.iter().any(|c| c.what.key == "check-stability" && checks::grows(c)) {
-        out.push(Message::new(if runs("stability_map") { "next-unstable" } else { "next-stability-map" }));
+        let [below, above] = outside(facts, over, speed).map(|w| w.map(Arg::speed));
+        let sides = match (&below, &above) {
+            (Some(_), Some(_)) => "both",
+            (Some(_), None) => "below",
+            (None, Some(_)) => "above",
+            (None, None) => "none",
+        };
+        let none = || Arg::word("none");
+        out.push(match runs("stability_map") {
+            true => Message::new("next-unstable")
+                .arg("sides", Arg::word(sides))
+                .arg("below", below.unwrap_or_else(none))
+                .arg("above", above.unwrap_or_else(none)),
+            false => Message::new("next-stability-map"),
+        });
+    }
+    let slow = checks.iter().find(|c| c.what.key == "check-stability" && c.result.key == "stability-slow");
+    if let Some(limit) = slow.and_then(|c| c.result.arg_named("limit")) {
+        out.push(Message::new("next-viscosity").arg("limit", limit.clone()));
+    }
+    if verdict("check-validity") == Some(Verdict::Attention) {
+        out.push(Message::new("next-validity"));
     }
     if matches!(verdict("check-resonance"), Some(Verdict::Attention | Verdict::Failed)) {
         out.push(Message::new("next-resonance").arg("margin", Arg::percent(facts.resonance_margin().unwrap_or(MARGIN))));

@@ -140,7 +140,7 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
             continue;
         }
         let amplitude =
-            (!all[e.probe].is_tilt()).then(|| (probes::label(&all[e.probe]), if e.unbounded { f64::INFINITY } else { e.value }));
+            (!all[e.probe].is_tilt()).then(|| (probes::named(&all[e.probe]), if e.unbounded { f64::INFINITY } else { e.value }));
         out.push(Resonance { speed: facts.sign * e.speed, amplitude });
     }
     out

@@ -71,6 +71,17 @@ pub fn label(probe: &Probe) -> Arg {
     }
 }
 
+/// The same in front of a number.
+pub fn named(probe: &Probe) -> Arg {
+    match probe.sight {
+        Sight::Displacement(z) if z != 0.0 => {
+            let height = Arg::quantity(z, "m").digits(probe.digits as u8);
+            Message::new("named-point").arg("body", Arg::name(&probe.name)).arg("height", height).into()
+        }
+        _ => Arg::name(&probe.name),
+    }
+}
+
 /// Its size, as a label: `amplitude of drum`, `tilt of drum`.
 pub fn size_of(probe: &Probe) -> Arg {
     Arg::of(if probe.is_tilt() { "tilt" } else { "amplitude" }, label(probe))

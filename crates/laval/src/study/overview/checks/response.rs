@@ -69,11 +69,11 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let mut named: Vec<(&Probe, f64)> = farthest(facts.system, size);
     named.sort_by_number_down(|a| a.1);
     named.truncate(MOST_NAMED);
-    let item = |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", probes::label(p)).arg("value", Arg::quantity(*x, "m")));
+    let item = |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", probes::named(p)).arg("value", Arg::quantity(*x, "m")));
     let result = Message::new("vibration-sizes").arg("sizes", Arg::List(named.iter().map(item).collect()));
     let detail = named
         .first()
-        .map(|(p, _)| Message::new("vibration-velocity").arg("name", probes::label(p)).arg("peak", Arg::quantity(velocity(p), "m/s")));
+        .map(|(p, _)| Message::new("vibration-velocity").arg("name", probes::named(p)).arg("peak", Arg::quantity(velocity(p), "m/s")));
     let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
         let of = |l: &&Limit| all.iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body });
         limits

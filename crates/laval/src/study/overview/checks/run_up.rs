@@ -123,7 +123,8 @@ pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, 
                 (false, false) => "run-up-both",
             };
             let m = Message::new(key).arg("count", Arg::count(resonances.len())).arg("resonances", Arg::List(resonances));
-            (m.arg("ranges", Arg::List(ranges)), None, Verdict::NotComputed)
+            let several = Arg::count(ranges.len());
+            (m.arg("several", several).arg("ranges", Arg::List(ranges)), None, Verdict::NotComputed)
         }
     };
     Some(Check { required, detail: factor(facts, over, speed), ..Check::new("check-run-up", result, verdict) })
