@@ -396,6 +396,13 @@ fn vibration_is_that_of_the_point_that_moves_most() {
     assert!(name.as_ref().is_some_and(|n| *n != Arg::name("disc")), "{name:?}");
     assert!((value / (2.0 * centre) - 1.0).abs() < 1e-3, "{value} {centre}");
     let over = pivoted.over_speed.unwrap();
+    // a limit of the body holds at each of its points, one of a point there alone
+    let limit = |who: &str, value: f64| {
+        let p = page(&format!("{}[limits]\ndisplacement = {{ {who} = {value:e} }}\n", machine(0.1, 2e9)));
+        check(&p, "check-vibration").verdict
+    };
+    assert_eq!([limit("disc", 1.5 * centre), limit("disc", 2.1 * centre)], [Verdict::Failed, Verdict::Passed]);
+    assert_eq!([limit("\"disc at 200 mm\"", 1.9 * centre), limit("\"disc at -200 mm\"", 0.1 * centre)], [Verdict::Failed, Verdict::Passed]);
     // the curve is that of this point
     let height = |a: &Arg| match a {
         Arg::Phrase(m) => number(m, "height"),

@@ -62,21 +62,19 @@ pub fn arg(probe: &Probe) -> Arg {
 
 /// The body or point of a body to which a size belongs, as a label.
 pub fn label(probe: &Probe) -> Arg {
-    match probe.sight {
-        Sight::Displacement(z) if z != 0.0 => {
-            let height = Arg::quantity(z, "m").digits(probe.digits as u8);
-            Message::new("label-point").arg("body", Arg::name(&probe.name)).arg("height", height).into()
-        }
-        _ => Arg::name(&probe.name),
-    }
+    point(probe, "label-point")
 }
 
 /// The same in front of a number.
 pub fn named(probe: &Probe) -> Arg {
+    point(probe, "named-point")
+}
+
+fn point(probe: &Probe, key: &str) -> Arg {
     match probe.sight {
         Sight::Displacement(z) if z != 0.0 => {
             let height = Arg::quantity(z, "m").digits(probe.digits as u8);
-            Message::new("named-point").arg("body", Arg::name(&probe.name)).arg("height", height).into()
+            Message::new(key).arg("body", Arg::name(&probe.name)).arg("height", height).into()
         }
         _ => Arg::name(&probe.name),
     }

@@ -44,8 +44,7 @@ pub(super) fn steady(facts: &Facts) -> Vec<(String, f64)> {
         return Vec::new();
     }
     let Some(last) = curve.points.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs())) else { return Vec::new() };
-    let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
-    bodies.map(|p| (p.name.clone(), last.size(p))).collect()
+    farthest(facts.system, |p| last.size(p)).into_iter().map(|(p, x)| (p.name.clone(), x)).collect()
 }
 
 /// Displacements of bodies against their limits.
@@ -75,10 +74,11 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         .first()
         .map(|(p, _)| Message::new("vibration-velocity").arg("name", probes::named(p)).arg("peak", Arg::quantity(velocity(p), "m/s")));
     let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
-        let of = |l: &&Limit| all.iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body });
+        // the limit of a body holds at its reference point and wherever something is attached
+        let held = |l: &Limit, p: &Probe| !p.is_tilt() && if l.at.is_some() { l.is_at(p) } else { p.name == l.body };
         limits
             .iter()
-            .filter_map(|l| Some((l, size(of(&l)?))))
+            .filter_map(|l| Some((l, all.iter().filter(|p| held(l, p)).map(size).reduce(larger)?)))
             .max_by(|a, b| (a.1 / a.0.value).total_cmp(&(b.1 / b.0.value)))
             .map(|(l, x)| (l.value, x))
     };
