@@ -403,6 +403,12 @@ fn vibration_is_that_of_the_point_that_moves_most() {
     };
     assert_eq!([limit("disc", 1.5 * centre), limit("disc", 2.1 * centre)], [Verdict::Failed, Verdict::Passed]);
     assert_eq!([limit("\"disc at 200 mm\"", 1.9 * centre), limit("\"disc at -200 mm\"", 0.1 * centre)], [Verdict::Failed, Verdict::Passed]);
+    // on the way up as well
+    let passage =
+        |limits: &str| check(&page(&format!("{}[operation]\nrun_up_time = 2.0\n{limits}", machine(0.1, 2e9))), "check-run-up").clone();
+    let most = number(&passage("").result, "value");
+    let verdict = |share: f64| passage(&format!("[limits]\npassage_displacement = {{ disc = {:e} }}\n", share * most)).verdict;
+    assert_eq!([verdict(0.9), verdict(1.1)], [Verdict::Failed, Verdict::Passed]);
     // the curve is that of this point
     let height = |a: &Arg| match a {
         Arg::Phrase(m) => number(m, "height"),

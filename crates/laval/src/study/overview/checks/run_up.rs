@@ -60,8 +60,10 @@ fn simulated(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Vec<(
 fn nearest(facts: &Facts, sizes: &[(String, f64)]) -> Option<(f64, f64)> {
     let most = sizes.iter().map(|s| s.1).fold(0.0, larger);
     let one = |l: &Limit| {
-        let own = sizes.iter().find(|s| s.0 == l.name || l.at.is_none() && s.0 == l.body);
-        (l.value, own.map_or(most, |s| s.1))
+        // the limit of a body holds at all of its points
+        let of_body = |name: &str| name.strip_prefix(&l.body).is_some_and(|rest| rest.is_empty() || rest.starts_with(" at "));
+        let own = sizes.iter().filter(|s| s.0 == l.name || l.at.is_none() && of_body(&s.0));
+        (l.value, own.map(|s| s.1).reduce(larger).unwrap_or(most))
     };
     facts.limits.passage.iter().map(one).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)))
 }
