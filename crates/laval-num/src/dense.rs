@@ -300,6 +300,33 @@ impl<T: Field> Lu<T> {
             b[i] = s / row[i];
         }
     }
+    /// Solves `A^T x = b` in place.
+    pub fn solve_transposed(&self, b: &mut [T]) {
+        let n = self.lu.rows;
+        assert_eq!(b.len(), n, "length of the right side differs from the matrix");
+        spend(products::<T>(n * n));
+        for i in 0..n {
+            let row = self.lu.row(i);
+            let x = b[i] / row[i];
+            b[i] = x;
+            for (r, &u) in b[i + 1..].iter_mut().zip(&row[i + 1..]) {
+                *r -= u * x;
+            }
+        }
+        for i in (0..n).rev() {
+            let x = b[i];
+            for (r, &l) in b[..i].iter_mut().zip(&self.lu.row(i)[..i]) {
+                *r -= l * x;
+            }
+        }
+        for (k, &p) in self.pivots.iter().enumerate().rev() {
+            b.swap(k, p);
+        }
+    }
+    /// Pivots, and whether an odd number of rows was exchanged.
+    pub(crate) fn pivots(&self) -> (impl Iterator<Item = T>, bool) {
+        ((0..self.lu.rows).map(|i| self.lu[(i, i)]), self.odd)
+    }
     /// Solves `A X = B`, all columns, in place.
     pub fn solve_mat(&self, b: &mut Mat<T>) {
         let (n, m) = (self.lu.rows, b.cols);

@@ -12,6 +12,7 @@ pub mod dual;
 pub mod eig;
 pub mod elliptic;
 pub mod ensemble;
+pub mod factor;
 pub mod fourier;
 pub mod gamma;
 pub mod interpolate;

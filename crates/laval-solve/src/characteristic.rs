@@ -7,16 +7,17 @@
 //! Theory: `docs/theory/linear-vibration.md#characteristic-matrix`.
 
 use super::sectors::{Sector, Sectors, imaginary};
-use crate::model::blocks::Grid;
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::At;
 use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, Complex, c};
-use laval_num::dense::{Field, Lu, Mat};
+use laval_num::dense::{Field, Mat};
 use laval_num::dual::Dual;
+use laval_num::factor::{Factors, Pattern, Plan};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// Axes in which a state is at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -87,9 +88,12 @@ pub struct Characteristic<'a> {
     params: Vec<D1>,
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
-    grid: Grid<Complex<D1>>,
-    /// Tangents of nonlinear parts in sector coordinates: multiplied by 1, s, s^2; none where all parts are linear.
-    nonlinear: Option<[Mat<C64>; 3]>,
+    stiffness: Vec<Complex<D1>>,
+    pattern: Arc<Pattern>,
+    /// Tangents of nonlinear parts in sector coordinates, as entries: multiplied by 1, s, s^2; none where all parts are linear.
+    nonlinear: Option<[Vec<C64>; 3]>,
+    /// Unknowns by sector with the pattern of their bordered matrix, where one was requested.
+    bordered: Vec<Arc<Bordered>>,
     states: Vec<usize>,
     sectors: Sectors,
     frame: Frame,
@@ -104,17 +108,28 @@ impl<'a> Characteristic<'a> {
         let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
         system.linear(&params, Dual::lift(about.speed), Form::Frequency, &mut model, &mut scratch);
         let own = nonlinear_states(system);
-        let states: Vec<usize> = model.states.iter().chain(&own).copied().collect();
+        let states: Vec<usize> = model.states().iter().chain(&own).copied().collect();
         let coordinates = coordinate_sectors(system);
         let sectors = Sectors::chain(&[&coordinates, &state_sectors(system, &states)]);
         let n = system.n();
-        let nonlinear = system
-            .slots()
-            .iter()
-            .any(|s| !s.is_linear())
-            .then(|| tangents(system, about, &coordinates, &sectors, &states, n + model.states.len()));
-        let (frame, speed) = (about.frame, about.speed);
-        Characteristic { system, params, model, scratch, grid: Grid::empty(), nonlinear, states, sectors, frame, speed, n }
+        let nonlinear =
+            system.slots().iter().any(|s| !s.is_linear()).then(|| tangents(system, about, &coordinates, &sectors, &states, &model));
+        let (frame, speed, pattern) = (about.frame, about.speed, model.pattern().clone());
+        Characteristic {
+            system,
+            params,
+            model,
+            scratch,
+            stiffness: Vec::new(),
+            pattern,
+            nonlinear,
+            bordered: Vec::new(),
+            states,
+            sectors,
+            frame,
+            speed,
+            n,
+        }
     }
 
     /// Number of unknowns.
@@ -143,18 +158,49 @@ impl<'a> Characteristic<'a> {
 
     /// T(s) and dT/ds.
     pub fn at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
-        self.linear_at(s, value, slope);
-        self.add_tangents(s, value, slope);
+        let [v, d] = self.entries(s);
+        self.fill(&v, value);
+        self.fill(&d, slope);
+    }
+
+    /// T(s) and dT/ds as entries of the [pattern](Self::pattern).
+    pub fn entries(&mut self, s: C64) -> [Vec<C64>; 2] {
+        let [mut value, mut slope] = self.differentiated(s, (1.0, 0.0));
+        self.add_tangents(s, &mut value, &mut slope);
+        [value, slope]
+    }
+
+    /// Which entries of T may differ from zero.
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        &self.pattern
+    }
+
+    /// How matrices over all unknowns are factored.
+    pub fn plan(&self) -> &Plan {
+        self.model.plan()
+    }
+
+    /// The matrix of entries.
+    fn fill(&self, entries: &[C64], out: &mut Mat<C64>) {
+        out.reset(self.sectors.len(), self.sectors.len());
+        for i in 0..self.sectors.len() {
+            self.pattern.row(i).for_each(|(e, j)| out[(i, j)] = entries[e]);
+        }
+    }
+    fn filled(&self, entries: &[C64]) -> Mat<C64> {
+        let mut out = Mat::default();
+        self.fill(entries, &mut out);
+        out
     }
 
     /// Adds the share of nonlinear parts, which is of second order in s.
-    fn add_tangents(&self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
+    fn add_tangents(&self, s: C64, value: &mut [C64], slope: &mut [C64]) {
         let Some([k, d, m]) = &self.nonlinear else { return };
-        for j in 0..self.sectors.len() {
-            let s = s + self.shift(self.sectors.of(j));
-            for i in 0..self.sectors.len() {
-                value[(i, j)] += k[(i, j)] + s * (d[(i, j)] + s * m[(i, j)]);
-                slope[(i, j)] += d[(i, j)] + (s * m[(i, j)]).scale(2.0);
+        for i in 0..self.sectors.len() {
+            for (e, j) in self.pattern.row(i) {
+                let s = s + self.shift(self.sectors.of(j));
+                value[e] += k[e] + s * (d[e] + s * m[e]);
+                slope[e] += d[e] + (s * m[e]).scale(2.0);
             }
         }
     }
@@ -162,15 +208,17 @@ impl<'a> Characteristic<'a> {
     /// T(s) of nonlinear parts alone; `None` where all parts are linear.
     pub fn tangents_at(&self, s: C64) -> Option<Mat<C64>> {
         self.nonlinear.as_ref()?;
-        let size = self.sectors.len();
-        let (mut value, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
+        let mut value = vec![C64::ZERO; self.pattern.entries()];
+        let mut slope = value.clone();
         self.add_tangents(s, &mut value, &mut slope);
-        Some(value)
+        Some(self.filled(&value))
     }
 
     /// The share of linear and frequency-domain parts.
     pub fn linear_at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
-        self.differentiated(s, (1.0, 0.0), value, slope);
+        let [v, d] = self.differentiated(s, (1.0, 0.0));
+        self.fill(&v, value);
+        self.fill(&d, slope);
     }
 
     /// Derivative over the speed of the share of linear and frequency-domain parts, exact also beside their poles, which may turn with the rotor.
@@ -178,10 +226,9 @@ impl<'a> Characteristic<'a> {
         let mut seeded = LinearModel::default();
         self.system.linear(&self.params, Dual::seed(self.speed, 0), Form::Frequency, &mut seeded, &mut self.scratch);
         std::mem::swap(&mut self.model, &mut seeded);
-        let (mut value, mut slope) = (Mat::default(), Mat::default());
-        self.differentiated(s, (0.0, 1.0), &mut value, &mut slope);
+        let [_, slope] = self.differentiated(s, (0.0, 1.0));
         self.model = seeded;
-        slope
+        self.filled(&slope)
     }
 
     /// Derivative of the share of linear and frequency-domain parts over parameters (by index) that move together, exact.
@@ -191,43 +238,37 @@ impl<'a> Characteristic<'a> {
         let mut seeded = LinearModel::default();
         self.system.linear(&self.params, Dual::lift(self.speed), Form::Frequency, &mut seeded, &mut self.scratch);
         std::mem::swap(&mut self.model, &mut seeded);
-        let (mut value, mut slope) = (Mat::default(), Mat::default());
-        self.differentiated(s, (0.0, 0.0), &mut value, &mut slope);
+        let [_, slope] = self.differentiated(s, (0.0, 0.0));
         self.model = seeded;
         seed(&mut self.params, 0.0);
-        slope
+        self.filled(&slope)
     }
 
-    /// The share of linear and frequency-domain parts and its derivative in a direction (of s, of the speed), which the blocks know of the speed.
-    fn differentiated(&mut self, s: C64, (along, speed): (f64, f64), value: &mut Mat<C64>, slope: &mut Mat<C64>) {
-        let size = self.sectors.len();
-        value.reset(size, size);
-        slope.reset(size, size);
+    /// The share of linear and frequency-domain parts and its derivative in a direction (of s, of the speed), which the model knows of the speed.
+    fn differentiated(&mut self, s: C64, (along, speed): (f64, f64)) -> [Vec<C64>; 2] {
         let turning = self.frame == Frame::Turning;
         let kinds: &[Sector] = if turning { &[Sector::Axial, Sector::Forward, Sector::Backward] } else { &[Sector::Axial] };
-        let (mut v, mut d) = (Mat::zeros(size, size), Mat::zeros(size, size));
+        let mut out = [vec![C64::ZERO; self.pattern.entries()], vec![C64::ZERO; self.pattern.entries()]];
         for &kind in kinds {
             let s = s + self.shift(kind);
             let wound = if turning { speed * kind.winding() } else { 0.0 };
             let s = c(Dual { re: s.re, eps: [along] }, Dual { re: s.im, eps: [wound] });
-            self.system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
-            for i in 0..self.grid.rows() {
-                for j in 0..self.grid.cols() {
-                    let x = self.grid[(i, j)];
-                    v[(i, j)] = c(x.re.re, x.im.re);
-                    d[(i, j)] = c(x.re.eps[0], x.im.eps[0]);
+            let z = &mut self.stiffness;
+            self.system.dynamic_stiffness_entries(&self.params, &self.model, Form::Frequency, s, z, &mut self.scratch);
+            let mut v: Vec<C64> = z.iter().map(|x| c(x.re.re, x.im.re)).collect();
+            let mut d: Vec<C64> = z.iter().map(|x| c(x.re.eps[0], x.im.eps[0])).collect();
+            self.sectors.polarise_entries(&self.pattern, &mut v);
+            self.sectors.polarise_entries(&self.pattern, &mut d);
+            if !turning {
+                return [v, d];
+            }
+            for i in 0..self.sectors.len() {
+                for (e, _) in self.pattern.row(i).filter(|x| self.sectors.of(x.1) == kind) {
+                    (out[0][e], out[1][e]) = (v[e], d[e]);
                 }
             }
-            self.sectors.polarise_matrix(&self.sectors, &mut v);
-            self.sectors.polarise_matrix(&self.sectors, &mut d);
-            for j in (0..size).filter(|&j| !turning || self.sectors.of(j) == kind) {
-                for i in 0..size {
-                    (value[(i, j)], slope[(i, j)]) = (v[(i, j)], d[(i, j)]);
-                }
-            }
-            v.reset(size, size);
-            d.reset(size, size);
         }
+        out
     }
 
     /// The function whose zeros take the poles of T in the forward sector away ([`System::regular`]), about a state at rest, and its logarithmic derivative.
@@ -241,7 +282,7 @@ impl<'a> Characteristic<'a> {
     /// Constant forces and those that turn with the rotor (complex amplitudes `c - i s` of `c cos(phase) + s sin(phase)`), in x and y, over all
     /// unknowns.
     pub fn loads(&self) -> (Vec<f64>, Vec<C64>) {
-        let b = &self.model.blocks;
+        let b = &self.model.loads;
         let (mut constant, mut turning) = (vec![0.0; self.size()], vec![C64::ZERO; self.size()]);
         for i in 0..self.n {
             constant[i] = b.force[i].re;
@@ -253,21 +294,29 @@ impl<'a> Characteristic<'a> {
         (constant, turning)
     }
 
+    /// Unknowns of a sector, or all of them, with the pattern of their bordered matrix.
+    fn bordered(&mut self, members: &[usize]) -> Arc<Bordered> {
+        if let Some(known) = self.bordered.iter().find(|b| b.members == members) {
+            return known.clone();
+        }
+        let new = Arc::new(Bordered::new(&self.pattern, members));
+        self.bordered.push(new.clone());
+        new
+    }
+
     /// Scales T at `s` over the members so that its rows and columns are of size one, and finds its smallest singular directions.
     pub fn border(&mut self, s: C64, members: &[usize]) -> Option<Border> {
-        let (mut t, mut d) = (Mat::default(), Mat::default());
-        self.at(s, &mut t, &mut d);
-        let (rows, cols) = equilibrate(&t, &d, s.abs(), members);
-        let k = members.len();
-        let scaled = Mat::from_fn(k, k, |i, j| t[(members[i], members[j])].scale(rows[i] * cols[j]));
-        let (b, a) = singular_directions(&scaled)?;
-        Some(Border { members: members.to_vec(), rows, cols, b, c: a })
+        let of = self.bordered(members);
+        let [t, d] = self.entries(s);
+        let (t, d) = (of.taken(&t), of.taken(&d));
+        let (rows, cols) = equilibrate(&of, &t, &d, s.abs());
+        let (b, a) = singular_directions(&of, &of.scaled(&t, &rows, &cols))?;
+        Some(Border { of, rows, cols, b, c: a })
     }
 
     /// The bordered test function `g` (zero exactly where T is singular), dg/ds, and the null vectors that belong to it.
     pub fn test(&mut self, s: C64, border: &Border) -> Option<Test> {
-        let (mut t, mut d) = (Mat::default(), Mat::default());
-        self.at(s, &mut t, &mut d);
+        let [t, d] = self.entries(s);
         border.test(&t, &d)
     }
 
@@ -327,25 +376,24 @@ impl<'a> Characteristic<'a> {
     }
 }
 
-/// Tangents of the nonlinear parts at the equilibrium over the unknowns, in sector coordinates: in the unknowns, their first and second rates.
-/// States from `first` on are those of nonlinear parts.
+/// Tangents of the nonlinear parts at the equilibrium over the unknowns, in sector coordinates, as entries: in the unknowns, their first and second rates.
+/// States behind those of the linear model are those of nonlinear parts.
 fn tangents(
     system: &System,
     about: &Equilibrium,
     coordinates: &Sectors,
     sectors: &Sectors,
     states: &[usize],
-    first: usize,
-) -> [Mat<C64>; 3] {
-    let n = system.n();
-    let size = n + states.len();
+    model: &LinearModel<D1>,
+) -> [Vec<C64>; 3] {
+    let (n, first, pattern) = (system.n(), model.held(), model.pattern());
     let (v, a) = (about.velocity(coordinates), about.acceleration(coordinates));
     let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
     let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
     system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
     [0, 1, 2].map(|power| {
         let (top, bottom) = [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)][power];
-        let m = Mat::from_fn(size, size, |i, j| match (i < n, j < n) {
+        let at = |i: usize, j: usize| match (i < n, j < n) {
             (true, true) => top[(i, j)],
             (true, false) if power == 0 && j >= first => t.z[(i, states[j - n])],
             (false, true) if i >= first => -bottom[(states[i - n], j)],
@@ -355,8 +403,13 @@ fn tangents(
                 _ => 0.0,
             },
             _ => 0.0,
-        });
-        sectors.polarised(sectors, &m)
+        };
+        let mut entries = vec![C64::ZERO; pattern.entries()];
+        for i in 0..pattern.n() {
+            pattern.row(i).for_each(|(e, j)| entries[e] = c(at(i, j), 0.0));
+        }
+        sectors.polarise_entries(pattern, &mut entries);
+        entries
     })
 }
 
@@ -377,10 +430,45 @@ pub struct Polished {
     pub iterations: usize,
 }
 
+/// Some unknowns of T, and how their matrix with one more row and column is factored.
+#[derive(Clone, Debug)]
+struct Bordered {
+    members: Vec<usize>,
+    /// Number of each entry in the whole.
+    from: Vec<Option<usize>>,
+    pattern: Arc<Pattern>,
+    plan: Plan,
+    /// The same without the border.
+    inner: Plan,
+    inner_from: Vec<Option<usize>>,
+}
+
+impl Bordered {
+    fn new(whole: &Pattern, members: &[usize]) -> Self {
+        let (pattern, from) = whole.of(members, true);
+        let (inner, inner_from) = whole.of(members, false);
+        let pattern = Arc::new(pattern);
+        Bordered { members: members.to_vec(), from, plan: Plan::new(&pattern), pattern, inner: Plan::new(&Arc::new(inner)), inner_from }
+    }
+    /// Entries over the members.
+    fn taken(&self, whole: &[C64]) -> Vec<C64> {
+        self.inner_from.iter().map(|e| e.map_or(C64::ZERO, |e| whole[e])).collect()
+    }
+    /// Entries over the members with factors of rows and columns.
+    fn scaled(&self, t: &[C64], rows: &[f64], cols: &[f64]) -> Vec<C64> {
+        let mut out = t.to_vec();
+        let pattern = self.inner.pattern();
+        for (i, &r) in rows.iter().enumerate() {
+            pattern.row(i).for_each(|(e, j)| out[e] = out[e].scale(r * cols[j]));
+        }
+        out
+    }
+}
+
 /// Scaling and bordering vectors, kept while `s` and the speed move a little.
 #[derive(Clone, Debug)]
 pub struct Border {
-    members: Vec<usize>,
+    of: Arc<Bordered>,
     rows: Vec<f64>,
     cols: Vec<f64>,
     b: Vec<C64>,
@@ -403,40 +491,55 @@ pub struct Test {
 impl Border {
     /// `y^H M x` for the vectors of a test and a matrix over all unknowns.
     pub fn product(&self, test: &Test, m: &Mat<C64>) -> C64 {
+        let members = &self.of.members;
+        self.products(test, |i| members.iter().enumerate().map(move |(j, &mj)| (j, m[(members[i], mj)])))
+    }
+
+    /// The same of a matrix by the entries of its rows.
+    fn products<I: Iterator<Item = (usize, C64)>>(&self, test: &Test, row: impl Fn(usize) -> I) -> C64 {
         let mut sum = C64::ZERO;
-        for (i, (&mi, y)) in self.members.iter().zip(&test.left).enumerate() {
-            let row =
-                self.members.iter().zip(&test.right).zip(&self.cols).fold(C64::ZERO, |s, ((&mj, &x), &k)| s + m[(mi, mj)] * x.scale(k));
+        for (i, y) in test.left.iter().enumerate() {
+            let row = row(i).fold(C64::ZERO, |s, (j, m)| s + m * test.right[j].scale(self.cols[j]));
             sum += y.conj() * row.scale(self.rows[i]);
         }
         sum
     }
 
-    fn test(&self, t: &Mat<C64>, d: &Mat<C64>) -> Option<Test> {
-        let k = self.members.len();
-        let m = Mat::from_fn(k + 1, k + 1, |i, j| match (i < k, j < k) {
-            (true, true) => t[(self.members[i], self.members[j])].scale(self.rows[i] * self.cols[j]),
-            (true, false) => self.b[i],
-            (false, true) => self.c[j].conj(),
-            _ => C64::ZERO,
-        });
+    fn test(&self, t: &[C64], d: &[C64]) -> Option<Test> {
+        let of = &self.of;
+        let k = of.members.len();
+        let mut m = vec![C64::ZERO; of.from.len()];
+        for i in 0..=k {
+            for (e, j) in of.pattern.row(i) {
+                m[e] = match (of.from[e], i < k, j < k) {
+                    (Some(whole), ..) => t[whole].scale(self.rows[i] * self.cols[j]),
+                    (_, true, false) => self.b[i],
+                    (_, false, true) => self.c[j].conj(),
+                    _ => C64::ZERO,
+                };
+            }
+        }
+        let factors = Factors::new(&of.plan, &m).ok()?;
         let mut right = vec![C64::ZERO; k + 1];
         right[k] = C64::ONE;
         let mut left = right.clone();
-        Lu::new(&m).ok()?.solve(&mut right);
-        Lu::new(&Mat::from_fn(k + 1, k + 1, |i, j| m[(j, i)].conj())).ok()?.solve(&mut left);
+        factors.solve(&mut right);
+        // of the adjoint: the right side is real
+        factors.solve_transposed(&mut left);
+        left.iter_mut().for_each(|x| *x = x.conj());
         // T x + b g = 0, so that g is minus the usual sign; it vanishes with the determinant.
         let g = right[k];
         right.truncate(k);
         left.truncate(k);
         let mut test = Test { g, slope: C64::ZERO, right, left };
-        test.slope = -self.product(&test, d);
+        let row = |i: usize| of.pattern.row(i).filter_map(|(e, j)| Some((j, d[of.from[e]?])));
+        test.slope = -self.products(&test, row);
         (test.g.is_finite() && test.slope.is_finite()).then_some(test)
     }
 
     fn spread(&self, x: &[C64], scale: &[f64], size: usize) -> Vec<C64> {
         let mut out = vec![C64::ZERO; size];
-        for ((&m, &x), &k) in self.members.iter().zip(x).zip(scale) {
+        for ((&m, &x), &k) in self.of.members.iter().zip(x).zip(scale) {
             out[m] = x.scale(k);
         }
         out
@@ -445,41 +548,48 @@ impl Border {
 
 /// Row and column factors that bring the largest entries of rows and columns near one. Sizes come from T and s dT/ds together: T alone may be
 /// small only because its terms cancel, which is what the test function is to see.
-fn equilibrate(t: &Mat<C64>, slope: &Mat<C64>, s: f64, members: &[usize]) -> (Vec<f64>, Vec<f64>) {
-    let k = members.len();
+fn equilibrate(of: &Bordered, t: &[C64], slope: &[C64], s: f64) -> (Vec<f64>, Vec<f64>) {
+    let (pattern, k) = (of.inner.pattern(), of.members.len());
     let (mut rows, mut cols) = (vec![1.0; k], vec![1.0; k]);
-    let size = |i: usize, j: usize| t[(members[i], members[j])].size() + s * slope[(members[i], members[j])].size();
+    let sizes: Vec<f64> = t.iter().zip(slope).map(|(t, d)| t.size() + s * d.size()).collect();
     let factor = |x: f64| if x > 0.0 && x.is_finite() { x.sqrt().recip() } else { 1.0 };
+    let mut largest = vec![0.0f64; k];
     for _ in 0..6 {
         for (i, r) in rows.iter_mut().enumerate() {
-            *r *= factor((0..k).map(|j| size(i, j) * *r * cols[j]).fold(0.0, f64::max));
+            *r *= factor(pattern.row(i).map(|(e, j)| sizes[e] * *r * cols[j]).fold(0.0, f64::max));
         }
-        for (j, c) in cols.iter_mut().enumerate() {
-            *c *= factor((0..k).map(|i| size(i, j) * rows[i] * *c).fold(0.0, f64::max));
+        largest.fill(0.0);
+        for (i, r) in rows.iter().enumerate() {
+            pattern.row(i).for_each(|(e, j)| largest[j] = largest[j].max(sizes[e] * r * cols[j]));
         }
+        cols.iter_mut().zip(&largest).for_each(|(c, &x)| *c *= factor(x));
     }
     let power = |x: &f64| x.log2().round().exp2();
     (rows.iter().map(power).collect(), cols.iter().map(power).collect())
 }
 
 /// Left and right singular directions of the smallest singular value, roughly, by inverse iteration.
-fn singular_directions(t: &Mat<C64>) -> Option<(Vec<C64>, Vec<C64>)> {
-    let k = t.rows();
+fn singular_directions(of: &Bordered, t: &[C64]) -> Option<(Vec<C64>, Vec<C64>)> {
+    let (pattern, k) = (of.inner.pattern(), of.members.len());
     // A change by a few roundings keeps an exactly singular matrix factorable and moves the directions no further.
     // One equation alone is zero where it is singular, and has no size.
-    let size = t.max_size();
+    let size = t.iter().fold(0.0, |m: f64, x| if x.size() > m || x.size().is_nan() { x.size() } else { m });
     let eps = 8.0 * f64::EPSILON * if size > 0.0 { size } else { 1.0 };
-    let shifted = Mat::from_fn(k, k, |i, j| if i == j { t[(i, j)] + c(eps, 0.5 * eps) } else { t[(i, j)] });
-    let lu = Lu::new(&shifted).ok()?;
-    let adjoint = Lu::new(&Mat::from_fn(k, k, |i, j| shifted[(j, i)].conj())).ok()?;
+    let mut shifted = t.to_vec();
+    for i in 0..k {
+        pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| shifted[e] += c(eps, 0.5 * eps));
+    }
+    let factors = Factors::new(&of.inner, &shifted).ok()?;
     let mut x: Vec<C64> = (0..k).map(|i| C64::cis(1.0 + 2.4 * i as f64).scale(1.0 + 0.3 * (i as f64).sin())).collect();
     let mut y = x.clone();
     for _ in 0..3 {
-        y = x.clone();
-        adjoint.solve(&mut y);
+        // with the adjoint
+        y = x.iter().map(|x| x.conj()).collect();
+        factors.solve_transposed(&mut y);
+        y.iter_mut().for_each(|y| *y = y.conj());
         normalise(&mut y)?;
         x = y.clone();
-        lu.solve(&mut x);
+        factors.solve(&mut x);
         normalise(&mut x)?;
     }
     Some((y, x))

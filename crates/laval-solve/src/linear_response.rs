@@ -4,14 +4,14 @@ use super::characteristic::{Characteristic, Equilibrium, Frame, nonlinear_states
 use super::locate::State;
 use super::sectors::{Sectors, circular, imaginary};
 use crate::diagnostic::Diagnostic;
-use crate::model::blocks::Grid;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::At;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, c};
-use laval_num::dense::{Field, Lu, Mat};
+use laval_num::dense::Field;
+use laval_num::factor::{Factors, Plan};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -74,12 +74,11 @@ const CIRCLE: f64 = 1e-9;
 /// # Errors
 /// As the state.
 pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Response>, Diagnostic> {
-    let Equations { matrix, load, sectors } = equations(system, state, speed)?;
+    let Equations { plan, entries, load, sectors } = equations(system, state, speed)?;
     // at standstill no unbalance acts, and what no stiffness holds stays where it is
-    let still =
-        speed == 0.0 && load.iter().all(|f| *f == C64::ZERO) && (0..matrix.rows()).all(|i| matrix.row(i).iter().all(|x| x.is_finite()));
+    let still = speed == 0.0 && load.iter().all(|f| *f == C64::ZERO) && entries.iter().all(|x| x.is_finite());
     let at_rest = Response { speed, x: vec![C64::ZERO; load.len()], residual: 0.0 };
-    Ok(solve(&matrix, load, speed).or(still.then_some(at_rest)).map(|mut r| {
+    Ok(solve(plan, &entries, load, speed).or(still.then_some(at_rest)).map(|mut r| {
         if let Some(sectors) = sectors {
             sectors.restore(&mut r.x);
         }
@@ -92,80 +91,81 @@ pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Resp
 /// # Errors
 /// As the state.
 pub fn is_known(system: &System, state: State, speed: f64) -> Result<bool, Diagnostic> {
-    let m = equations(system, state, speed)?.matrix;
-    Ok((0..m.rows()).all(|i| (0..m.cols()).all(|j| m[(i, j)].is_finite())))
+    Ok(equations(system, state, speed)?.entries.iter().all(|x| x.is_finite()))
 }
 
-/// T and the load, in x and y or in sectors, which are then given.
-struct Equations {
-    matrix: Mat<C64>,
+/// T as entries and the load, in x and y or in sectors, which are then given.
+struct Equations<'a> {
+    plan: &'a Plan,
+    entries: Vec<C64>,
     load: Vec<C64>,
     sectors: Option<Sectors>,
 }
 
-fn equations(system: &System, state: State, speed: f64) -> Result<Equations, Diagnostic> {
+fn equations<'a>(system: &'a System, state: State, speed: f64) -> Result<Equations<'a>, Diagnostic> {
     let about = state(speed)?;
     Ok(if about.frame == Frame::Fixed && nonlinear_states(system).is_empty() {
-        let (matrix, load) = fixed(system, speed, Some(&about));
-        Equations { matrix, load, sectors: None }
+        fixed(system, speed, Some(&about))
     } else {
         let mut t = Characteristic::new(system, &about);
-        let (mut matrix, mut d) = (Mat::default(), Mat::default());
-        t.at(imaginary(speed), &mut matrix, &mut d);
+        let [entries, _] = t.entries(imaginary(speed));
         let (_, mut load) = t.loads();
         t.sectors().polarise(&mut load);
-        Equations { matrix, load, sectors: Some(t.sectors().clone()) }
+        Equations { plan: plan(system), entries, load, sectors: Some(t.sectors().clone()) }
     })
+}
+
+fn plan(system: &System) -> &Plan {
+    system.assembly(Form::Frequency).plan()
 }
 
 /// Response of the linear parts alone, nonlinear parts left out; `None` where they hold no body.
 pub fn of_linear_parts(system: &System, speed: f64) -> Option<Response> {
-    let (m, load) = fixed(system, speed, None);
-    solve(&m, load, speed)
+    let Equations { plan, entries, load, .. } = fixed(system, speed, None);
+    solve(plan, &entries, load, speed)
 }
 
 /// T(i W) and the load in x and y, without derivatives: all that a response about a state at rest takes. Without a state nonlinear parts are left out.
-fn fixed(system: &System, speed: f64, about: Option<&Equilibrium>) -> (Mat<C64>, Vec<C64>) {
+fn fixed<'a>(system: &'a System, speed: f64, about: Option<&Equilibrium>) -> Equations<'a> {
     let (n, s) = (system.n(), c(0.0, speed));
-    let (mut model, mut scratch, mut grid) = (LinearModel::default(), LinearScratch::default(), Grid::empty());
+    let (mut model, mut scratch, mut entries) = (LinearModel::default(), LinearScratch::default(), Vec::new());
     system.linear(system.params(), speed, Form::Frequency, &mut model, &mut scratch);
-    system.dynamic_stiffness(system.params(), &model, Form::Frequency, s, &mut grid, &mut scratch);
-    let mut matrix = Mat::from_fn(grid.rows(), grid.cols(), |i, j| grid[(i, j)]);
+    system.dynamic_stiffness_entries(system.params(), &model, Form::Frequency, s, &mut entries, &mut scratch);
     if let Some(about) = about.filter(|_| system.slots().iter().any(|s| !s.is_linear())) {
         let zero = vec![0.0; n];
         let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
         system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
-        for j in 0..n {
-            for i in 0..n {
-                matrix[(i, j)] += c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]);
+        for i in 0..n {
+            for (e, j) in model.pattern().row(i).take_while(|x| x.1 < n) {
+                entries[e] += c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]);
             }
         }
     }
-    let b = &model.blocks;
-    let load = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { C64::ZERO }).collect();
-    (matrix, load)
+    if about.is_none() {
+        // states of nonlinear parts are left out with them
+        for i in model.held()..model.pattern().n() {
+            model.pattern().row(i).filter(|x| x.1 == i).for_each(|(e, _)| entries[e] = C64::ONE);
+        }
+    }
+    let b = &model.loads;
+    let load = (0..model.pattern().n()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { C64::ZERO }).collect();
+    Equations { plan: plan(system), entries, load, sectors: None }
 }
 
 /// Solves with one refinement.
-fn solve(m: &Mat<C64>, load: Vec<C64>, speed: f64) -> Option<Response> {
+fn solve(plan: &Plan, entries: &[C64], load: Vec<C64>, speed: f64) -> Option<Response> {
     let size = load.iter().map(|z| z.abs()).fold(0.0, f64::max);
-    let lu = Lu::new(m).ok()?;
-    // most of a large machine's matrix is empty
-    let entries: Vec<(usize, usize, C64)> = (0..m.rows())
-        .flat_map(|i| (0..m.cols()).map(move |j| (i, j)))
-        .map(|(i, j)| (i, j, m[(i, j)]))
-        .filter(|e| e.2 != C64::ZERO)
-        .collect();
-    let rest = |x: &[C64]| {
-        let mut image = vec![C64::ZERO; load.len()];
-        entries.iter().for_each(|&(i, j, a)| image[i] += a * x[j]);
-        load.iter().zip(image).map(|(f, i)| *f - i).collect::<Vec<C64>>()
+    let factors = Factors::new(plan, entries).ok()?;
+    let pattern = plan.pattern();
+    let rest = |x: &[C64]| -> Vec<C64> {
+        let row = |i: usize| pattern.row(i).fold(C64::ZERO, |sum, (e, j)| sum + entries[e] * x[j]);
+        load.iter().enumerate().map(|(i, f)| *f - row(i)).collect()
     };
     let mut x = load.clone();
-    lu.solve(&mut x);
+    factors.solve(&mut x);
     let mut r = rest(&x);
-    lu.solve(&mut r);
+    factors.solve(&mut r);
     x.iter_mut().zip(&r).for_each(|(x, r)| *x += *r);
     if !x.iter().all(|z| z.is_finite()) {
         return None;

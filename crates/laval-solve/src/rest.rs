@@ -217,7 +217,7 @@ fn undeflected(system: &System, at: &Equilibrium) -> bool {
     }
     let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(system.params(), at.speed, Form::Frequency, &mut model, &mut scratch);
-    if !model.blocks.force.iter().chain(&model.blocks.rate).all(|&f| f == 0.0) {
+    if !model.loads.force.iter().chain(&model.loads.rate).all(|&f| f == 0.0) {
         return false;
     }
     let zero = vec![0.0; system.n()];

@@ -7,6 +7,7 @@
 use crate::model::part::DofKind;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Mat};
+use laval_num::factor::Pattern;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -135,6 +136,24 @@ impl Sectors {
             for i in 0..m.rows() {
                 let (p, q) = (m[(i, j)], m[(i, j + 1)]);
                 (m[(i, j)], m[(i, j + 1)]) = ((p + q).scale(FRAC_1_SQRT_2), (p - q).mul_i().scale(FRAC_1_SQRT_2));
+            }
+        }
+    }
+    /// Entries of a square matrix in sector coordinates; the pattern couples both components of a pair with whatever it couples one of them with.
+    pub fn polarise_entries(&self, pattern: &Pattern, values: &mut [C64]) {
+        for i in self.pairs() {
+            let rows = pattern.row(i).zip(pattern.row(i + 1));
+            for ((p, _), (q, _)) in rows {
+                let (a, b) = (values[p], values[q].mul_i());
+                (values[p], values[q]) = ((a + b).scale(FRAC_1_SQRT_2), (a - b).scale(FRAC_1_SQRT_2));
+            }
+        }
+        for i in 0..pattern.n() {
+            for (e, j) in pattern.row(i) {
+                if self.of[j] == Sector::Forward {
+                    let (x, y) = (values[e], values[e + 1].mul_i());
+                    (values[e], values[e + 1]) = ((x - y).scale(FRAC_1_SQRT_2), (x + y).scale(FRAC_1_SQRT_2));
+                }
             }
         }
     }

@@ -1,23 +1,89 @@
-//! The linear parts of a machine at one spin speed: blocks in time, dynamic stiffness in frequency.
+//! The linear parts of a machine at one spin speed: one sparse model in time, dynamic stiffness in frequency.
 
+use super::assembly::{Assembly, Places, Stamp};
 use super::blocks::{Axes, Blocks, Grid};
 use super::erased::{Evaluate, FrequencyDomain};
-use super::part::{Domain, Physics};
+use super::part::{At, Domain, Physics};
 use super::system::{Slot, System, scatter};
 use laval_num::complex::{Complex, c};
+use laval_num::factor::{Pattern, Plan};
 use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 use laval_num::work::spend;
+use std::sync::Arc;
 
-/// All linear parts on global coordinates. Memory states stay with their parts (`memory`); the other states of linear parts are `states`.
+/// All linear parts over the coordinates and the states of the blocks, as values on one pattern of entries. Memory states stay with their parts.
+///
+/// ```text
+/// rows of coordinates:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (gc cos(phase) + gs sin(phase))
+/// rows of states:       z' = A z + Aq q + Av v + Aa a + z0 + W' (hc cos(phase) + hs sin(phase))
+/// ```
 #[derive(Clone, Debug)]
 pub struct LinearModel<S> {
-    /// Blocks over `n` coordinates and `states.len()` states.
-    pub blocks: Blocks<S>,
-    /// Global indices of the states in the blocks.
-    pub states: Vec<usize>,
+    assembly: Arc<Assembly>,
+    /// Number of coordinates.
+    n: usize,
+    /// Spin speed W of the last assembly, rad/s.
+    pub speed: S,
     /// Memory states by part: slot, first global state, and the part's own list.
     pub memory: Vec<SlotMemory<S>>,
+    /// M; Aa in the rows of states.
+    mass: Vec<S>,
+    /// C; Av in the rows of states.
+    damping: Vec<S>,
+    gyroscopic: Vec<S>,
+    /// K and, in the columns of states, H; Aq and A in the rows of states.
+    stiffness: Vec<S>,
+    circulatory: Vec<S>,
+    /// K' and, in the columns of states, H'.
+    spin_accel_stiffness: Vec<S>,
+    /// Constant and turning loads.
+    pub loads: Loads<S>,
+}
+
+/// Right sides of a linear model.
+#[derive(Clone, Debug)]
+pub struct Loads<S> {
+    /// f0: constant force, N.
+    pub force: Vec<S>,
+    /// fc: force on cos(phase), N.
+    pub force_cos: Vec<S>,
+    /// fs: force on sin(phase), N.
+    pub force_sin: Vec<S>,
+    /// gc: force per spin acceleration on cos(phase).
+    pub spin_accel_cos: Vec<S>,
+    /// gs: force per spin acceleration on sin(phase).
+    pub spin_accel_sin: Vec<S>,
+    /// z0: constant rate.
+    pub rate: Vec<S>,
+    /// hc: rate per spin acceleration on cos(phase).
+    pub spin_accel_rate_cos: Vec<S>,
+    /// hs: rate per spin acceleration on sin(phase).
+    pub spin_accel_rate_sin: Vec<S>,
+}
+
+impl<S: Scalar> Loads<S> {
+    fn empty() -> Self {
+        let v = Vec::new;
+        Loads {
+            force: v(),
+            force_cos: v(),
+            force_sin: v(),
+            spin_accel_cos: v(),
+            spin_accel_sin: v(),
+            rate: v(),
+            spin_accel_rate_cos: v(),
+            spin_accel_rate_sin: v(),
+        }
+    }
+    fn reset(&mut self, n: usize, m: usize) {
+        for f in [&mut self.force, &mut self.force_cos, &mut self.force_sin, &mut self.spin_accel_cos, &mut self.spin_accel_sin] {
+            refill(f, n, S::zero());
+        }
+        for f in [&mut self.rate, &mut self.spin_accel_rate_cos, &mut self.spin_accel_rate_sin] {
+            refill(f, m, S::zero());
+        }
+    }
 }
 
 /// Memory states of one part.
@@ -33,7 +99,138 @@ pub struct SlotMemory<S> {
 
 impl<S: Scalar> Default for LinearModel<S> {
     fn default() -> Self {
-        LinearModel { blocks: Blocks::default(), states: Vec::new(), memory: Vec::new() }
+        LinearModel {
+            assembly: Arc::default(),
+            n: 0,
+            speed: S::zero(),
+            memory: Vec::new(),
+            mass: Vec::new(),
+            damping: Vec::new(),
+            gyroscopic: Vec::new(),
+            stiffness: Vec::new(),
+            circulatory: Vec::new(),
+            spin_accel_stiffness: Vec::new(),
+            loads: Loads::empty(),
+        }
+    }
+}
+
+impl<S: Scalar> LinearModel<S> {
+    fn reset(&mut self, assembly: &Arc<Assembly>, n: usize, speed: S) {
+        self.assembly = assembly.clone();
+        (self.n, self.speed) = (n, speed);
+        self.memory.clear();
+        for values in [
+            &mut self.mass,
+            &mut self.damping,
+            &mut self.gyroscopic,
+            &mut self.stiffness,
+            &mut self.circulatory,
+            &mut self.spin_accel_stiffness,
+        ] {
+            refill(values, assembly.pattern.entries(), S::zero());
+        }
+        self.loads.reset(n, assembly.states.len());
+    }
+
+    /// Sparsity over the unknowns: coordinates, [`states`](Self::states), then the states of parts that are not linear, whose rows are empty here.
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        &self.assembly.pattern
+    }
+    /// How matrices of that pattern are factored.
+    pub fn plan(&self) -> &Plan {
+        self.assembly.plan()
+    }
+    /// Number of the unknowns of linear parts: coordinates and [`states`](Self::states).
+    pub fn held(&self) -> usize {
+        self.n + self.assembly.states.len()
+    }
+    /// Global indices of the states of the blocks.
+    pub fn states(&self) -> &[usize] {
+        &self.assembly.states
+    }
+    fn get(&self, values: &[S], i: usize, j: usize) -> S {
+        self.assembly.pattern.index(i, j).map_or(S::zero(), |e| values[e])
+    }
+    /// Entry of M over the coordinates; of Aa in the row of a state.
+    pub fn mass(&self, i: usize, j: usize) -> S {
+        self.get(&self.mass, i, j)
+    }
+    /// Entry of C + W G over the coordinates; of Av in the row of a state.
+    pub fn damping(&self, i: usize, j: usize) -> S {
+        self.get(&self.damping, i, j) + self.speed * self.get(&self.gyroscopic, i, j)
+    }
+    /// Entry of K + W N over the coordinates, of H in the column of a state; of Aq or A in the row of a state.
+    pub fn stiffness(&self, i: usize, j: usize) -> S {
+        self.get(&self.stiffness, i, j) + self.speed * self.get(&self.circulatory, i, j)
+    }
+    /// Entry of K alone, without circulatory terms.
+    pub fn stiffness_alone(&self, i: usize, j: usize) -> S {
+        self.get(&self.stiffness, i, j)
+    }
+    /// The mass matrix alone, entry by entry of the pattern.
+    pub fn mass_values(&self) -> &[S] {
+        &self.mass
+    }
+
+    /// The force rows and the rates of the [`states`](Self::states) at a point whose `z` holds these states alone, added to `force` and `rate`.
+    pub fn residual(&self, at: &At<S>, force: &mut [S], rate: &mut [S]) {
+        let (pattern, loads, held) = (&self.assembly.pattern, &self.loads, self.held());
+        let (sin, cos) = at.phase.sin_cos();
+        for i in 0..self.n {
+            let mut r = S::zero();
+            for (e, j) in pattern.row(i).take_while(|x| x.1 < held) {
+                if j < self.n {
+                    let damping = self.damping[e] + self.speed * self.gyroscopic[e];
+                    let stiffness = self.stiffness[e] + self.speed * self.circulatory[e] + at.spin_accel * self.spin_accel_stiffness[e];
+                    r += self.mass[e] * at.a[j] + damping * at.v[j] + stiffness * at.q[j];
+                } else {
+                    r += (self.stiffness[e] + at.spin_accel * self.spin_accel_stiffness[e]) * at.z[j - self.n];
+                }
+            }
+            r -= loads.force[i] + loads.force_cos[i] * cos + loads.force_sin[i] * sin;
+            r -= at.spin_accel * (loads.spin_accel_cos[i] * cos + loads.spin_accel_sin[i] * sin);
+            force[i] += r;
+        }
+        for (i, rate) in rate.iter_mut().enumerate() {
+            let (mut own, mut q, mut v, mut a) = (S::zero(), S::zero(), S::zero(), S::zero());
+            for (e, j) in pattern.row(self.n + i).take_while(|x| x.1 < held) {
+                if j < self.n {
+                    q += self.stiffness[e] * at.q[j];
+                    v += self.damping[e] * at.v[j];
+                    a += self.mass[e] * at.a[j];
+                } else {
+                    own += self.stiffness[e] * at.z[j - self.n];
+                }
+            }
+            *rate +=
+                own + q + v + a + loads.rate[i] + at.spin_accel * (loads.spin_accel_rate_cos[i] * cos + loads.spin_accel_rate_sin[i] * sin);
+        }
+    }
+
+    fn add(&mut self, stamp: &Stamp, b: &Blocks<S>) {
+        add_at(&stamp.coordinates, &b.mass, &mut self.mass);
+        add_at(&stamp.coordinates, &b.damping, &mut self.damping);
+        add_at(&stamp.coordinates, &b.gyroscopic, &mut self.gyroscopic);
+        add_at(&stamp.coordinates, &b.stiffness, &mut self.stiffness);
+        add_at(&stamp.coordinates, &b.circulatory, &mut self.circulatory);
+        add_at(&stamp.coordinates, &b.spin_accel_stiffness, &mut self.spin_accel_stiffness);
+        if stamp.states > 0 {
+            add_at(&stamp.state_columns, &b.state_force, &mut self.stiffness);
+            add_at(&stamp.state_columns, &b.spin_accel_state_force, &mut self.spin_accel_stiffness);
+            add_at(&stamp.state_rows, &b.state_a, &mut self.mass);
+            add_at(&stamp.state_rows, &b.state_v, &mut self.damping);
+            add_at(&stamp.state_rows, &b.state_q, &mut self.stiffness);
+            add_at(&stamp.state_block, &b.state, &mut self.stiffness);
+        }
+    }
+}
+
+fn add_at<S: Scalar>(places: &Places, local: &Grid<S>, global: &mut [S]) {
+    for (list, &x) in places.lists().zip(local.data()) {
+        for &(e, factor) in list {
+            global[e] += if factor == 1.0 { x } else { x.scale(factor) };
+        }
     }
 }
 
@@ -41,11 +238,12 @@ impl<S: Scalar> Default for LinearModel<S> {
 pub struct LinearScratch<S> {
     local: Blocks<S>,
     impedance: Vec<Complex<S>>,
+    entries: Vec<Complex<S>>,
 }
 
 impl<S: Scalar> Default for LinearScratch<S> {
     fn default() -> Self {
-        LinearScratch { local: Blocks::default(), impedance: Vec::new() }
+        LinearScratch { local: Blocks::default(), impedance: Vec::new(), entries: Vec::new() }
     }
 }
 
@@ -58,50 +256,17 @@ pub enum Form {
     Frequency,
 }
 
-fn add_mapped<S: Scalar>(slot: &Slot, local: &Grid<S>, global: &mut Grid<S>) {
-    for (i, rows) in slot.map.iter().enumerate() {
-        for (j, cols) in slot.map.iter().enumerate() {
-            let x = local[(i, j)];
-            for &(gi, ci) in rows {
-                for &(gj, cj) in cols {
-                    global[(gi, gj)] += x.scale(ci * cj);
-                }
-            }
-        }
-    }
-}
-
 impl System {
-    /// States that stand in the blocks of a linear model: those of linear parts, without memory.
-    pub fn linear_states(&self, form: Form) -> Vec<usize> {
-        self.slots().iter().filter(|s| in_blocks(s, form)).flat_map(|s| s.states.start..s.states.end - s.memory).collect()
-    }
-
     /// Assembles the linear parts at a spin speed (rad/s).
     pub fn linear<S: Evaluate>(&self, params: &[S], speed: S, form: Form, out: &mut LinearModel<S>, scratch: &mut LinearScratch<S>) {
-        out.states.clear();
-        for s in self.slots().iter().filter(|s| in_blocks(s, form)) {
-            out.states.extend(s.states.start..s.states.end - s.memory);
-        }
-        out.blocks.reset(self.n(), out.states.len(), speed);
-        out.memory.clear();
-        let mut row = 0;
-        for (k, slot) in self.slots().iter().enumerate().filter(|(_, s)| in_blocks(s, form)) {
-            let m = slot.states.len() - slot.memory;
+        let assembly = self.assembly(form);
+        out.reset(assembly, self.n(), speed);
+        for stamp in &assembly.stamps {
+            let slot = &self.slots()[stamp.slot];
+            let m = stamp.states;
             let b = &mut scratch.local;
             b.reset(slot.map.len(), m, speed);
             S::linear(&*slot.part, &params[slot.params.clone()], speed, b);
-            let g = &mut out.blocks;
-            for (local, global) in [
-                (&b.mass, &mut g.mass),
-                (&b.damping, &mut g.damping),
-                (&b.gyroscopic, &mut g.gyroscopic),
-                (&b.stiffness, &mut g.stiffness),
-                (&b.circulatory, &mut g.circulatory),
-                (&b.spin_accel_stiffness, &mut g.spin_accel_stiffness),
-            ] {
-                add_mapped(slot, local, global);
-            }
             for (i, &w) in slot.weight.iter().enumerate() {
                 for j in 0..slot.map.len() {
                     b.force[j] -= b.mass[(j, i)].scale(w);
@@ -110,44 +275,34 @@ impl System {
                     b.rate[j] += b.state_a[(j, i)].scale(w);
                 }
             }
+            out.add(stamp, b);
+            let loads = &mut out.loads;
             for (local, global) in [
-                (&b.force, &mut g.force),
-                (&b.force_cos, &mut g.force_cos),
-                (&b.force_sin, &mut g.force_sin),
-                (&b.spin_accel_cos, &mut g.spin_accel_cos),
-                (&b.spin_accel_sin, &mut g.spin_accel_sin),
+                (&b.force, &mut loads.force),
+                (&b.force_cos, &mut loads.force_cos),
+                (&b.force_sin, &mut loads.force_sin),
+                (&b.spin_accel_cos, &mut loads.spin_accel_cos),
+                (&b.spin_accel_sin, &mut loads.spin_accel_sin),
             ] {
                 scatter(&slot.map, local, global);
             }
+            let row = stamp.first_state - self.n();
             for i in 0..m {
-                g.rate[row + i] += b.rate[i];
-                g.spin_accel_rate_cos[row + i] += b.spin_accel_rate_cos[i];
-                g.spin_accel_rate_sin[row + i] += b.spin_accel_rate_sin[i];
-                for j in 0..m {
-                    g.state[(row + i, row + j)] += b.state[(i, j)];
-                }
-                for (j, cols) in slot.map.iter().enumerate() {
-                    for &(gj, cj) in cols {
-                        g.state_q[(row + i, gj)] += b.state_q[(i, j)].scale(cj);
-                        g.state_v[(row + i, gj)] += b.state_v[(i, j)].scale(cj);
-                        g.state_a[(row + i, gj)] += b.state_a[(i, j)].scale(cj);
-                        g.state_force[(gj, row + i)] += b.state_force[(j, i)].scale(cj);
-                        g.spin_accel_state_force[(gj, row + i)] += b.spin_accel_state_force[(j, i)].scale(cj);
-                    }
-                }
+                loads.rate[row + i] += b.rate[i];
+                loads.spin_accel_rate_cos[row + i] += b.spin_accel_rate_cos[i];
+                loads.spin_accel_rate_sin[row + i] += b.spin_accel_rate_sin[i];
             }
             if slot.memory > 0 {
-                out.memory.push(SlotMemory { slot: k, first: slot.states.start + m, list: b.memory.clone() });
+                out.memory.push(SlotMemory { slot: stamp.slot, first: slot.states.start + m, list: b.memory.clone() });
             }
-            row += m;
         }
         if form == Form::Frequency {
-            self.add_loads(params, speed, &mut out.blocks, &mut scratch.local);
+            self.add_loads(params, speed, &mut out.loads, &mut scratch.local);
         }
     }
 
     /// Adds the loads of the parts given in the frequency domain, and what their mass weighs.
-    fn add_loads<S: Evaluate>(&self, params: &[S], speed: S, out: &mut Blocks<S>, local: &mut Blocks<S>) {
+    fn add_loads<S: Evaluate>(&self, params: &[S], speed: S, out: &mut Loads<S>, local: &mut Blocks<S>) {
         for slot in self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_))) {
             local.reset(slot.map.len(), 0, speed);
             if let Some(part) = slot.part.frequency_domain() {
@@ -185,49 +340,80 @@ impl System {
     ) where
         Complex<S>: Copy,
     {
-        let b = &model.blocks;
-        let (n, m) = (self.n(), model.states.len());
-        out.reset_complex(n + m);
-        spend((10 * (n + m) * (n + m) + 100 * self.slots().len()) as u64);
+        let mut entries = std::mem::take(&mut scratch.entries);
+        self.dynamic_stiffness_entries(params, model, form, s, &mut entries, scratch);
+        let pattern = model.pattern();
+        let held = model.held();
+        out.reset_complex(held);
+        for i in 0..held {
+            for (e, j) in pattern.row(i).take_while(|x| x.1 < held) {
+                out[(i, j)] = entries[e];
+            }
+        }
+        scratch.entries = entries;
+    }
+
+    /// The same as values on the [pattern](LinearModel::pattern).
+    pub fn dynamic_stiffness_entries<S: Evaluate>(
+        &self,
+        params: &[S],
+        model: &LinearModel<S>,
+        form: Form,
+        s: Complex<S>,
+        out: &mut Vec<Complex<S>>,
+        scratch: &mut LinearScratch<S>,
+    ) where
+        Complex<S>: Copy,
+    {
+        let pattern = &*model.assembly.pattern;
+        let n = self.n();
+        refill(out, pattern.entries(), Complex::zero());
+        spend((10 * pattern.entries() + 100 * self.slots().len()) as u64);
         let s2 = s * s;
         for i in 0..n {
-            for j in 0..n {
-                let k = b.stiffness[(i, j)] + b.speed * b.circulatory[(i, j)];
-                let d = b.damping[(i, j)] + b.speed * b.gyroscopic[(i, j)];
-                out[(i, j)] = s2.scale(b.mass[(i, j)]) + s.scale(d) + Complex::real(k);
-            }
-            for j in 0..m {
-                out[(i, n + j)] = Complex::real(b.state_force[(i, j)]);
+            for (e, j) in pattern.row(i) {
+                out[e] = if j < n {
+                    let k = model.stiffness[e] + model.speed * model.circulatory[e];
+                    let d = model.damping[e] + model.speed * model.gyroscopic[e];
+                    s2.scale(model.mass[e]) + s.scale(d) + Complex::real(k)
+                } else {
+                    Complex::real(model.stiffness[e])
+                };
             }
         }
-        for i in 0..m {
-            for j in 0..n {
-                out[(n + i, j)] = -(Complex::real(b.state_q[(i, j)]) + s.scale(b.state_v[(i, j)]) + s2.scale(b.state_a[(i, j)]));
+        for i in n..model.held() {
+            for (e, j) in pattern.row(i).take_while(|x| x.1 < model.held()) {
+                out[e] = if j < n {
+                    -(Complex::real(model.stiffness[e]) + s.scale(model.damping[e]) + s2.scale(model.mass[e]))
+                } else {
+                    Complex::real(-model.stiffness[e])
+                };
+                if i == j {
+                    out[e] += s;
+                }
             }
-            for j in 0..m {
-                out[(n + i, n + j)] = Complex::real(-b.state[(i, j)]);
-            }
-            out[(n + i, n + i)] += s;
         }
-        for mem in &model.memory {
-            let map = &self.slots()[mem.slot].map;
-            let mut add = |row: usize, col: usize, x: Complex<S>| {
-                for &(gi, ci) in &map[row] {
-                    for &(gj, cj) in &map[col] {
-                        out[(gi, gj)] += x.scale(S::cst(ci * cj));
+        let mut add = |slot: &Slot, row: usize, col: usize, x: Complex<S>| {
+            for &(gi, ci) in &slot.map[row] {
+                for &(gj, cj) in &slot.map[col] {
+                    if let Some(e) = pattern.index(gi, gj) {
+                        out[e] += x.scale(S::cst(ci * cj));
                     }
                 }
-            };
+            }
+        };
+        for mem in &model.memory {
+            let slot = &self.slots()[mem.slot];
             for (k, z) in mem.list.iter().enumerate() {
                 let r = s + Complex::real(z.rate);
                 match z.axes {
-                    Axes::Fixed => add(z.output, z.input, r.recip().scale(z.gain)),
+                    Axes::Fixed => add(slot, z.output, z.input, r.recip().scale(z.gain)),
                     Axes::RotorX | Axes::RotorY => {
                         let partner = if z.axes == Axes::RotorX { &mem.list[k + 1] } else { &mem.list[k - 1] };
-                        let f = (r * r + Complex::real(b.speed * b.speed)).recip().scale(z.gain);
-                        let w = if z.axes == Axes::RotorX { -b.speed } else { b.speed };
-                        add(z.output, z.input, f * r);
-                        add(z.output, partner.input, f.scale(w));
+                        let f = (r * r + Complex::real(model.speed * model.speed)).recip().scale(z.gain);
+                        let w = if z.axes == Axes::RotorX { -model.speed } else { model.speed };
+                        add(slot, z.output, z.input, f * r);
+                        add(slot, z.output, partner.input, f.scale(w));
                     }
                 }
             }
@@ -236,14 +422,10 @@ impl System {
             for (slot, part) in self.in_frequency_domain() {
                 let k = slot.map.len();
                 refill(&mut scratch.impedance, k * k, Complex::zero());
-                S::impedance(part, &params[slot.params.clone()], s, b.speed, &mut scratch.impedance);
-                for (i, rows) in slot.map.iter().enumerate() {
-                    for (j, cols) in slot.map.iter().enumerate() {
-                        for &(gi, ci) in rows {
-                            for &(gj, cj) in cols {
-                                out[(gi, gj)] += scratch.impedance[i * k + j].scale(S::cst(ci * cj));
-                            }
-                        }
+                S::impedance(part, &params[slot.params.clone()], s, model.speed, &mut scratch.impedance);
+                for i in 0..k {
+                    for j in 0..k {
+                        add(slot, i, j, scratch.impedance[i * k + j]);
                     }
                 }
             }
@@ -293,14 +475,6 @@ impl System {
     fn in_frequency_domain(&self) -> impl Iterator<Item = (&Slot, &dyn FrequencyDomain)> {
         let all = self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_)));
         all.filter_map(|s| Some((s, s.part.frequency_domain()?)))
-    }
-}
-
-fn in_blocks(slot: &Slot, form: Form) -> bool {
-    match slot.physics {
-        Physics::Nonlinear => false,
-        Physics::Linear => true,
-        Physics::Frequency(_) => form == Form::Time,
     }
 }
 

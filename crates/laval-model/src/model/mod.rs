@@ -1,4 +1,5 @@
 //! What a machine is: parts, their parameters and ports, and the system they form.
+pub mod assembly;
 pub mod blocks;
 pub mod builder;
 pub mod capability;

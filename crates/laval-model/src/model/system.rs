@@ -1,8 +1,10 @@
 //! The assembled machine: parts mapped onto global coordinates. Immutable; scratch lives in a [`Workspace`].
 
+use super::assembly::Assembly;
 use super::blocks::Blocks;
 use super::erased::{Erased, Evaluate, MovableMasses};
 use super::field::{Attach, Extra, Field};
+use super::linear::Form;
 use super::params::{ParamSlot, inadmissible};
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
 use super::probe::{self, Probe};
@@ -127,6 +129,7 @@ pub struct System {
     params: Vec<f64>,
     param_slots: Vec<ParamSlot>,
     probes: OnceLock<Vec<Probe>>,
+    assemblies: [OnceLock<Arc<Assembly>>; 2],
 }
 
 /// Scratch for evaluations in scalar `S`; one per thread.
@@ -180,6 +183,7 @@ impl System {
             params: vec![],
             param_slots: vec![],
             probes: OnceLock::new(),
+            assemblies: Default::default(),
         };
         for input in &inputs {
             system.add(input, &mut diagnostics);
@@ -381,6 +385,10 @@ impl System {
     /// displacement differs from it, the tilt.
     pub fn probes(&self) -> &[Probe] {
         self.probes.get_or_init(|| probe::all(self))
+    }
+    /// Where the entries of parts stand in the linear model of a form.
+    pub fn assembly(&self, form: Form) -> &Arc<Assembly> {
+        self.assemblies[form as usize].get_or_init(|| Arc::new(Assembly::new(self, form)))
     }
     /// Parameter values, SI.
     pub fn params(&self) -> &[f64] {

@@ -109,15 +109,14 @@ impl<'a, S: Entry> Varying<'a, S> {
         let n = self.n;
         let mut model = LinearModel::default();
         system.linear(system.params(), speed, Form::Time, &mut model, &mut LinearScratch::default());
-        let b = &model.blocks;
         let rows = Mat::from_fn(n, 2 * n + 3, |i, j| match j {
-            j if j < n => -(b.stiffness[(i, j)] + speed * b.circulatory[(i, j)]),
-            j if j < 2 * n => -(b.damping[(i, j - n)] + speed * b.gyroscopic[(i, j - n)]),
-            j => [b.force[i], b.force_cos[i], b.force_sin[i]][j - 2 * n],
+            j if j < n => -model.stiffness(i, j),
+            j if j < 2 * n => -model.damping(i, j - n),
+            j => [model.loads.force[i], model.loads.force_cos[i], model.loads.force_sin[i]][j - 2 * n],
         });
         self.rows.set(lane, &rows);
         for (k, m) in self.fixed.iter_mut().enumerate() {
-            *m = m.with(lane, b.mass[(k / n, k % n)]);
+            *m = m.with(lane, model.mass(k / n, k % n));
         }
         for law in &mut self.laws {
             let slot = &system.slots()[law.slot];

@@ -32,26 +32,26 @@ impl Compiled {
         let n = system.n();
         let mut model = LinearModel::default();
         system.linear(system.params(), speed, Form::Time, &mut model, &mut LinearScratch::default());
-        let b = &model.blocks;
-        let m = model.states.len();
-        let mass = Mat::from_fn(n, n, |i, j| b.mass[(i, j)]);
+        let (b, loads) = (&model, &model.loads);
+        let m = model.states().len();
+        let mass = Mat::from_fn(n, n, |i, j| b.mass(i, j));
         let lu = Lu::new(&mass).map_err(|s| singular(system, s.column, mass.data()))?;
         // the force rows over (q, v, z, constant, cos, sin), solved for the accelerations
         let cols = 2 * n + m;
         let mut top = Mat::from_fn(n, cols + 3, |i, j| match j {
-            j if j < n => -(b.stiffness[(i, j)] + speed * b.circulatory[(i, j)]),
-            j if j < 2 * n => -(b.damping[(i, j - n)] + speed * b.gyroscopic[(i, j - n)]),
-            j if j < cols => -b.state_force[(i, j - 2 * n)],
-            j => [b.force[i], b.force_cos[i], b.force_sin[i]][j - cols],
+            j if j < n => -b.stiffness(i, j),
+            j if j < 2 * n => -b.damping(i, j - n),
+            j if j < cols => -b.stiffness(i, j - n),
+            j => [loads.force[i], loads.force_cos[i], loads.force_sin[i]][j - cols],
         });
         lu.solve_mat(&mut top);
-        let state_a = Mat::from_fn(m, n, |i, j| b.state_a[(i, j)]);
+        let state_a = Mat::from_fn(m, n, |i, j| b.mass(n + i, j));
         let bottom = state_a.matmul(&top);
         let own = |i: usize, j: usize| match j {
-            j if j < n => b.state_q[(i, j)],
-            j if j < 2 * n => b.state_v[(i, j - n)],
-            j if j < cols => b.state[(i, j - 2 * n)],
-            j if j == cols => b.rate[i],
+            j if j < n => b.stiffness(n + i, j),
+            j if j < 2 * n => b.damping(n + i, j - n),
+            j if j < cols => b.stiffness(n + i, j - n),
+            j if j == cols => loads.rate[i],
             _ => 0.0,
         };
         let full = |i: usize, j: usize| if i < n { top[(i, j)] } else { bottom[(i - n, j)] + own(i - n, j) };
@@ -104,7 +104,7 @@ impl Compiled {
         }
         memory_rows(system, &self.model, &at, &mut self.force, &mut out.rate);
         self.x[..2 * n].copy_from_slice(&y[..2 * n]);
-        for (x, &i) in self.x[2 * n..].iter_mut().zip(&self.model.states) {
+        for (x, &i) in self.x[2 * n..].iter_mut().zip(self.model.states()) {
             *x = y[2 * n + i];
         }
         // the same sine as the parts use, on every machine
@@ -125,7 +125,7 @@ impl Compiled {
             }
         }
         out.accel[..n].copy_from_slice(&self.sum[..n]);
-        for (&i, &r) in self.model.states.iter().zip(&self.sum[n..]) {
+        for (&i, &r) in self.model.states().iter().zip(&self.sum[n..]) {
             out.rate[i] += r;
         }
     }

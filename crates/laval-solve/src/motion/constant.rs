@@ -51,7 +51,7 @@ pub(crate) struct Constant<'a, S> {
 impl<'a, S: Entry> Constant<'a, S> {
     pub fn new(base: &'a System) -> Self {
         let (n, m) = (base.n(), base.m());
-        let states = base.linear_states(crate::model::linear::Form::Time);
+        let states = &base.assembly(crate::model::linear::Form::Time).states;
         let target: Vec<usize> = (0..n).chain(states.iter().map(|z| n + z)).collect();
         let zeros = |len: usize| vec![S::zero(); len];
         let mut laws = Vec::new();
@@ -101,7 +101,7 @@ impl<'a, S: Entry> Constant<'a, S> {
             for j in 0..2 * n {
                 full[(i, j)] = compiled.columns[(j, i)];
             }
-            for (k, &z) in compiled.model.states.iter().enumerate() {
+            for (k, &z) in compiled.model.states().iter().enumerate() {
                 full[(i, 2 * n + z)] = compiled.columns[(2 * n + k, i)];
             }
             for (k, forcing) in compiled.forcing.iter().enumerate() {

@@ -27,7 +27,8 @@ pub(super) struct Direct {
     model: LinearModel<f64>,
     model_speed: Option<f64>,
     linear_scratch: LinearScratch<f64>,
-    /// Mass matrix of the linear parts, and of all.
+    /// Mass matrix of the linear parts as entries and as a matrix, and that of all.
+    mass_values: Vec<f64>,
     linear_mass: Mat,
     mass: Mat,
     lu: Lu,
@@ -57,6 +58,7 @@ impl Direct {
             model: LinearModel::default(),
             model_speed: None,
             linear_scratch: LinearScratch::default(),
+            mass_values: vec![],
             linear_mass: Mat::default(),
             mass: Mat::default(),
             lu: Lu::default(),
@@ -91,10 +93,11 @@ impl Direct {
         }
         system.linear(system.params(), speed, Form::Time, &mut self.model, &mut self.linear_scratch);
         self.model_speed = Some(speed);
-        let mass = self.model.blocks.mass.data();
-        if self.linear_mass.data() != mass {
-            self.linear_mass.reset(system.n(), system.n());
-            self.linear_mass.data_mut().copy_from_slice(mass);
+        let mass = self.model.mass_values();
+        if self.mass_values != mass {
+            self.mass_values.clear();
+            self.mass_values.extend_from_slice(mass);
+            self.linear_mass = Mat::from_fn(system.n(), system.n(), |i, j| self.model.mass(i, j));
             self.factored = false;
         }
     }
@@ -146,8 +149,11 @@ impl Direct {
             return;
         }
         linear_rows(system, &self.model, &at, &mut self.force, &mut self.rate, &mut self.z, &mut self.state_rate);
-        for (k, &i) in self.model.states.iter().enumerate() {
-            self.rate_a.row_mut(i).copy_from_slice(self.model.blocks.state_a.row(k));
+        for (k, &i) in self.model.states().iter().enumerate() {
+            let row = self.rate_a.row_mut(i);
+            for (e, j) in self.model.pattern().row(n + k).take_while(|x| x.1 < n) {
+                row[j] = self.model.mass_values()[e];
+            }
         }
         let mut ignored = 0.0;
         let mut out = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut ignored };
@@ -210,10 +216,10 @@ pub(super) fn linear_rows(
     state_rate: &mut Vec<f64>,
 ) {
     z.clear();
-    z.extend(model.states.iter().map(|&i| at.z[i]));
+    z.extend(model.states().iter().map(|&i| at.z[i]));
     zeroed(state_rate, z.len());
-    model.blocks.residual(&At { z, ..*at }, force, state_rate);
-    for (&i, r) in model.states.iter().zip(state_rate.iter()) {
+    model.residual(&At { z, ..*at }, force, state_rate);
+    for (&i, r) in model.states().iter().zip(state_rate.iter()) {
         rate[i] += r;
     }
     memory_rows(system, model, at, force, rate);
@@ -222,7 +228,7 @@ pub(super) fn linear_rows(
 /// Adds force rows and rates of the memory states of linear parts.
 pub(super) fn memory_rows(system: &System, model: &LinearModel<f64>, at: &At<f64>, force: &mut [f64], rate: &mut [f64]) {
     use crate::model::blocks::Axes;
-    let speed = model.blocks.speed;
+    let speed = model.speed;
     for part in &model.memory {
         let map = &system.slots()[part.slot].map;
         for (k, s) in part.list.iter().enumerate() {

@@ -146,12 +146,12 @@ impl<'a> Single<'a> {
         let compiled = Compiled::new(system, speed)?;
         let (n, dim) = (system.n(), 2 * system.n() + system.m());
         // the row of each rate, accelerations first
-        let row: Vec<usize> = (n..2 * n).chain(compiled.model.states.iter().map(|z| 2 * n + z)).collect();
+        let row: Vec<usize> = (n..2 * n).chain(compiled.model.states().iter().map(|z| 2 * n + z)).collect();
         let mut states = Mat::zeros(dim, dim);
         for i in 0..n {
             states[(i, n + i)] = 1.0;
         }
-        for (j, column) in (0..2 * n).chain(compiled.model.states.iter().map(|z| 2 * n + z)).enumerate() {
+        for (j, column) in (0..2 * n).chain(compiled.model.states().iter().map(|z| 2 * n + z)).enumerate() {
             for (i, &row) in row.iter().enumerate() {
                 states[(row, column)] = compiled.columns[(j, i)];
             }

@@ -50,7 +50,7 @@ pub struct Stationary<'a> {
 impl<'a> Stationary<'a> {
     /// For a machine without preferred direction.
     pub fn new(system: &'a System, speed_scale: f64, cancel: &'a AtomicBool) -> Self {
-        let linear = system.linear_states(Form::Frequency);
+        let linear = system.assembly(Form::Frequency).states.clone();
         let linear_states = linear.len();
         let states: Vec<usize> = linear.into_iter().chain(nonlinear_states(system)).collect();
         let coordinates = coordinate_sectors(system);
@@ -122,7 +122,7 @@ impl<'a> Stationary<'a> {
         }
         self.sectors.restore_matrix(&self.sectors, &mut value);
         self.sectors.restore_matrix(&self.sectors, &mut slope);
-        let b = &self.model.blocks;
+        let b = &self.model.loads;
         let load = |i: usize| {
             let l = if i < n { b.force[i] + b.force_cos[i] } else { b.rate[i - n] };
             (l.re, l.eps[0])

@@ -4,6 +4,7 @@ mod claims;
 mod criticals;
 mod first_page;
 mod liquid_force;
+mod long_shafts;
 mod matrices;
 mod memory;
 mod model_planar;

@@ -10,12 +10,13 @@
 //! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
 
 use crate::harmonic::balance::pace::Pace;
-use crate::model::blocks::{Axes, Grid};
+use crate::model::blocks::Axes;
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat, Singular};
+use laval_num::factor::Factors;
 use laval_num::scalar::Scalar;
 
 /// Rows of independent nonlinear coordinates over global ones, and every nonlinear part's local coordinates in terms of them.
@@ -107,10 +108,10 @@ pub struct Condenser {
     params: Vec<D1>,
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
-    grid: Grid<laval_num::complex::Complex<D1>>,
-    z: Mat<C64>,
-    dz: Mat<C64>,
-    lu: Lu<C64>,
+    dual: Vec<laval_num::complex::Complex<D1>>,
+    z: Vec<C64>,
+    dz: Vec<C64>,
+    factors: Factors<C64>,
     rhs: Mat<C64>,
     work: Mat<C64>,
     projected: [Mat<C64>; 2],
@@ -131,10 +132,10 @@ impl Condenser {
             params: system.params().iter().map(|&x| D1::lift(x)).collect(),
             model: LinearModel::default(),
             scratch: LinearScratch::default(),
-            grid: Grid::empty(),
-            z: Mat::default(),
-            dz: Mat::default(),
-            lu: Lu::default(),
+            dual: Vec::new(),
+            z: Vec::new(),
+            dz: Vec::new(),
+            factors: Factors::default(),
             rhs: Mat::default(),
             work: Mat::default(),
             projected: Default::default(),
@@ -157,12 +158,12 @@ impl Condenser {
 
     /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
     pub fn linear_states(&self) -> &[usize] {
-        &self.model.states
+        self.model.states()
     }
 
     /// Fills the memory states that belong to coordinates moving as `amplitude exp(s t)`.
     pub fn memory_states(&self, system: &System, s: C64, coordinates: &[C64], states: &mut [C64]) {
-        let speed = self.model.blocks.speed.re;
+        let speed = self.model.speed.re;
         for mem in &self.model.memory {
             let map = &system.slots()[mem.slot].map;
             let input = |i: usize| map[i].iter().fold(C64::zero(), |sum, &(g, x)| sum + coordinates[g].scale(x));
@@ -181,37 +182,43 @@ impl Condenser {
     /// Condenses order `k >= 0` of the base frequency.
     pub fn order(&mut self, system: &System, k: usize, out: &mut Order) -> Result<(), Singular> {
         let (n, m) = (system.n(), self.basis.len());
-        let b = &self.model.blocks;
         let frequency = self.frequency.scale(k as f64);
         let s = laval_num::complex::c(D1::zero(), frequency);
-        system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
-        let size = self.grid.rows();
-        self.z.reset(size, size);
-        self.dz.reset(size, size);
-        for (i, e) in self.grid.data().iter().enumerate() {
-            self.z.data_mut()[i] = c(e.re.re, e.im.re);
-            self.dz.data_mut()[i] = c(e.re.eps[0], e.im.eps[0]);
+        system.dynamic_stiffness_entries(&self.params, &self.model, Form::Frequency, s, &mut self.dual, &mut self.scratch);
+        let pattern = self.model.pattern().clone();
+        let size = pattern.n();
+        self.z.clear();
+        self.dz.clear();
+        self.z.extend(self.dual.iter().map(|e| c(e.re.re, e.im.re)));
+        self.dz.extend(self.dual.iter().map(|e| c(e.re.eps[0], e.im.eps[0])));
+        // states of nonlinear parts are not of the linear model
+        for i in self.model.held()..size {
+            pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| self.z[e] = C64::one());
         }
         if self.drive.re != 0.0 || self.drive.eps[0] != 0.0 {
             // - xi s M
             let push = -(self.drive * frequency);
             for i in 0..n {
-                for j in 0..n {
-                    let x = push * b.mass[(i, j)];
-                    self.z[(i, j)] += c(0.0, x.re);
-                    self.dz[(i, j)] += c(0.0, x.eps[0]);
+                for (e, _) in pattern.row(i).take_while(|x| x.1 < n) {
+                    let x = push * self.model.mass_values()[e];
+                    self.z[e] += c(0.0, x.re);
+                    self.dz[e] += c(0.0, x.eps[0]);
                 }
             }
         }
         for (row, &reference) in self.basis.iter().zip(&self.reference) {
             for &(gi, ci) in row {
                 for &(gj, cj) in row {
-                    self.z[(gi, gj)] += lossy(k, reference).scale(ci * cj);
+                    // coordinates of one part are coupled
+                    if let Some(e) = pattern.index(gi, gj) {
+                        self.z[e] += lossy(k, reference).scale(ci * cj);
+                    }
                 }
             }
         }
-        self.lu.factor(&self.z)?;
+        self.factors.factor(self.model.plan(), &self.z)?;
         // columns: B^T, then the load and its derivative
+        let b = &self.model.loads;
         self.rhs.reset(size, m + 2);
         for (j, row) in self.basis.iter().enumerate() {
             for &(g, x) in row {
@@ -222,7 +229,7 @@ impl Condenser {
             let (f, df) = if k == self.divisor && i < n && self.driven {
                 (c(b.force_cos[i].re, -b.force_sin[i].re), c(b.force_cos[i].eps[0], -b.force_sin[i].eps[0]))
             } else if k == 0 {
-                let x = if i < n { b.force[i] } else { b.rate[i - n] };
+                let x = if i < n { b.force[i] } else { b.rate.get(i - n).copied().unwrap_or(D1::zero()) };
                 (c(x.re, 0.0), c(x.eps[0], 0.0))
             } else {
                 continue;
@@ -230,10 +237,17 @@ impl Condenser {
             self.rhs[(i, m)] = f;
             self.rhs[(i, m + 1)] = df;
         }
-        self.lu.solve_mat(&mut self.rhs);
+        self.factors.solve_mat(&mut self.rhs);
         // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
-        self.dz.matmul_into(&self.rhs, &mut self.work);
-        self.lu.solve_mat(&mut self.work);
+        self.work.reset(size, m + 2);
+        for i in 0..size {
+            let sums = self.work.row_mut(i);
+            for (e, j) in pattern.row(i) {
+                let a = self.dz[e];
+                sums.iter_mut().zip(self.rhs.row(j)).for_each(|(s, &x)| *s += a * x);
+            }
+        }
+        self.factors.solve_mat(&mut self.work);
         // rows of B applied to both: flexibility and its derivative, and the free motion
         for (w, projected) in [&self.rhs, &self.work].into_iter().zip(&mut self.projected) {
             projected.reset(m, m + 2);

@@ -149,8 +149,7 @@ fn named(body: &Body, probe: &crate::model::probe::Probe) -> Option<Station> {
 fn masses(system: &System) -> Vec<(f64, f64)> {
     let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(system.params(), system.machine.speed.unwrap_or(0.0), Form::Frequency, &mut model, &mut scratch);
-    let m = &model.blocks.mass;
-    system.bodies().iter().map(|b| (m[(b.x, b.x)], b.tilt.map_or(0.0, |t| m[(t, t)]))).collect()
+    system.bodies().iter().map(|b| (model.mass(b.x, b.x), b.tilt.map_or(0.0, |t| model.mass(t, t)))).collect()
 }
 
 /// Ends of a body that tilts and whose other stations lie too near each other to show it: a radius of gyration from its reference point.

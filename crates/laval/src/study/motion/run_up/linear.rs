@@ -51,7 +51,7 @@ impl<'a> LinearResponse<'a> {
             let own = self.stiffness[(i, j)];
             if i < n && j < n { own + c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]) } else { own }
         });
-        let b = &self.model.blocks;
+        let b = &self.model.loads;
         let mut x: Vec<C64> = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { c(0.0, 0.0) }).collect();
         let count = system.bodies().len();
         let Ok(lu) = Lu::new(&matrix) else { return vec![f64::NAN; count] };

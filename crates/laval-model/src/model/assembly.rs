@@ -1,0 +1,138 @@
+//! Where the entries of parts stand in the matrices of the machine: computed once, at the first assembly.
+
+use super::linear::Form;
+use super::part::{DofKind, Physics};
+use super::system::{Slot, System};
+use laval_num::factor::{Pattern, Plan};
+use std::sync::{Arc, OnceLock};
+
+/// Sparsity of the machine in one form, and the places of each part in it.
+///
+/// Unknowns are the coordinates, the states of the blocks, then those of parts that are not linear, so that their tangents have room. What couples one
+/// component of a pair couples both: in circular coordinates the same entries are enough.
+#[derive(Debug, Default)]
+pub struct Assembly {
+    /// Entries of all parts.
+    pub pattern: Arc<Pattern>,
+    /// Global indices of the states of the blocks.
+    pub states: Vec<usize>,
+    /// Places of the parts that enter through blocks, in the order of the slots.
+    pub stamps: Vec<Stamp>,
+    plan: OnceLock<Plan>,
+}
+
+/// Places of one part: of each local entry the entries of the machine it adds to, with their factors.
+#[derive(Debug)]
+pub struct Stamp {
+    /// Slot of the part.
+    pub slot: usize,
+    /// First row of its states among the unknowns.
+    pub first_state: usize,
+    /// Number of its states in the blocks.
+    pub states: usize,
+    /// By local row and column.
+    pub coordinates: Places,
+    /// By local coordinate and state: the column of a state in the force rows.
+    pub state_columns: Places,
+    /// By state and local coordinate: the row of a state.
+    pub state_rows: Places,
+    /// By state and state.
+    pub state_block: Places,
+}
+
+/// Lists of entries with factors, one list for each place of a local matrix, row by row.
+#[derive(Debug, Default)]
+pub struct Places {
+    starts: Vec<usize>,
+    entries: Vec<(usize, f64)>,
+}
+
+impl Places {
+    fn collect(lists: impl Iterator<Item = Vec<(usize, f64)>>) -> Self {
+        let mut out = Places { starts: vec![0], entries: Vec::new() };
+        for list in lists {
+            out.entries.extend(list);
+            out.starts.push(out.entries.len());
+        }
+        out
+    }
+    /// The lists in order.
+    pub fn lists(&self) -> impl Iterator<Item = &[(usize, f64)]> {
+        self.starts.windows(2).map(|w| &self.entries[w[0]..w[1]])
+    }
+}
+
+/// The part enters through blocks in a form.
+pub(super) fn in_blocks(slot: &Slot, form: Form) -> bool {
+    match slot.physics {
+        Physics::Nonlinear => false,
+        Physics::Linear => true,
+        Physics::Frequency(_) => form == Form::Time,
+    }
+}
+
+impl Assembly {
+    pub(super) fn new(system: &System, form: Form) -> Self {
+        let n = system.n();
+        let own = |s: &Slot| s.states.start..s.states.end - s.memory;
+        let states: Vec<usize> = system.slots().iter().filter(|s| in_blocks(s, form)).flat_map(own).collect();
+        let nonlinear: Vec<usize> = system.slots().iter().filter(|s| !s.is_linear()).flat_map(|s| s.states.clone()).collect();
+        let kind = |i: usize| match i.checked_sub(n) {
+            None => system.coordinates()[i].dof.kind,
+            Some(z) => system.states()[if z < states.len() { states[z] } else { nonlinear[z - states.len()] }].dof.kind,
+        };
+        let size = n + states.len() + nonlinear.len();
+        let mut first = vec![None; size];
+        for i in (0..size.saturating_sub(1)).filter(|&i| DofKind::leads_pair(kind(i))) {
+            (first[i], first[i + 1]) = (Some(i), Some(i));
+        }
+        let mut pairs = Vec::new();
+        let (mut row, mut behind) = (n, n + states.len());
+        for slot in system.slots() {
+            let rows = if in_blocks(slot, form) {
+                row += own(slot).len();
+                row - own(slot).len()..row
+            } else if !slot.is_linear() {
+                behind += slot.states.len();
+                behind - slot.states.len()..behind
+            } else {
+                row..row
+            };
+            let mut members: Vec<usize> = slot.map.iter().flatten().map(|x| x.0).chain(rows).collect();
+            members.extend(members.clone().into_iter().filter_map(|i| first[i]).flat_map(|i| [i, i + 1]));
+            members.sort_unstable();
+            members.dedup();
+            pairs.extend(members.iter().flat_map(|&i| members.iter().map(move |&j| (i, j))));
+        }
+        // a pair by itself, which no part touches
+        pairs.extend(first.iter().flatten().map(|&i| (i, i + 1)));
+        let pattern = Pattern::new(size, pairs);
+        let mut row = n;
+        let mut stamps = Vec::new();
+        for (k, slot) in system.slots().iter().enumerate().filter(|(_, s)| in_blocks(s, form)) {
+            let (first_state, m) = (row, own(slot).len());
+            row += m;
+            // every pair of a part is in the pattern
+            let entry = |i: usize, j: usize| pattern.index(i, j).unwrap_or(usize::MAX);
+            let map = &slot.map;
+            let pair = |rows: &[(usize, f64)], cols: &[(usize, f64)]| -> Vec<(usize, f64)> {
+                rows.iter().flat_map(|&(i, a)| cols.iter().map(move |&(j, b)| (i, j, a * b))).map(|(i, j, x)| (entry(i, j), x)).collect()
+            };
+            let state = |i: usize| [(first_state + i, 1.0)];
+            stamps.push(Stamp {
+                slot: k,
+                first_state,
+                states: m,
+                coordinates: Places::collect(map.iter().flat_map(|r| map.iter().map(|c| pair(r, c)))),
+                state_columns: Places::collect(map.iter().flat_map(|r| (0..m).map(|j| pair(r, &state(j))))),
+                state_rows: Places::collect((0..m).flat_map(|i| map.iter().map(move |c| pair(&state(i), c)))),
+                state_block: Places::collect((0..m).flat_map(|i| (0..m).map(move |j| pair(&state(i), &state(j))))),
+            });
+        }
+        Assembly { pattern: Arc::new(pattern), states, stamps, plan: OnceLock::new() }
+    }
+    /// How matrices over all unknowns are factored.
+    pub fn plan(&self) -> &Plan {
+        self.plan.get_or_init(|| Plan::new(&self.pattern))
+    }
+}

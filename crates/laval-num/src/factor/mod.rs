@@ -1,0 +1,384 @@
+//! Direct factorisations of sparse square matrices behind one face.
+//!
+//! A [`Pattern`] says which entries may differ from zero, a [`Plan`] decides once how matrices of that pattern are factored, [`Factors`] hold one factorisation
+//! and solve with it. The cost of a chain grows with its length, not with the cube of it.
+//!
+//! ```
+//! use laval_num::factor::{Factors, Pattern, Plan};
+//! use std::sync::Arc;
+//! let pattern = Arc::new(Pattern::new(100, (1..100).map(|i| (i - 1, i))));
+//! let plan = Plan::new(&pattern);
+//! let mut values = vec![-1.0; pattern.entries()];
+//! (0..100).for_each(|i| values[pattern.index(i, i).unwrap()] = 2.0);
+//! let factors = Factors::new(&plan, &values)?;
+//! let mut x = vec![1.0; 100];
+//! factors.solve(&mut x);
+//! assert!((x[49] - 0.5 * 50.0 * 51.0).abs() < 1e-9);
+//! // det of this matrix is 101
+//! assert!((factors.log_det().log_size - 101f64.ln()).abs() < 1e-12);
+//! # Ok::<(), laval_num::dense::Singular>(())
+//! ```
+
+mod banded;
+mod order;
+mod pattern;
+mod plan;
+#[cfg(test)]
+mod tests;
+
+use crate::complex::{C64, Complex, c};
+use crate::dense::{Field, Lu, Mat, Singular};
+use crate::dual::Dual;
+use crate::work::spend;
+use banded::Banded;
+pub use pattern::Pattern;
+pub use plan::Plan;
+use plan::Target;
+
+/// A pivot of the band below this share of the largest entry is replaced where a border follows: the matrix may be regular although its band is not.
+/// Corrections with the original matrix restore what that costs.
+const REPLACED: f64 = 1e-10;
+/// Passes of scaling.
+const SCALINGS: usize = 3;
+/// Most corrections of a solution.
+const CORRECTIONS: usize = 5;
+
+/// A number that [`Factors`] can be made of.
+pub trait Number: Field {
+    /// A real number.
+    fn real(x: f64) -> Self;
+    /// Logarithm of the modulus, and phase.
+    fn polar(self) -> (f64, f64);
+    /// Derivative over the value, for dual numbers; 0 for others.
+    fn log_rate(self) -> C64 {
+        C64::ZERO
+    }
+}
+
+impl Number for f64 {
+    fn real(x: f64) -> Self {
+        x
+    }
+    fn polar(self) -> (f64, f64) {
+        (self.abs().ln(), if self < 0.0 { std::f64::consts::PI } else { 0.0 })
+    }
+}
+
+impl Number for C64 {
+    fn real(x: f64) -> Self {
+        c(x, 0.0)
+    }
+    fn polar(self) -> (f64, f64) {
+        (self.abs().ln(), self.arg())
+    }
+}
+
+/// A complex number with its derivative in one direction.
+type Directed = Complex<Dual<f64, 1>>;
+
+const fn directed(re: f64) -> Directed {
+    c(Dual { re, eps: [0.0] }, Dual { re: 0.0, eps: [0.0] })
+}
+
+impl Field for Directed {
+    const ZERO: Self = directed(0.0);
+    const ONE: Self = directed(1.0);
+    fn size(self) -> f64 {
+        // a derivative that is not finite must not pass
+        let size = self.re.re.abs() + self.im.re.abs();
+        if (self.re.eps[0] + self.im.eps[0]).is_finite() { size } else { f64::NAN }
+    }
+}
+
+impl Number for Directed {
+    fn real(x: f64) -> Self {
+        directed(x)
+    }
+    fn polar(self) -> (f64, f64) {
+        c(self.re.re, self.im.re).polar()
+    }
+    fn log_rate(self) -> C64 {
+        c(self.re.eps[0], self.im.eps[0]) / c(self.re.re, self.im.re)
+    }
+}
+
+/// A determinant that may be far outside the range of a number.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LogDet {
+    /// Logarithm of its modulus.
+    pub log_size: f64,
+    /// Phase, rad, not wrapped.
+    pub phase: f64,
+    /// Derivative over the value, of dual numbers.
+    pub rate: C64,
+}
+
+impl LogDet {
+    fn times<T: Number>(self, factor: T, power: f64) -> Self {
+        let (size, phase) = factor.polar();
+        LogDet {
+            log_size: self.log_size + power * size,
+            phase: self.phase + power * phase,
+            rate: self.rate + factor.log_rate().scale(power),
+        }
+    }
+}
+
+/// One factorisation. Reusable: [`Factors::factor`] keeps its allocations.
+#[derive(Clone, Debug)]
+pub struct Factors<T> {
+    plan: Option<Plan>,
+    dense: Lu<T>,
+    matrix: Mat<T>,
+    band: Banded<T>,
+    /// Band^-1 times the columns of the border, one after the other.
+    right: Vec<T>,
+    /// Rows of the border, one after the other.
+    below: Vec<T>,
+    corner: Lu<T>,
+    /// Powers of two that rows and columns were multiplied by.
+    rows: Vec<f64>,
+    columns: Vec<f64>,
+    /// Original entries, of a matrix with a border.
+    original: Option<Vec<T>>,
+}
+
+impl<T: Number> Default for Factors<T> {
+    fn default() -> Self {
+        Factors {
+            plan: None,
+            dense: Lu::default(),
+            matrix: Mat::default(),
+            band: Banded::default(),
+            right: Vec::new(),
+            below: Vec::new(),
+            corner: Lu::default(),
+            rows: Vec::new(),
+            columns: Vec::new(),
+            original: None,
+        }
+    }
+}
+
+impl<T: Number> Factors<T> {
+    /// Factors a matrix whose entries stand in the order of the pattern.
+    ///
+    /// # Errors
+    /// A singular matrix, or an entry that is not finite.
+    pub fn new(plan: &Plan, values: &[T]) -> Result<Self, Singular> {
+        let mut out = Self::default();
+        out.factor(plan, values)?;
+        Ok(out)
+    }
+
+    /// The same into this object.
+    ///
+    /// # Errors
+    /// As [`Factors::new`].
+    pub fn factor(&mut self, plan: &Plan, values: &[T]) -> Result<(), Singular> {
+        assert_eq!(values.len(), plan.pattern.entries(), "entries differ from the pattern");
+        if self.plan.as_ref().is_none_or(|p| !std::sync::Arc::ptr_eq(&p.pattern, &plan.pattern)) {
+            self.plan = Some(plan.clone());
+        }
+        self.original = None;
+        self.band.replaced.clear();
+        self.rows.clear();
+        self.columns.clear();
+        let n = plan.n();
+        let Some(band) = &plan.band else {
+            self.matrix.reset(n, n);
+            for i in 0..n {
+                for (e, j) in plan.pattern.row(i) {
+                    self.matrix[(i, j)] = values[e];
+                }
+            }
+            return self.dense.factor(&self.matrix);
+        };
+        let (inner, border) = (band.inner, n - band.inner);
+        spend(plan.multiplications() * (size_of::<T>() / size_of::<f64>()).pow(2) as u64);
+        self.band.reset(inner, band.half);
+        crate::refill::refill(&mut self.right, border * inner, T::ZERO);
+        crate::refill::refill(&mut self.below, border * inner, T::ZERO);
+        let mut corner = Mat::zeros(border, border);
+        self.scale(&plan.pattern, values);
+        for i in 0..n {
+            for (e, j) in plan.pattern.row(i) {
+                let x = values[e] * T::real(self.rows[i] * self.columns[j]);
+                match band.targets[e] {
+                    Target::Band(at) => self.band.data[at] = x,
+                    Target::Right(r, c) => self.right[c * inner + r] = x,
+                    Target::Below(r, c) => self.below[r * inner + c] = x,
+                    Target::Corner(r, c) => corner[(r, c)] = x,
+                }
+            }
+        }
+        let least = if border > 0 { REPLACED } else { 0.0 };
+        let unknown = |s: Singular| Singular { column: band.order[s.column] };
+        self.band.factor(least, T::real).map_err(unknown)?;
+        if border == 0 {
+            return Ok(());
+        }
+        self.original = Some(values.to_vec());
+        for column in self.right.chunks_exact_mut(inner) {
+            self.band.solve(column);
+        }
+        for (i, row) in self.below.chunks_exact(inner).enumerate() {
+            for (j, column) in self.right.chunks_exact(inner).enumerate() {
+                for (&a, &b) in row.iter().zip(column) {
+                    corner[(i, j)] -= a * b;
+                }
+            }
+        }
+        self.corner.factor(&corner).map_err(|s| Singular { column: band.order[inner + s.column] })
+    }
+
+    /// Powers of two that bring the largest entries of rows and columns near one.
+    fn scale(&mut self, pattern: &Pattern, values: &[T]) {
+        let n = pattern.n();
+        crate::refill::refill(&mut self.rows, n, 1.0);
+        crate::refill::refill(&mut self.columns, n, 1.0);
+        let factor = |x: f64| if x > 0.0 && x.is_finite() { (-0.5 * x.log2()).round().exp2() } else { 1.0 };
+        for _ in 0..SCALINGS {
+            let (mut by_row, mut by_column) = (vec![0.0f64; n], vec![0.0f64; n]);
+            for i in 0..n {
+                for (e, j) in pattern.row(i) {
+                    let x = values[e].size() * self.rows[i] * self.columns[j];
+                    (by_row[i], by_column[j]) = (by_row[i].max(x), by_column[j].max(x));
+                }
+            }
+            self.rows.iter_mut().zip(by_row).for_each(|(r, x)| *r *= factor(x));
+            self.columns.iter_mut().zip(by_column).for_each(|(c, x)| *c *= factor(x));
+        }
+    }
+
+    /// Solves `A x = b` in place.
+    pub fn solve(&self, b: &mut [T]) {
+        self.with_correction(b, false, |x| self.solve_once(x));
+    }
+
+    /// Solves `A^T x = b` in place.
+    pub fn solve_transposed(&self, b: &mut [T]) {
+        self.with_correction(b, true, |x| self.solve_transposed_once(x));
+    }
+
+    /// Solves and, of a matrix with a border, corrects with the original entries: elimination of the band before the border may lose digits.
+    fn with_correction(&self, b: &mut [T], transposed: bool, solve: impl Fn(&mut [T])) {
+        let (Some(values), Some(plan)) = (&self.original, &self.plan) else { return solve(b) };
+        let right = b.to_vec();
+        solve(b);
+        let mut last = f64::INFINITY;
+        for _ in 0..CORRECTIONS {
+            let mut rest = right.clone();
+            let mut size: Vec<f64> = right.iter().map(|x| x.size()).collect();
+            for i in 0..plan.n() {
+                for (e, j) in plan.pattern.row(i) {
+                    let (row, column) = if transposed { (j, i) } else { (i, j) };
+                    rest[row] -= values[e] * b[column];
+                    size[row] += values[e].size() * b[column].size();
+                }
+            }
+            // rounding of each equation
+            let worst = rest.iter().zip(&size).map(|(r, s)| if *s > 0.0 { r.size() / s } else { 0.0 }).fold(0.0, f64::max);
+            if worst <= 2.0 * f64::EPSILON || !(worst < 0.5 * last) {
+                return;
+            }
+            last = worst;
+            solve(&mut rest);
+            b.iter_mut().zip(&rest).for_each(|(x, r)| *x += *r);
+        }
+    }
+
+    fn solve_once(&self, b: &mut [T]) {
+        let Some(band) = self.plan.as_ref().and_then(|p| p.band.as_ref()) else { return self.dense_solve(b, false) };
+        let inner = band.inner;
+        let mut x: Vec<T> = band.order.iter().map(|&i| b[i] * T::real(self.rows[i])).collect();
+        let (top, end) = x.split_at_mut(inner);
+        self.band.solve(top);
+        if !end.is_empty() {
+            for (e, row) in end.iter_mut().zip(self.below.chunks_exact(inner)) {
+                row.iter().zip(&*top).for_each(|(&a, &t)| *e -= a * t);
+            }
+            self.corner.solve(end);
+            for (&e, column) in end.iter().zip(self.right.chunks_exact(inner)) {
+                top.iter_mut().zip(column).for_each(|(t, &w)| *t -= w * e);
+            }
+        }
+        band.order.iter().zip(x).for_each(|(&i, x)| b[i] = x * T::real(self.columns[i]));
+    }
+
+    fn solve_transposed_once(&self, b: &mut [T]) {
+        let Some(band) = self.plan.as_ref().and_then(|p| p.band.as_ref()) else { return self.dense_solve(b, true) };
+        let inner = band.inner;
+        let mut x: Vec<T> = band.order.iter().map(|&i| b[i] * T::real(self.columns[i])).collect();
+        let (top, end) = x.split_at_mut(inner);
+        if !end.is_empty() {
+            // S^T e = end - W^T top, then B^T t = top - F^T e
+            for (e, column) in end.iter_mut().zip(self.right.chunks_exact(inner)) {
+                column.iter().zip(&*top).for_each(|(&w, &t)| *e -= w * t);
+            }
+            self.corner.solve_transposed(end);
+            for (&e, row) in end.iter().zip(self.below.chunks_exact(inner)) {
+                top.iter_mut().zip(row).for_each(|(t, &a)| *t -= a * e);
+            }
+        }
+        self.band.solve_transposed(top);
+        band.order.iter().zip(x).for_each(|(&i, x)| b[i] = x * T::real(self.rows[i]));
+    }
+
+    fn dense_solve(&self, b: &mut [T], transposed: bool) {
+        if transposed { self.dense.solve_transposed(b) } else { self.dense.solve(b) }
+    }
+
+    /// Solves `A X = B` in place, row by row of `B`.
+    pub fn solve_mat(&self, b: &mut Mat<T>) {
+        let banded = self.plan.as_ref().is_some_and(|p| p.band.is_some());
+        if !banded {
+            return self.dense.solve_mat(b);
+        }
+        let mut column = vec![T::ZERO; b.rows()];
+        for j in 0..b.cols() {
+            column.iter_mut().enumerate().for_each(|(i, x)| *x = b[(i, j)]);
+            self.solve(&mut column);
+            column.iter().enumerate().for_each(|(i, x)| b[(i, j)] = *x);
+        }
+    }
+
+    /// Pivots, and whether an odd number of rows was exchanged.
+    fn pivots(&self) -> (Vec<T>, bool) {
+        let band = self.plan.as_ref().and_then(|p| p.band.as_ref());
+        let (dense, odd) = if band.is_some() { self.corner.pivots() } else { self.dense.pivots() };
+        if band.is_some() { (self.band.pivots().chain(dense).collect(), odd != self.band.odd) } else { (dense.collect(), odd) }
+    }
+
+    /// Determinant.
+    pub fn log_det(&self) -> LogDet {
+        let (pivots, odd) = self.pivots();
+        let start = LogDet { phase: if odd { std::f64::consts::PI } else { 0.0 }, ..LogDet::default() };
+        let mut whole = pivots.iter().fold(start, |d, p| d.times(*p, 1.0));
+        whole.log_size -= self.rows.iter().chain(&self.columns).map(|x| x.ln()).sum::<f64>();
+        self.replacement().map_or(whole, |r| whole.times(r, -1.0))
+    }
+
+    /// Determinant of the matrix with replaced pivots over that of the matrix: `det(1 + D A^-1)` over the places of what was added, A as it was scaled.
+    fn replacement(&self) -> Option<T> {
+        let added = &self.band.replaced;
+        let band = self.plan.as_ref()?.band.as_ref().filter(|_| !added.is_empty())?;
+        let mut small = Mat::identity(added.len());
+        for (j, &(row, ..)) in added.iter().enumerate() {
+            let mut x = vec![T::ZERO; band.order.len()];
+            x[band.order[row]] = T::real(1.0 / self.rows[band.order[row]]);
+            self.solve(&mut x);
+            for (i, &(_, column, d)) in added.iter().enumerate() {
+                small[(i, j)] += d * x[band.order[column]] * T::real(1.0 / self.columns[band.order[column]]);
+            }
+        }
+        Some(Lu::new(&small).map_or(T::ZERO, |lu| lu.det()))
+    }
+
+    /// Smallest over largest pivot: a cheap sign of near singularity.
+    pub fn pivot_ratio(&self) -> f64 {
+        let sizes = self.pivots().0.into_iter().map(|p| p.size());
+        let (lo, hi) = sizes.fold((f64::INFINITY, 0.0f64), |(lo, hi), x| (lo.min(x), hi.max(x)));
+        lo / hi
+    }
+}
