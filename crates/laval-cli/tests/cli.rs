@@ -1,9 +1,6 @@
 //! The program from outside: what it prints, writes and returns.
 
-mod launcher;
-mod results_schema;
-
-use launcher::{Dir, Said};
+use crate::launcher::{Dir, Said};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -442,7 +439,7 @@ fn templates_are_sound_and_never_overwrite() {
         let others: Vec<&str> = cells.filter(|c| c.contains("rad/")).collect();
         assert!(!dir.read(&file).contains("rpm\"") || others.is_empty(), "{name}: {others:?}");
         let results = json(&dir.0.join("out").join(name).join("results.json"));
-        assert_eq!(results_schema::mistakes(&schema, &results), [""; 0], "{name}");
+        assert_eq!(crate::results_schema::mistakes(&schema, &results), [""; 0], "{name}");
         for study in results["studies"].as_array().unwrap() {
             assert_eq!(study["end"]["kind"], "reached");
         }

@@ -1,8 +1,6 @@
 //! The folder of results: what two runs, a kill, links, odd names and a failing disk may not do to it.
 
-mod launcher;
-
-use launcher::{Dir, ROTOR, tree};
+use crate::launcher::{Dir, ROTOR, tree};
 use std::fs;
 use std::path::PathBuf;
 use std::process::Stdio;

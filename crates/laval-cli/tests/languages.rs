@@ -1,8 +1,6 @@
 //! Diagnostics in the languages of the program: the sentences change, code and place do not.
 
-mod launcher;
-
-use launcher::Dir;
+use crate::launcher::Dir;
 
 /// A body that does not exist, in line 8.
 const WRONG: &str = r#"[machine]

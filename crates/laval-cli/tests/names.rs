@@ -1,8 +1,6 @@
 //! Names of parts and studies in the letters of any script, through the whole program.
 
-mod launcher;
-
-use launcher::{Dir, tree};
+use crate::launcher::{Dir, tree};
 use std::collections::BTreeSet;
 
 /// A machine with Kazakh names: letters that no other alphabet has, spaces, hyphens.

@@ -1,5 +1,5 @@
 //! `THIRD-PARTY-NOTICES.md` names every library that is linked into the program or the Python package, on any system, with its licence.
-//! `LAVAL_WRITE_NOTICES=1 cargo test -p laval-cli --test notices` writes it anew.
+//! `LAVAL_WRITE_NOTICES=1 cargo test -p laval-cli notices` writes it anew.
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -105,6 +105,6 @@ fn the_notices_name_every_library_of_the_program() {
         fs::write(&path, &text).unwrap();
     }
     let found = fs::read_to_string(&path).unwrap_or_default();
-    assert!(found == text, "run LAVAL_WRITE_NOTICES=1 cargo test -p laval-cli --test notices");
+    assert!(found == text, "run LAVAL_WRITE_NOTICES=1 cargo test -p laval-cli notices");
     assert!(text.lines().filter(|l| l.starts_with("- ")).count() > 50);
 }

@@ -1,8 +1,6 @@
 //! Long studies in parts: any engine, kill or repetition leaves the files of one undisturbed run.
 
-mod launcher;
-
-use launcher::{Dir, ROTOR, tree};
+use crate::launcher::{Dir, ROTOR, tree};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

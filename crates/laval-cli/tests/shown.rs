@@ -1,8 +1,6 @@
 //! Names in a machine file may hold anything; nothing of it steers a terminal, neither from the screen nor from a file of text.
 
-mod launcher;
-
-use launcher::{Dir, Said};
+use crate::launcher::{Dir, Said};
 use std::fs;
 use std::path::Path;
 

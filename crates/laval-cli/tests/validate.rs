@@ -1,8 +1,6 @@
 //! `laval validate` from outside: verdicts, exit codes, the gallery on disk.
 
-mod launcher;
-
-use launcher::{Dir, Said};
+use crate::launcher::{Dir, Said};
 use std::fs;
 use std::path::Path;
 

@@ -15,7 +15,7 @@ use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::dense::{Field, Mat};
 use laval_num::dual::Dual;
-use laval_num::factor::{Factors, Pattern, Plan};
+use laval_num::factor::{Directed, Factors, LogDet, Pattern, Selection};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -92,8 +92,6 @@ pub struct Characteristic<'a> {
     pattern: Arc<Pattern>,
     /// Tangents of nonlinear parts in sector coordinates, as entries: multiplied by 1, s, s^2; none where all parts are linear.
     nonlinear: Option<[Vec<C64>; 3]>,
-    /// Unknowns by sector with the pattern of their bordered matrix, where one was requested.
-    bordered: Vec<Arc<Bordered>>,
     states: Vec<usize>,
     sectors: Sectors,
     frame: Frame,
@@ -115,21 +113,7 @@ impl<'a> Characteristic<'a> {
         let nonlinear =
             system.slots().iter().any(|s| !s.is_linear()).then(|| tangents(system, about, &coordinates, &sectors, &states, &model));
         let (frame, speed, pattern) = (about.frame, about.speed, model.pattern().clone());
-        Characteristic {
-            system,
-            params,
-            model,
-            scratch,
-            stiffness: Vec::new(),
-            pattern,
-            nonlinear,
-            bordered: Vec::new(),
-            states,
-            sectors,
-            frame,
-            speed,
-            n,
-        }
+        Characteristic { system, params, model, scratch, stiffness: Vec::new(), pattern, nonlinear, states, sectors, frame, speed, n }
     }
 
     /// Number of unknowns.
@@ -170,14 +154,32 @@ impl<'a> Characteristic<'a> {
         [value, slope]
     }
 
+    /// Phase and logarithmic derivative of `det T(s)` over some unknowns. Rows are divided by their largest entries, so that its size says nothing. `None` where T is singular
+    /// or not finite.
+    pub fn determinant(&mut self, s: C64, of: &Selection, factors: &mut Factors<Directed>) -> Option<LogDet> {
+        let [value, slope] = self.entries(s).map(|all| of.taken(&all));
+        let pattern = of.inner.pattern();
+        let mut entries = Vec::with_capacity(value.len());
+        for i in 0..pattern.n() {
+            let size = pattern.row(i).map(|(e, _)| value[e].size()).fold(0.0, f64::max);
+            let scale = if size > 0.0 { size.recip() } else { 1.0 };
+            entries.extend(pattern.row(i).map(|(e, _)| {
+                let (v, d) = (value[e].scale(scale), slope[e].scale(scale));
+                c(Dual { re: v.re, eps: [d.re] }, Dual { re: v.im, eps: [d.im] })
+            }));
+        }
+        factors.factor(&of.inner, &entries).ok()?;
+        Some(factors.log_det())
+    }
+
     /// Which entries of T may differ from zero.
     pub fn pattern(&self) -> &Arc<Pattern> {
         &self.pattern
     }
 
-    /// How matrices over all unknowns are factored.
-    pub fn plan(&self) -> &Plan {
-        self.model.plan()
+    /// Some of the unknowns (in rising order) by themselves.
+    pub fn selection(&self, members: &[usize]) -> Arc<Selection> {
+        self.model.selection(members)
     }
 
     /// The matrix of entries.
@@ -294,23 +296,18 @@ impl<'a> Characteristic<'a> {
         (constant, turning)
     }
 
-    /// Unknowns of a sector, or all of them, with the pattern of their bordered matrix.
-    fn bordered(&mut self, members: &[usize]) -> Arc<Bordered> {
-        if let Some(known) = self.bordered.iter().find(|b| b.members == members) {
-            return known.clone();
-        }
-        let new = Arc::new(Bordered::new(&self.pattern, members));
-        self.bordered.push(new.clone());
-        new
-    }
-
     /// Scales T at `s` over the members so that its rows and columns are of size one, and finds its smallest singular directions.
     pub fn border(&mut self, s: C64, members: &[usize]) -> Option<Border> {
-        let of = self.bordered(members);
+        let of = self.selection(members);
         let [t, d] = self.entries(s);
         let (t, d) = (of.taken(&t), of.taken(&d));
         let (rows, cols) = equilibrate(&of, &t, &d, s.abs());
-        let (b, a) = singular_directions(&of, &of.scaled(&t, &rows, &cols))?;
+        let pattern = of.inner.pattern();
+        let mut scaled = t;
+        for (i, &r) in rows.iter().enumerate() {
+            pattern.row(i).for_each(|(e, j)| scaled[e] = scaled[e].scale(r * cols[j]));
+        }
+        let (b, a) = singular_directions(&of, &scaled)?;
         Some(Border { of, rows, cols, b, c: a })
     }
 
@@ -430,45 +427,10 @@ pub struct Polished {
     pub iterations: usize,
 }
 
-/// Some unknowns of T, and how their matrix with one more row and column is factored.
-#[derive(Clone, Debug)]
-struct Bordered {
-    members: Vec<usize>,
-    /// Number of each entry in the whole.
-    from: Vec<Option<usize>>,
-    pattern: Arc<Pattern>,
-    plan: Plan,
-    /// The same without the border.
-    inner: Plan,
-    inner_from: Vec<Option<usize>>,
-}
-
-impl Bordered {
-    fn new(whole: &Pattern, members: &[usize]) -> Self {
-        let (pattern, from) = whole.of(members, true);
-        let (inner, inner_from) = whole.of(members, false);
-        let pattern = Arc::new(pattern);
-        Bordered { members: members.to_vec(), from, plan: Plan::new(&pattern), pattern, inner: Plan::new(&Arc::new(inner)), inner_from }
-    }
-    /// Entries over the members.
-    fn taken(&self, whole: &[C64]) -> Vec<C64> {
-        self.inner_from.iter().map(|e| e.map_or(C64::ZERO, |e| whole[e])).collect()
-    }
-    /// Entries over the members with factors of rows and columns.
-    fn scaled(&self, t: &[C64], rows: &[f64], cols: &[f64]) -> Vec<C64> {
-        let mut out = t.to_vec();
-        let pattern = self.inner.pattern();
-        for (i, &r) in rows.iter().enumerate() {
-            pattern.row(i).for_each(|(e, j)| out[e] = out[e].scale(r * cols[j]));
-        }
-        out
-    }
-}
-
 /// Scaling and bordering vectors, kept while `s` and the speed move a little.
 #[derive(Clone, Debug)]
 pub struct Border {
-    of: Arc<Bordered>,
+    of: Arc<Selection>,
     rows: Vec<f64>,
     cols: Vec<f64>,
     b: Vec<C64>,
@@ -508,10 +470,11 @@ impl Border {
     fn test(&self, t: &[C64], d: &[C64]) -> Option<Test> {
         let of = &self.of;
         let k = of.members.len();
-        let mut m = vec![C64::ZERO; of.from.len()];
+        let (pattern, from) = (of.bordered.pattern(), &of.bordered_from);
+        let mut m = vec![C64::ZERO; from.len()];
         for i in 0..=k {
-            for (e, j) in of.pattern.row(i) {
-                m[e] = match (of.from[e], i < k, j < k) {
+            for (e, j) in pattern.row(i) {
+                m[e] = match (from[e], i < k, j < k) {
                     (Some(whole), ..) => t[whole].scale(self.rows[i] * self.cols[j]),
                     (_, true, false) => self.b[i],
                     (_, false, true) => self.c[j].conj(),
@@ -519,7 +482,7 @@ impl Border {
                 };
             }
         }
-        let factors = Factors::new(&of.plan, &m).ok()?;
+        let factors = Factors::new(&of.bordered, &m).ok()?;
         let mut right = vec![C64::ZERO; k + 1];
         right[k] = C64::ONE;
         let mut left = right.clone();
@@ -532,7 +495,7 @@ impl Border {
         right.truncate(k);
         left.truncate(k);
         let mut test = Test { g, slope: C64::ZERO, right, left };
-        let row = |i: usize| of.pattern.row(i).filter_map(|(e, j)| Some((j, d[of.from[e]?])));
+        let row = |i: usize| pattern.row(i).filter_map(|(e, j)| Some((j, d[from[e]?])));
         test.slope = -self.products(&test, row);
         (test.g.is_finite() && test.slope.is_finite()).then_some(test)
     }
@@ -548,7 +511,7 @@ impl Border {
 
 /// Row and column factors that bring the largest entries of rows and columns near one. Sizes come from T and s dT/ds together: T alone may be
 /// small only because its terms cancel, which is what the test function is to see.
-fn equilibrate(of: &Bordered, t: &[C64], slope: &[C64], s: f64) -> (Vec<f64>, Vec<f64>) {
+fn equilibrate(of: &Selection, t: &[C64], slope: &[C64], s: f64) -> (Vec<f64>, Vec<f64>) {
     let (pattern, k) = (of.inner.pattern(), of.members.len());
     let (mut rows, mut cols) = (vec![1.0; k], vec![1.0; k]);
     let sizes: Vec<f64> = t.iter().zip(slope).map(|(t, d)| t.size() + s * d.size()).collect();
@@ -569,7 +532,7 @@ fn equilibrate(of: &Bordered, t: &[C64], slope: &[C64], s: f64) -> (Vec<f64>, Ve
 }
 
 /// Left and right singular directions of the smallest singular value, roughly, by inverse iteration.
-fn singular_directions(of: &Bordered, t: &[C64]) -> Option<(Vec<C64>, Vec<C64>)> {
+fn singular_directions(of: &Selection, t: &[C64]) -> Option<(Vec<C64>, Vec<C64>)> {
     let (pattern, k) = (of.inner.pattern(), of.members.len());
     // A change by a few roundings keeps an exactly singular matrix factorable and moves the directions no further.
     // One equation alone is zero where it is singular, and has no size.

@@ -11,9 +11,10 @@ use super::pencil::{Linearised, MachineMode, Spectrum};
 use super::sectors::Sector;
 use super::ties::settle_modes;
 use laval_num::complex::{C64, c};
-use laval_num::dense::{Field, Lu, Mat};
+use laval_num::factor::{Directed, Factors, Selection};
 use laval_num::order::SortByNumber;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// Iterates of Newton's method that are this many times farther from their start than a root may be: beside a pole of the fit there is no root, and
 /// without a bound all steps would be spent on finding some other one.
@@ -84,7 +85,8 @@ pub fn growing(t: &mut Characteristic, spectrum: &Spectrum) -> Option<usize> {
         return None;
     }
     let radius = 1e3 * largest;
-    let mut phase = Phase { t, roots: &roots, value: Mat::default(), slope: Mat::default(), lu: Lu::default() };
+    let of = t.selection(&(0..t.size()).collect::<Vec<_>>());
+    let mut phase = Phase { t, roots: &roots, of, factors: Factors::default() };
     // a quarter of the circle, then down the imaginary axis; the other half is the mirror image
     let mut total = 0.0;
     let arc: Vec<C64> = (0..=16).map(|k| C64::cis(0.5 * PI * f64::from(k) / 16.0).scale(radius)).collect();
@@ -127,24 +129,13 @@ pub(super) fn multiplicity(m: &MachineMode) -> usize {
 struct Phase<'a, 'b> {
     t: &'a mut Characteristic<'b>,
     roots: &'a [(C64, usize)],
-    value: Mat<C64>,
-    slope: Mat<C64>,
-    lu: Lu<C64>,
+    of: Arc<Selection>,
+    factors: Factors<Directed>,
 }
 
 impl Phase<'_, '_> {
     fn at(&mut self, s: C64) -> Option<f64> {
-        self.t.at(s, &mut self.value, &mut self.slope);
-        // positive factors do not turn the determinant
-        for i in 0..self.value.rows() {
-            let row = self.value.row_mut(i);
-            let size = row.iter().map(|x| x.size()).fold(0.0, f64::max);
-            if size > 0.0 {
-                row.iter_mut().for_each(|x| *x = x.scale(size.recip()));
-            }
-        }
-        self.lu.factor(&self.value).ok()?;
-        let mut phase = self.lu.det().arg();
+        let mut phase = self.t.determinant(s, &self.of, &mut self.factors)?.phase;
         for &(root, times) in self.roots {
             phase -= (s - root).arg();
             if times == 2 {

@@ -22,10 +22,12 @@ use crate::model::system::System;
 use laval_model::text;
 use laval_num::complex::{C64, c};
 use laval_num::contour::{Region, Sample, missing, zeros};
-use laval_num::dense::{Field, Lu, Mat};
+use laval_num::dense::Mat;
 use laval_num::eig;
+use laval_num::factor::{Directed, Factors, Selection};
 use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Half width, over the speed, of the band about a frequency where singularities accumulate in which roots close to the imaginary axis are not counted.
@@ -119,40 +121,22 @@ pub fn transcendental(system: &System) -> bool {
 struct Determinant<'a, 'b> {
     t: &'a mut Characteristic<'b>,
     sector: Option<Sector>,
-    members: Vec<usize>,
-    value: Mat<C64>,
-    slope: Mat<C64>,
-    own: Mat<C64>,
-    change: Mat<C64>,
-    lu: Lu<C64>,
+    of: Arc<Selection>,
+    factors: Factors<Directed>,
     /// Without the factor that takes the poles of waves away.
     bare: bool,
 }
 
 impl<'a, 'b> Determinant<'a, 'b> {
     fn new(t: &'a mut Characteristic<'b>, sector: Option<Sector>) -> Self {
-        let members = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
-        let (value, slope, own, change) = (Mat::default(), Mat::default(), Mat::default(), Mat::default());
-        Determinant { t, sector, members, value, slope, own, change, lu: Lu::default(), bare: false }
+        let members: Vec<usize> = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
+        let of = t.selection(&members);
+        Determinant { t, sector, of, factors: Factors::default(), bare: false }
     }
 
     fn at(&mut self, s: C64) -> Option<Sample> {
-        self.t.at(s, &mut self.value, &mut self.slope);
-        let k = self.members.len();
-        self.own.reset(k, k);
-        self.change.reset(k, k);
-        for (i, &gi) in self.members.iter().enumerate() {
-            // positive factors turn nothing
-            let size = self.members.iter().map(|&gj| self.value[(gi, gj)].size()).fold(0.0, f64::max);
-            let scale = if size > 0.0 { size.recip() } else { 1.0 };
-            for (j, &gj) in self.members.iter().enumerate() {
-                self.own[(i, j)] = self.value[(gi, gj)].scale(scale);
-                self.change[(i, j)] = self.slope[(gi, gj)].scale(scale);
-            }
-        }
-        self.lu.factor(&self.own).ok()?;
-        self.lu.solve_mat(&mut self.change);
-        let mut sample = Sample { phase: self.lu.det().arg(), rate: (0..k).map(|i| self.change[(i, i)]).fold(C64::zero(), |a, b| a + b) };
+        let determinant = self.t.determinant(s, &self.of, &mut self.factors)?;
+        let mut sample = Sample { phase: determinant.phase, rate: determinant.rate };
         if !self.bare && self.sector != Some(Sector::Axial) {
             let (value, rate) = self.t.regular(s);
             sample.phase += value.arg();
@@ -326,7 +310,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     let sectors: &[Option<Sector>] = if isotropic { &[Some(Sector::Forward), Some(Sector::Axial)] } else { &[None] };
     for &sector in sectors {
         let mut f = Determinant::new(&mut counting, sector);
-        if f.members.is_empty() {
+        if f.of.members.is_empty() {
             continue;
         }
         let mirrored = sector != Some(Sector::Forward);
@@ -345,7 +329,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let mut starts: Vec<C64> = request.starts.iter().copied().chain(starts).collect();
         // what decays there is not counted: what shows in the response is not overlooked
         if !request.growing && sector != Some(Sector::Axial) && domains.iter().any(|d| !d.left && !d.touches_axis()) {
-            starts.extend(resonances(&mut t, &f.members, mirrored, (1.2 * largest, frequency)));
+            starts.extend(resonances(&mut t, &f.of.members, mirrored, (1.2 * largest, frequency)));
         }
         let mut known: Vec<Polished> = Vec::new();
         let keep = |p: Polished, known: &mut Vec<Polished>| {

@@ -1,10 +1,18 @@
 //! Where the entries of parts stand in the matrices of the machine: computed once, at the first assembly.
 
-use super::linear::Form;
 use super::part::{DofKind, Physics};
 use super::system::{Slot, System};
-use laval_num::factor::{Pattern, Plan};
-use std::sync::{Arc, OnceLock};
+use laval_num::factor::{Pattern, Plan, Selection};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// Which parts enter a linear model through blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// For time integration and eigenvalue pencils: frequency-domain parts by their fitted time form.
+    Time,
+    /// For harmonics: frequency-domain parts enter [`System::dynamic_stiffness`] by their exact impedance.
+    Frequency,
+}
 
 /// Sparsity of the machine in one form, and the places of each part in it.
 ///
@@ -19,7 +27,11 @@ pub struct Assembly {
     /// Places of the parts that enter through blocks, in the order of the slots.
     pub stamps: Vec<Stamp>,
     plan: OnceLock<Plan>,
+    selections: Mutex<Vec<Arc<Selection>>>,
 }
+
+/// Most selections that are kept: those of the sectors of a machine are three.
+const KEPT: usize = 8;
 
 /// Places of one part: of each local entry the entries of the machine it adds to, with their factors.
 #[derive(Debug)]
@@ -129,10 +141,21 @@ impl Assembly {
                 state_block: Places::collect((0..m).flat_map(|i| (0..m).map(move |j| pair(&state(i), &state(j))))),
             });
         }
-        Assembly { pattern: Arc::new(pattern), states, stamps, plan: OnceLock::new() }
+        Assembly { pattern: Arc::new(pattern), states, stamps, plan: OnceLock::new(), selections: Mutex::default() }
     }
     /// How matrices over all unknowns are factored.
     pub fn plan(&self) -> &Plan {
         self.plan.get_or_init(|| Plan::new(&self.pattern))
+    }
+    /// Some of the unknowns (in rising order) by themselves.
+    pub fn selection(&self, members: &[usize]) -> Arc<Selection> {
+        let mut known = self.selections.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(s) = known.iter().find(|s| s.members == members) {
+            return s.clone();
+        }
+        let new = Arc::new(Selection::new(&self.pattern, members));
+        known.truncate(KEPT - 1);
+        known.push(new.clone());
+        new
     }
 }

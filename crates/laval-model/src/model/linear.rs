@@ -1,12 +1,13 @@
 //! The linear parts of a machine at one spin speed: one sparse model in time, dynamic stiffness in frequency.
 
+pub use super::assembly::Form;
 use super::assembly::{Assembly, Places, Stamp};
 use super::blocks::{Axes, Blocks, Grid};
 use super::erased::{Evaluate, FrequencyDomain};
 use super::part::{At, Domain, Physics};
 use super::system::{Slot, System, scatter};
 use laval_num::complex::{Complex, c};
-use laval_num::factor::{Pattern, Plan};
+use laval_num::factor::{Pattern, Plan, Selection};
 use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 use laval_num::work::spend;
@@ -141,6 +142,10 @@ impl<S: Scalar> LinearModel<S> {
     pub fn plan(&self) -> &Plan {
         self.assembly.plan()
     }
+    /// Some of the unknowns (in rising order) by themselves.
+    pub fn selection(&self, members: &[usize]) -> Arc<Selection> {
+        self.assembly.selection(members)
+    }
     /// Number of the unknowns of linear parts: coordinates and [`states`](Self::states).
     pub fn held(&self) -> usize {
         self.n + self.assembly.states.len()
@@ -245,15 +250,6 @@ impl<S: Scalar> Default for LinearScratch<S> {
     fn default() -> Self {
         LinearScratch { local: Blocks::default(), impedance: Vec::new(), entries: Vec::new() }
     }
-}
-
-/// Which parts enter a linear model through blocks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// For time integration and eigenvalue pencils: frequency-domain parts by their fitted time form.
-    Time,
-    /// For harmonics: frequency-domain parts enter [`System::dynamic_stiffness`] by their exact impedance.
-    Frequency,
 }
 
 impl System {

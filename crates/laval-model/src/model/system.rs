@@ -1,10 +1,9 @@
 //! The assembled machine: parts mapped onto global coordinates. Immutable; scratch lives in a [`Workspace`].
 
-use super::assembly::Assembly;
+use super::assembly::{Assembly, Form};
 use super::blocks::Blocks;
 use super::erased::{Erased, Evaluate, MovableMasses};
 use super::field::{Attach, Extra, Field};
-use super::linear::Form;
 use super::params::{ParamSlot, inadmissible};
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
 use super::probe::{self, Probe};

@@ -23,6 +23,7 @@ mod banded;
 mod order;
 mod pattern;
 mod plan;
+mod selection;
 #[cfg(test)]
 mod tests;
 
@@ -34,6 +35,7 @@ use banded::Banded;
 pub use pattern::Pattern;
 pub use plan::Plan;
 use plan::Target;
+pub use selection::Selection;
 
 /// A pivot of the band below this share of the largest entry is replaced where a border follows: the matrix may be regular although its band is not.
 /// Corrections with the original matrix restore what that costs.
@@ -74,7 +76,7 @@ impl Number for C64 {
 }
 
 /// A complex number with its derivative in one direction.
-type Directed = Complex<Dual<f64, 1>>;
+pub type Directed = Complex<Dual<f64, 1>>;
 
 const fn directed(re: f64) -> Directed {
     c(Dual { re, eps: [0.0] }, Dual { re: 0.0, eps: [0.0] })

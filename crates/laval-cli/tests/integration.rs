@@ -1,0 +1,12 @@
+//! Tests of the program from outside, by subject.
+
+mod cli;
+mod folder;
+mod languages;
+mod launcher;
+mod names;
+mod notices;
+mod pieces;
+mod results_schema;
+mod shown;
+mod validate;
