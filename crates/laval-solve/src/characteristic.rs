@@ -9,13 +9,14 @@
 use super::sectors::{Sector, Sectors, imaginary};
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
-use crate::model::part::At;
+use crate::model::part::{At, Physics};
 use crate::model::system::System;
-use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::dense::{Field, Mat};
 use laval_num::dual::Dual;
 use laval_num::factor::{Directed, Factors, LogDet, Pattern, Selection};
+use laval_num::work::spend;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -92,11 +93,20 @@ pub struct Characteristic<'a> {
     pattern: Arc<Pattern>,
     /// Tangents of nonlinear parts in sector coordinates, as entries: multiplied by 1, s, s^2; none where all parts are linear.
     nonlinear: Option<[Vec<C64>; 3]>,
+    /// T as a polynomial, of a machine that holds neither memory nor parts given in the frequency domain.
+    polynomial: Option<[Vec<C64>; 3]>,
+    /// The derivative of the polynomial of linear parts over the speed.
+    by_speed: Option<[Vec<C64>; 3]>,
     states: Vec<usize>,
     sectors: Sectors,
     frame: Frame,
     speed: f64,
     n: usize,
+}
+
+/// T is a polynomial in s: the machine holds neither memory nor parts given in the frequency domain.
+pub fn is_polynomial(system: &System) -> bool {
+    system.slots().iter().all(|s| s.memory == 0 && !matches!(s.physics, Physics::Frequency(_)))
 }
 
 impl<'a> Characteristic<'a> {
@@ -113,7 +123,53 @@ impl<'a> Characteristic<'a> {
         let nonlinear =
             system.slots().iter().any(|s| !s.is_linear()).then(|| tangents(system, about, &coordinates, &sectors, &states, &model));
         let (frame, speed, pattern) = (about.frame, about.speed, model.pattern().clone());
-        Characteristic { system, params, model, scratch, stiffness: Vec::new(), pattern, nonlinear, states, sectors, frame, speed, n }
+        let (stiffness, polynomial, by_speed) = (Vec::new(), None, None);
+        let mut out = Characteristic {
+            system,
+            params,
+            model,
+            scratch,
+            stiffness,
+            pattern,
+            nonlinear,
+            polynomial,
+            by_speed,
+            states,
+            sectors,
+            frame,
+            speed,
+            n,
+        };
+        out.polynomial = is_polynomial(system).then(|| out.polynomial());
+        out
+    }
+
+    /// `A0, A1, A2` of `T(s) = A0 + s A1 + s^2 A2`, without memory and parts given in the frequency domain.
+    pub fn polynomial(&self) -> [Vec<C64>; 3] {
+        let mut out = self.polarised(self.model.polynomial().map(|all| all.iter().map(|x| c(x.re, 0.0)).collect()));
+        for (all, more) in out.iter_mut().zip(self.nonlinear.iter().flatten()) {
+            all.iter_mut().zip(more).for_each(|(a, &b)| *a += b);
+        }
+        if self.frame == Frame::Turning {
+            self.each_entry(|e, sector| {
+                let h = self.shift(sector);
+                let [a0, a1, a2] = out.each_ref().map(|all| all[e]);
+                (out[0][e], out[1][e]) = (a0 + h * (a1 + h * a2), a1 + (h * a2).scale(2.0));
+            });
+        }
+        out
+    }
+
+    fn polarised(&self, mut terms: [Vec<C64>; 3]) -> [Vec<C64>; 3] {
+        terms.iter_mut().for_each(|all| self.sectors.polarise_entries(&self.pattern, all));
+        terms
+    }
+
+    /// Calls `f` with every entry and the sector of its column.
+    fn each_entry(&self, mut f: impl FnMut(usize, Sector)) {
+        for i in 0..self.sectors.len() {
+            self.pattern.row(i).for_each(|(e, j)| f(e, self.sectors.of(j)));
+        }
     }
 
     /// Number of unknowns.
@@ -149,6 +205,10 @@ impl<'a> Characteristic<'a> {
 
     /// T(s) and dT/ds as entries of the [pattern](Self::pattern).
     pub fn entries(&mut self, s: C64) -> [Vec<C64>; 2] {
+        if let Some(terms) = &self.polynomial {
+            spend(4 * self.pattern.entries() as u64);
+            return evaluated(terms, s);
+        }
         let [mut value, mut slope] = self.differentiated(s, (1.0, 0.0));
         self.add_tangents(s, &mut value, &mut slope);
         [value, slope]
@@ -182,17 +242,23 @@ impl<'a> Characteristic<'a> {
         self.model.selection(members)
     }
 
+    /// `m x` of the entries of a matrix.
+    pub fn times(&self, m: &[C64], x: &[C64]) -> Vec<C64> {
+        let row = |i: usize| self.pattern.row(i).fold(C64::ZERO, |sum, (e, j)| sum + m[e] * x[j]);
+        (0..self.sectors.len()).map(row).collect()
+    }
+
+    /// `y^H m x` of the null vectors of a root and the entries of a matrix.
+    pub fn product(&self, root: &Polished, m: &[C64]) -> C64 {
+        self.times(m, &root.right).into_iter().zip(&root.left).fold(C64::ZERO, |sum, (x, y)| sum + y.conj() * x)
+    }
+
     /// The matrix of entries.
     fn fill(&self, entries: &[C64], out: &mut Mat<C64>) {
         out.reset(self.sectors.len(), self.sectors.len());
         for i in 0..self.sectors.len() {
             self.pattern.row(i).for_each(|(e, j)| out[(i, j)] = entries[e]);
         }
-    }
-    fn filled(&self, entries: &[C64]) -> Mat<C64> {
-        let mut out = Mat::default();
-        self.fill(entries, &mut out);
-        out
     }
 
     /// Adds the share of nonlinear parts, which is of second order in s.
@@ -207,13 +273,13 @@ impl<'a> Characteristic<'a> {
         }
     }
 
-    /// T(s) of nonlinear parts alone; `None` where all parts are linear.
-    pub fn tangents_at(&self, s: C64) -> Option<Mat<C64>> {
+    /// Entries of T(s) of nonlinear parts alone; `None` where all parts are linear.
+    pub fn tangents_at(&self, s: C64) -> Option<Vec<C64>> {
         self.nonlinear.as_ref()?;
         let mut value = vec![C64::ZERO; self.pattern.entries()];
         let mut slope = value.clone();
         self.add_tangents(s, &mut value, &mut slope);
-        Some(self.filled(&value))
+        Some(value)
     }
 
     /// The share of linear and frequency-domain parts.
@@ -223,18 +289,43 @@ impl<'a> Characteristic<'a> {
         self.fill(&d, slope);
     }
 
-    /// Derivative over the speed of the share of linear and frequency-domain parts, exact also beside their poles, which may turn with the rotor.
-    pub fn linear_by_speed(&mut self, s: C64) -> Mat<C64> {
+    /// Derivative over the speed of the share of linear and frequency-domain parts as entries, exact also beside their poles, which may turn with the rotor.
+    pub fn linear_by_speed(&mut self, s: C64) -> Vec<C64> {
+        if let Some(terms) = &self.by_speed {
+            let [value, _] = evaluated(terms, s);
+            return value;
+        }
         let mut seeded = LinearModel::default();
         self.system.linear(&self.params, Dual::seed(self.speed, 0), Form::Frequency, &mut seeded, &mut self.scratch);
+        if self.polynomial.is_some() {
+            self.by_speed = Some(self.polynomial_by_speed(&seeded));
+            return self.linear_by_speed(s);
+        }
         std::mem::swap(&mut self.model, &mut seeded);
         let [_, slope] = self.differentiated(s, (0.0, 1.0));
         self.model = seeded;
-        self.filled(&slope)
+        slope
     }
 
-    /// Derivative of the share of linear and frequency-domain parts over parameters (by index) that move together, exact.
-    pub fn linear_by_parameters(&mut self, s: C64, moving: &[usize]) -> Mat<C64> {
+    /// Of a model whose speed is seeded.
+    fn polynomial_by_speed(&self, seeded: &LinearModel<D1>) -> [Vec<C64>; 3] {
+        let terms = seeded.polynomial();
+        let of = |f: fn(&D1) -> f64| self.polarised(terms.each_ref().map(|all| all.iter().map(|x| c(f(x), 0.0)).collect()));
+        let (mut out, own) = (of(|x| x.eps[0]), of(|x| x.re));
+        if self.frame == Frame::Turning {
+            // with the speed the shift of a column changes, too
+            self.each_entry(|e, sector| {
+                let (h, turn) = (self.shift(sector), imaginary(sector.winding()));
+                let ([b0, b1, b2], a1, a2) = (out.each_ref().map(|all| all[e]), own[1][e], own[2][e]);
+                out[0][e] = b0 + h * (b1 + h * b2) + turn * (a1 + (h * a2).scale(2.0));
+                out[1][e] = b1 + (h * b2).scale(2.0) + (turn * a2).scale(2.0);
+            });
+        }
+        out
+    }
+
+    /// Derivative of the share of linear and frequency-domain parts over parameters (by index) that move together as entries, exact.
+    pub fn linear_by_parameters(&mut self, s: C64, moving: &[usize]) -> Vec<C64> {
         let seed = |params: &mut [D1], rate: f64| moving.iter().for_each(|&i| params[i].eps = [rate]);
         seed(&mut self.params, 1.0);
         let mut seeded = LinearModel::default();
@@ -243,7 +334,7 @@ impl<'a> Characteristic<'a> {
         let [_, slope] = self.differentiated(s, (0.0, 0.0));
         self.model = seeded;
         seed(&mut self.params, 0.0);
-        self.filled(&slope)
+        slope
     }
 
     /// The share of linear and frequency-domain parts and its derivative in a direction (of s, of the speed), which the model knows of the speed.
@@ -365,7 +456,7 @@ impl<'a> Characteristic<'a> {
                 let end = self.test(s, &border)?;
                 let (right, left) =
                     (border.spread(&end.right, &border.cols, self.size()), border.spread(&end.left, &border.rows, self.size()));
-                return Some(Polished { value: s, right, left, defect: end.g.abs(), step: length, iterations });
+                return Some(Polished { value: s, right, left, defect: end.g.abs(), step: length, iterations, by_s: -end.slope });
             }
             last = length;
         }
@@ -386,28 +477,36 @@ fn tangents(
     let (n, first, pattern) = (system.n(), model.held(), model.pattern());
     let (v, a) = (about.velocity(coordinates), about.acceleration(coordinates));
     let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
-    let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+    let (mut t, mut ts) = (SparseTangent::default(), TangentScratch::default());
     system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
-    [0, 1, 2].map(|power| {
-        let (top, bottom) = [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)][power];
-        let at = |i: usize, j: usize| match (i < n, j < n) {
-            (true, true) => top[(i, j)],
-            (true, false) if power == 0 && j >= first => t.z[(i, states[j - n])],
-            (false, true) if i >= first => -bottom[(states[i - n], j)],
-            (false, false) if i >= first && j >= first => match power {
-                0 => -t.rate_z[(states[i - n], states[j - n])],
-                1 if i == j => 1.0,
-                _ => 0.0,
-            },
-            _ => 0.0,
-        };
-        let mut entries = vec![C64::ZERO; pattern.entries()];
-        for i in 0..pattern.n() {
-            pattern.row(i).for_each(|(e, j)| entries[e] = c(at(i, j), 0.0));
+    let mut unknown = vec![usize::MAX; system.m()];
+    states.iter().enumerate().for_each(|(k, &z)| unknown[z] = n + k);
+    let mut out = [(); 3].map(|()| vec![C64::ZERO; pattern.entries()]);
+    let mut add = |power: usize, i: usize, j: usize, x: f64| {
+        if let Some(e) = pattern.index(i, j) {
+            out[power][e].re += x;
         }
-        sectors.polarise_entries(pattern, &mut entries);
-        entries
-    })
+    };
+    for (power, (top, bottom)) in [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)].into_iter().enumerate() {
+        top.0.iter().for_each(|&(i, j, x)| add(power, i, j, x));
+        bottom.0.iter().for_each(|&(i, j, x)| add(power, unknown[i], j, -x));
+    }
+    t.z.0.iter().for_each(|&(i, j, x)| add(0, i, unknown[j], x));
+    t.rate_z.0.iter().for_each(|&(i, j, x)| add(0, unknown[i], unknown[j], -x));
+    (first..pattern.n()).for_each(|i| add(1, i, i, 1.0));
+    out.iter_mut().for_each(|all| sectors.polarise_entries(pattern, all));
+    out
+}
+
+/// `A0 + s A1 + s^2 A2`, and its derivative.
+fn evaluated([a0, a1, a2]: &[Vec<C64>; 3], s: C64) -> [Vec<C64>; 2] {
+    let mut out = [Vec::with_capacity(a0.len()), Vec::with_capacity(a0.len())];
+    for ((&a0, &a1), &a2) in a0.iter().zip(a1).zip(a2) {
+        let square = s * a2;
+        out[0].push(a0 + s * (a1 + square));
+        out[1].push(a1 + square.scale(2.0));
+    }
+    out
 }
 
 /// A root of the characteristic function.
@@ -425,6 +524,8 @@ pub struct Polished {
     pub step: f64,
     /// Newton steps.
     pub iterations: usize,
+    /// `y^H dT/ds x` of the null vectors.
+    pub by_s: C64,
 }
 
 /// Scaling and bordering vectors, kept while `s` and the speed move a little.
@@ -451,10 +552,10 @@ pub struct Test {
 }
 
 impl Border {
-    /// `y^H M x` for the vectors of a test and a matrix over all unknowns.
-    pub fn product(&self, test: &Test, m: &Mat<C64>) -> C64 {
-        let members = &self.of.members;
-        self.products(test, |i| members.iter().enumerate().map(move |(j, &mj)| (j, m[(members[i], mj)])))
+    /// `y^H M x` for the vectors of a test and the entries of a matrix over all unknowns.
+    pub fn product(&self, test: &Test, m: &[C64]) -> C64 {
+        let (pattern, from) = (self.of.inner.pattern(), &self.of.inner_from);
+        self.products(test, |i| pattern.row(i).filter_map(|(e, j)| Some((j, m[from[e]?]))))
     }
 
     /// The same of a matrix by the entries of its rows.

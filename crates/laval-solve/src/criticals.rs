@@ -12,7 +12,7 @@
 use super::characteristic::Characteristic;
 use super::locate::{Located, State, carried, crossing, value_and_slope};
 use super::pencil::{MachineMode, Whirl};
-use super::roots::{mode_near, transcendental};
+use super::roots::{in_region, mode_near};
 use super::sectors::Sector;
 use super::sweep::{Sweep, spectrum};
 use super::ties::{rank, settle};
@@ -205,7 +205,7 @@ fn solve(system: &System, state: State, order: f64, (a, b): (Side, Side), (start
 
 /// The mode at its crossing, with its shape there.
 fn shape(system: &System, state: State, at: &Located, sector: Option<Sector>) -> Option<MachineMode> {
-    if transcendental(system) {
+    if in_region(system) {
         return mode_near(system, &state(at.speed).ok()?, at.value, sector);
     }
     let modes = spectrum(system, state, at.speed).ok()?.1.modes;

@@ -45,7 +45,7 @@ pub(super) fn settle(t: &mut Characteristic, linear: &Linearised, spectrum: &mut
                 }
                 let moved = (p.value - mode.value).abs();
                 let mut root = mode.clone();
-                linear.reshape(&mut root, p.value, &p.right);
+                linear.unknowns().reshape(&mut root, p.value, &p.right);
                 let known =
                     |f: &(usize, MachineMode)| f.1.sector == root.sector && (f.1.value - root.value).abs() <= 1e-9 * root.value.abs();
                 // Newton's method from far away finds some root of the machine, which the eigenvalue beside it stands for

@@ -8,7 +8,7 @@ use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::At;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Field;
 use laval_num::factor::{Factors, Plan};
@@ -134,11 +134,13 @@ fn fixed<'a>(system: &'a System, speed: f64, about: Option<&Equilibrium>) -> Equ
     if let Some(about) = about.filter(|_| system.slots().iter().any(|s| !s.is_linear())) {
         let zero = vec![0.0; n];
         let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-        let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+        let (mut t, mut ts) = (SparseTangent::default(), TangentScratch::default());
         system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
-        for i in 0..n {
-            for (e, j) in model.pattern().row(i).take_while(|x| x.1 < n) {
-                entries[e] += c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]);
+        for (tangent, factor) in [(&t.q, C64::ONE), (&t.v, s), (&t.a, s * s)] {
+            for &(i, j, x) in &tangent.0 {
+                if let Some(e) = model.pattern().index(i, j) {
+                    entries[e] += factor.scale(x);
+                }
             }
         }
     }

@@ -4,7 +4,7 @@
 //! An eigenvalue varies like a square root near a double root, so that looking for the edge by its growth loses half the digits; `g = 0` and
 //! `dg/ds = 0` together do not.
 
-use super::characteristic::{Border, Characteristic, Equilibrium, Test};
+use super::characteristic::{Border, Characteristic, Equilibrium, Polished, Test};
 use super::sectors::Sector;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -38,34 +38,44 @@ fn members(t: &Characteristic, sector: Option<Sector>) -> Vec<usize> {
     (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect()
 }
 
-/// `dT/dW` at fixed s: exact for linear and frequency-domain parts, of which memory has poles that move with the speed; of the tangents of nonlinear parts, which have none, by
-/// differences of fourth order.
-fn speed_slope(system: &System, state: State, speed: f64, s: C64) -> Option<Mat<C64>> {
-    let mut here = at_speed(system, state, speed)?;
-    let mut out = here.linear_by_speed(s);
-    if here.tangents_at(s).is_none() {
-        return Some(out);
-    }
-    let h = STEP * (1.0 + speed.abs());
-    for (k, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
-        let t = at_speed(system, state, speed + k * h)?.tangents_at(s)?;
-        for (o, x) in out.data_mut().iter_mut().zip(t.data()) {
-            *o += x.scale(weight / (12.0 * h));
+/// What the derivative of T over the speed takes besides T: the tangents of nonlinear parts, which have no poles, at speeds beside.
+pub(super) struct Beside<'a>(Vec<(f64, Characteristic<'a>)>);
+
+impl<'a> Beside<'a> {
+    /// `None` where the machine has no state at a speed beside.
+    pub fn new(system: &'a System, state: State, speed: f64) -> Option<Self> {
+        if system.slots().iter().all(|s| s.is_linear()) {
+            return Some(Beside(Vec::new()));
         }
+        let h = STEP * (1.0 + speed.abs());
+        let one = |(k, weight): (f64, f64)| Some((weight / (12.0 * h), at_speed(system, state, speed + k * h)?));
+        [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)].into_iter().map(one).collect::<Option<Vec<_>>>().map(Beside)
     }
-    Some(out)
+
+    /// `dT/dW` at fixed s: exact for linear and frequency-domain parts, of which memory has poles that move with the speed; of the tangents of nonlinear
+    /// parts by differences of fourth order.
+    fn by_speed(&mut self, here: &mut Characteristic, s: C64) -> Vec<C64> {
+        let mut out = here.linear_by_speed(s);
+        for (weight, beside) in &mut self.0 {
+            let tangents = beside.tangents_at(s).unwrap_or_default();
+            out.iter_mut().zip(tangents).for_each(|(o, x)| *o += x.scale(*weight));
+        }
+        out
+    }
 }
 
 /// Eigenvalue and its derivative in the speed, from a nearby eigenvalue.
 pub fn value_and_slope(system: &System, state: State, speed: f64, near: C64, sector: Option<Sector>) -> Option<(C64, C64)> {
     let mut t = at_speed(system, state, speed)?;
     let found = t.polish(near, sector)?;
-    let border = t.border(found.value, &members(&t, sector))?;
-    let test = t.test(found.value, &border)?;
-    let change = border.product(&test, &speed_slope(system, state, speed, found.value)?);
-    // dg/ds s' + dg/dW = 0 with dg/ds = -y T_s x, dg/dW = -y T_W x
-    let slope = change / test.slope;
-    slope.is_finite().then_some((found.value, slope))
+    Some((found.value, slope(&mut t, &mut Beside::new(system, state, speed)?, &found)?))
+}
+
+/// Derivative of a root in the speed: `-(y^H dT/dW x) / (y^H dT/ds x)`.
+pub(super) fn slope(t: &mut Characteristic, beside: &mut Beside, root: &Polished) -> Option<C64> {
+    let by_speed = beside.by_speed(t, root.value);
+    let slope = -t.product(root, &by_speed) / root.by_s;
+    slope.is_finite().then_some(slope)
 }
 
 /// A root from one speed to another: Newton's method from where it was, in halved steps where it leads elsewhere.
@@ -96,7 +106,7 @@ pub fn crossing(system: &System, state: State, order: f64, speed: f64, growth: f
         let s = c(growth, order * w);
         let mut t = at_speed(system, state, w)?;
         let test = t.test(s, &border)?;
-        let along = -border.product(&test, &speed_slope(system, state, w, s)?) + (test.slope * c(0.0, order));
+        let along = -border.product(&test, &Beside::new(system, state, w)?.by_speed(&mut t, s)) + (test.slope * c(0.0, order));
         // g + g_s dgrowth + along dW = 0 for real steps
         let det = test.slope.re * along.im - test.slope.im * along.re;
         let dg = -(test.g.re * along.im - test.g.im * along.re) / det;

@@ -18,7 +18,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::sectors::Sector;
 use laval_num::complex::C64;
-use laval_num::dense::{Field, Mat};
+use laval_num::dense::Field;
 
 /// An eigenvalue and its slopes.
 #[derive(Clone, Debug)]
@@ -49,13 +49,6 @@ pub fn mode_slopes(
     let about = find(system)?;
     let mut here = Characteristic::new(system, &about);
     let Some(root) = here.polish(near, sector) else { return Ok(None) };
-    let (mut t, mut by_s) = (Mat::default(), Mat::default());
-    here.at(root.value, &mut t, &mut by_s);
-    let product = |m: &Mat<C64>| {
-        let row = |i: usize| root.right.iter().enumerate().fold(C64::ZERO, |sum, (j, &x)| sum + m[(i, j)] * x);
-        root.left.iter().enumerate().fold(C64::ZERO, |sum, (i, y)| sum + y.conj() * row(i))
-    };
-    let slope = product(&by_s);
     let nonlinear = here.tangents_at(root.value).is_some();
     let moves = about.q.iter().chain(&about.z).any(|x| *x != 0.0);
     let mut slopes = Vec::with_capacity(parameters.len());
@@ -64,29 +57,29 @@ pub fn mode_slopes(
         let own = |i: usize| system.slots().iter().any(|s| s.params.contains(&i) && !s.is_linear());
         if nonlinear && (moves || moving.iter().any(|&i| own(i))) {
             match tangents_by_parameter(system, find, root.value, moving) {
-                Some(more) => by_p.data_mut().iter_mut().zip(more.data()).for_each(|(o, x)| *o += *x),
-                None => by_p.data_mut().iter_mut().for_each(|o| *o = C64 { re: f64::NAN, im: f64::NAN }),
+                Some(more) => by_p.iter_mut().zip(more).for_each(|(o, x)| *o += x),
+                None => by_p.fill(C64 { re: f64::NAN, im: f64::NAN }),
             }
         }
-        slopes.push(-product(&by_p) / slope);
+        slopes.push(-here.product(&root, &by_p) / root.by_s);
     }
     Ok(Some(ModeSlopes { value: root.value, slopes }))
 }
 
 /// Derivative of the tangents of nonlinear parts with their equilibrium; `None` where the parameter is zero or a machine beside cannot be had.
-fn tangents_by_parameter(system: &System, find: Find, s: C64, moving: &[usize]) -> Option<Mat<C64>> {
+fn tangents_by_parameter(system: &System, find: Find, s: C64, moving: &[usize]) -> Option<Vec<C64>> {
     let (slots, values) = (system.param_slots(), system.params());
     let h = STEP * values[*moving.first()?].abs();
     if !(h > 0.0) {
         return None;
     }
-    let mut out: Option<Mat<C64>> = None;
+    let mut out: Option<Vec<C64>> = None;
     for (k, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
         let changes: Vec<(&str, f64)> = moving.iter().map(|&i| (slots[i].name.as_str(), values[i] + k * h)).collect();
         let beside = system.with(&changes).ok()?;
         let t = Characteristic::new(&beside, &find(&beside).ok()?).tangents_at(s)?;
-        let sum = out.get_or_insert_with(|| Mat::zeros(t.rows(), t.cols()));
-        sum.data_mut().iter_mut().zip(t.data()).for_each(|(o, x)| *o += x.scale(weight / (12.0 * h)));
+        let sum = out.get_or_insert_with(|| vec![C64::ZERO; t.len()]);
+        sum.iter_mut().zip(t).for_each(|(o, x)| *o += x.scale(weight / (12.0 * h)));
     }
     out
 }

@@ -7,9 +7,11 @@
 //! in fixed axes at rest, in rotating axes about a turning state (`v -> R (v + W J q)`, coefficients constant for a machine without preferred
 //! direction). Such a machine is solved sector by sector, so that forward and backward whirls of one frequency never mix.
 
-use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, state_sectors};
-use super::roots::{Request, roots, transcendental};
-use super::sectors::{Sector, Sectors, block, circular};
+use super::characteristic::{Characteristic, Equilibrium, Frame};
+use super::machine_mode::Unknowns;
+pub use super::machine_mode::{FLAT, MachineMode, Whirl};
+use super::roots::{Request, in_region, roots};
+use super::sectors::{Sector, Sectors, block};
 use super::ties::settle_modes;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, TimeForm};
@@ -34,96 +36,8 @@ pub struct Linearised {
     pub state_force: Mat,
     /// Rq, Rv, Ra: m x n; Rz: m x m.
     pub rates: [Mat; 4],
-    coordinates: Sectors,
-    states: Sectors,
-    typical: Vec<f64>,
+    unknowns: Unknowns,
     isotropic: bool,
-}
-
-/// An orbit is straight when the radii of its forward and backward parts agree within this share: neither direction leads. Its narrow axis is then
-/// below a fortieth of its long one.
-pub const FLAT: f64 = 0.05;
-
-/// Direction a mode whirls in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Whirl {
-    /// With the spin.
-    Forward,
-    /// Against it.
-    Backward,
-    /// Both, at different places or in a line that is straight within [`FLAT`].
-    Mixed,
-    /// No oscillation, or none across the axis.
-    None,
-}
-
-impl Whirl {
-    /// The word in tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            Whirl::Forward => "forward",
-            Whirl::Backward => "backward",
-            Whirl::Mixed => "mixed",
-            Whirl::None => "none",
-        }
-    }
-    /// At a spin speed: at standstill there is nothing to whirl with or against.
-    pub fn at(self, speed: f64) -> Whirl {
-        if speed == 0.0 { Whirl::None } else { self }
-    }
-    /// In a sentence, before or behind a noun: `forward whirl`; where neither direction leads with the forward share of the squared amplitudes.
-    pub fn of(self, noun: &str, forward_share: f64) -> String {
-        let straight = (1.0 + FLAT).powi(2) / (1.0 + (1.0 + FLAT).powi(2)) - 0.5;
-        match self {
-            Whirl::Mixed if (forward_share - 0.5).abs() <= straight => {
-                format!("straight (mixed) {noun} with forward share {forward_share:.3}")
-            }
-            Whirl::Mixed => format!("mixed {noun} with forward share {forward_share:.3}"),
-            Whirl::None => format!("{noun} of no direction"),
-            _ => format!("{} {noun}", self.word()),
-        }
-    }
-}
-
-/// A mode of the machine, with Im s >= 0; of a conjugate pair, this member stands for both.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct MachineMode {
-    /// s = growth + i frequency.
-    pub value: C64,
-    /// Coordinates, scaled so that the largest (over its typical size) is one and real.
-    pub q: Vec<C64>,
-    /// Internal states on the same scale.
-    pub z: Vec<C64>,
-    /// Sector, for a machine without preferred direction.
-    pub sector: Option<Sector>,
-    /// Direction of whirl.
-    pub whirl: Whirl,
-    /// Share of the forward part in the squared amplitudes.
-    pub forward_share: f64,
-    /// Backward error of the eigenvalue problem.
-    pub residual: f64,
-    /// Estimate of the error of the value, 1/s.
-    pub error: f64,
-    /// The value was solved for on the exact characteristic function.
-    pub polished: bool,
-    /// Where it stands among the families of its spectrum: family, mode.
-    pub place: (usize, usize),
-}
-
-impl MachineMode {
-    /// Growth rate, 1/s.
-    pub fn growth(&self) -> f64 {
-        self.value.re
-    }
-    /// Frequency, rad/s, not negative.
-    pub fn frequency(&self) -> f64 {
-        self.value.im
-    }
-    /// `-growth / |s|`.
-    pub fn damping_ratio(&self) -> f64 {
-        let size = self.value.abs();
-        if size > 0.0 { -self.value.re / size } else { 0.0 }
-    }
 }
 
 /// Modes of one block of the problem that is solved by itself, with vectors for following them.
@@ -223,9 +137,9 @@ impl Linearised {
 
     /// About an equilibrium; parts that have no time form are left out.
     pub(super) fn of_time_forms(system: &System, about: &Equilibrium) -> Self {
-        let coordinates = coordinate_sectors(system);
-        let states = state_sectors(system, &(0..system.m()).collect::<Vec<_>>());
-        let (v, a) = (about.velocity(&coordinates), about.acceleration(&coordinates));
+        let unknowns = Unknowns::of(system);
+        let Unknowns { coordinates, states, .. } = &unknowns;
+        let (v, a) = (about.velocity(coordinates), about.acceleration(coordinates));
         let w = about.speed;
         let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: w, spin_accel: 0.0, t: 0.0 };
         let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
@@ -241,16 +155,14 @@ impl Linearised {
             }
             add(&mut t.rate_z, -w, &states.times_quarter_turn(&Mat::identity(system.m())));
         }
-        let typical = system.coordinates().iter().map(|c| c.dof.typical).collect();
         let rates = [t.rate_q, t.rate_v, t.rate_a, t.rate_z];
-        let mut out =
-            Linearised { mass: t.a, damping: t.v, stiffness: t.q, state_force: t.z, rates, coordinates, states, typical, isotropic: false };
+        let mut out = Linearised { mass: t.a, damping: t.v, stiffness: t.q, state_force: t.z, rates, unknowns, isotropic: false };
         out.isotropic = out.couplings().iter().all(|x| *x <= ISOTROPIC);
         out
     }
 
     fn couplings(&self) -> [f64; 8] {
-        let (q, z) = (&self.coordinates, &self.states);
+        let (q, z) = (&self.unknowns.coordinates, &self.unknowns.states);
         let one = |cols: &Sectors, rows: &Sectors, m: &Mat| cols.coupling(rows, &cols.polarised(rows, m));
         let [rq, rv, ra, rz] = &self.rates;
         [one(q, q, &self.mass), one(q, q, &self.damping), one(q, q, &self.stiffness), one(z, q, &self.state_force)]
@@ -261,6 +173,10 @@ impl Linearised {
             .unwrap_or([f64::NAN; 8])
     }
 
+    /// What a mode is made of.
+    pub(super) fn unknowns(&self) -> &Unknowns {
+        &self.unknowns
+    }
     /// Turning the machine about its axis changes nothing.
     pub fn is_isotropic(&self) -> bool {
         self.isotropic
@@ -274,11 +190,11 @@ impl Linearised {
         let mut out = Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0, left_out: 0 };
         if self.isotropic {
             for sector in [Sector::Forward, Sector::Axial] {
-                let (q, z) = (self.coordinates.members(sector), self.states.members(sector));
+                let (co, st) = (&self.unknowns.coordinates, &self.unknowns.states);
+                let (q, z) = (co.members(sector), st.members(sector));
                 if q.len() + z.len() == 0 {
                     continue;
                 }
-                let (co, st) = (&self.coordinates, &self.states);
                 let one = |cols: &Sectors, rows: &Sectors, m: &Mat, r: &[usize], k: &[usize]| block(&cols.polarised(rows, m), r, k);
                 let [rq, rv, ra, rz] = &self.rates;
                 let parts = [
@@ -301,7 +217,7 @@ impl Linearised {
                 // the backward sector is the conjugate of the forward one
                 out.infinite += if sector == Sector::Forward { 2 * infinite } else { infinite };
                 for (k, m) in modes.iter().enumerate() {
-                    out.modes.push(MachineMode { place: (out.families.len(), k), ..self.mode(m, Some(sector), &q, &z) });
+                    out.modes.push(MachineMode { place: (out.families.len(), k), ..self.unknowns.mode(m, Some(sector), &q, &z) });
                 }
                 out.families.push(Family { sector: Some(sector), modes });
             }
@@ -311,109 +227,14 @@ impl Linearised {
             let (modes, infinite) = first_order(&parts)?;
             out.infinite = infinite;
             let modes = eig::upper_half(&modes);
-            let (q, z): (Vec<usize>, Vec<usize>) = ((0..self.coordinates.len()).collect(), (0..self.states.len()).collect());
+            let (q, z): (Vec<usize>, Vec<usize>) = ((0..self.mass.rows()).collect(), (0..self.rates[3].rows()).collect());
             for (k, m) in modes.iter().enumerate() {
-                out.modes.push(MachineMode { place: (0, k), ..self.mode(m, None, &q, &z) });
+                out.modes.push(MachineMode { place: (0, k), ..self.unknowns.mode(m, None, &q, &z) });
             }
             out.families.push(Family { sector: None, modes });
         }
         settle_modes(&mut out.modes);
         Ok(out)
-    }
-
-    /// Gives a mode the value and the null vector (over the unknowns of the characteristic matrix, in sector coordinates) of an exact root; memory states
-    /// keep those of the pencil.
-    pub(super) fn reshape(&self, mode: &mut MachineMode, value: C64, right: &[C64]) {
-        let mut q = right[..self.coordinates.len()].to_vec();
-        self.coordinates.restore(&mut q);
-        mode.value = value;
-        if value.im < 0.0 {
-            mode.value = value.conj();
-            q.iter_mut().for_each(|x| *x = x.conj());
-            mode.sector = match mode.sector {
-                Some(Sector::Forward) => Some(Sector::Backward),
-                Some(Sector::Backward) => Some(Sector::Forward),
-                other => other,
-            };
-        }
-        if let Some(lead) = self.lead(&q) {
-            q.iter_mut().for_each(|x| *x = *x / lead);
-        }
-        (mode.whirl, mode.forward_share) = self.whirl(mode.value, &q);
-        mode.q = q;
-    }
-
-    /// What the largest coordinate over its typical size is divided by to become one and real.
-    fn lead(&self, q: &[C64]) -> Option<C64> {
-        let size = |(x, t): (&C64, &f64)| x.abs() / t;
-        let lead = q.iter().zip(&self.typical).map(size).fold(0.0, f64::max);
-        let lead = q.iter().zip(&self.typical).find(|&p| size(p) >= lead * (1.0 - 1e-8)).map(|(x, t)| x.scale(1.0 / t));
-        lead.filter(|l| l.abs() > 0.0)
-    }
-
-    /// A mode in x and y with Im s >= 0 from the vector (q, v, z) of a block.
-    fn mode(&self, m: &eig::Mode, sector: Option<Sector>, q: &[usize], z: &[usize]) -> MachineMode {
-        let (mut qs, mut zs) = (vec![C64::zero(); self.coordinates.len()], vec![C64::zero(); self.states.len()]);
-        q.iter().zip(&m.right).for_each(|(&i, &x)| qs[i] = x);
-        z.iter().zip(&m.right[2 * q.len()..]).for_each(|(&i, &x)| zs[i] = x);
-        if sector.is_some() {
-            self.coordinates.restore(&mut qs);
-            self.states.restore(&mut zs);
-        }
-        let (mut value, mut sector) = (m.value, sector);
-        if value.im < 0.0 {
-            value = value.conj();
-            qs.iter_mut().chain(&mut zs).for_each(|x| *x = x.conj());
-            if sector == Some(Sector::Forward) {
-                sector = Some(Sector::Backward);
-            }
-        }
-        if let Some(lead) = self.lead(&qs) {
-            qs.iter_mut().chain(&mut zs).for_each(|x| *x = *x / lead);
-        }
-        let (whirl, forward_share) = self.whirl(value, &qs);
-        MachineMode {
-            value,
-            q: qs,
-            z: zs,
-            sector,
-            whirl,
-            forward_share,
-            residual: m.residual,
-            error: m.error(),
-            polished: false,
-            place: (0, 0),
-        }
-    }
-
-    fn whirl(&self, value: C64, q: &[C64]) -> (Whirl, f64) {
-        let circles: Vec<(f64, f64)> = self
-            .coordinates
-            .pairs()
-            .into_iter()
-            .map(|i| {
-                let (f, b) = circular(q[i], q[i + 1]);
-                (f.abs() / self.typical[i], b.abs() / self.typical[i])
-            })
-            .collect();
-        let (f2, b2) = circles.iter().fold((0.0, 0.0), |(f, b), c| (f + c.0 * c.0, b + c.1 * c.1));
-        let largest = circles.iter().map(|c| c.0 + c.1).fold(0.0, f64::max);
-        if value.im == 0.0 || largest < 1e-12 {
-            return (Whirl::None, 0.5);
-        }
-        // bodies that hardly move do not decide
-        let mut moving = circles.iter().filter(|c| c.0 + c.1 > 1e-3 * largest);
-        let all = |mut it: std::vec::IntoIter<bool>| it.all(|x| x);
-        let forward: Vec<bool> = moving.clone().map(|c| c.0 > c.1 * (1.0 + FLAT)).collect();
-        let backward: Vec<bool> = moving.by_ref().map(|c| c.1 > c.0 * (1.0 + FLAT)).collect();
-        let whirl = if all(forward.into_iter()) {
-            Whirl::Forward
-        } else if all(backward.into_iter()) {
-            Whirl::Backward
-        } else {
-            Whirl::Mixed
-        };
-        (whirl, f2 / (f2 + b2))
     }
 }
 
@@ -528,12 +349,12 @@ pub fn polish(t: &mut Characteristic, spectrum: &mut Spectrum) {
     }
 }
 
-/// Modes about an equilibrium: of a machine with parts that have no time form those of its [`roots`] in the region it chooses by itself; else polished where the pencil holds memory states, or everywhere on demand; roots of the exact function where it holds a fit.
+/// Modes about an equilibrium: of a machine with parts that have no time form, and of a [large](super::large) one, those of its [`roots`] in the region it chooses by itself; else polished where the pencil holds memory states, or everywhere on demand; roots of the exact function where it holds a fit.
 ///
 /// # Errors
 /// As [`Linearised::new`]; a spectrum that cannot be computed.
 pub fn modes_about(system: &System, about: &Equilibrium, always: bool) -> Result<Spectrum, Diagnostic> {
-    if transcendental(system) {
+    if in_region(system) {
         return Ok(roots(system, about, &Request::default())?.spectrum);
     }
     let linear = Linearised::new(system, about)?;

@@ -11,8 +11,10 @@
 //!
 //! Theory: `docs/theory/linear-vibration.md#counting-of-roots`.
 
-use super::characteristic::{Characteristic, Equilibrium, Frame, Polished};
-use super::pencil::{Family, ISOTROPIC, Linearised, MachineMode, Spectrum, Whirl, time_forms};
+use super::characteristic::{Characteristic, Equilibrium, Frame, Polished, is_polynomial};
+use super::large::{Starts, is_large, starts};
+use super::machine_mode::{MachineMode, Unknowns, Whirl};
+use super::pencil::{Family, ISOTROPIC, Linearised, Spectrum, time_forms};
 use super::resonances::resonances;
 use super::sectors::Sector;
 use super::ties::{mode_rank, settle};
@@ -22,7 +24,6 @@ use crate::model::system::System;
 use laval_model::text;
 use laval_num::complex::{C64, c};
 use laval_num::contour::{Region, Sample, missing, zeros};
-use laval_num::dense::Mat;
 use laval_num::eig;
 use laval_num::factor::{Directed, Factors, Selection};
 use laval_num::order::SortByNumber;
@@ -115,6 +116,11 @@ impl Roots {
 /// A part of the machine has no time form: its roots are those of a transcendental function, which can be counted where all parts say where they are analytic.
 pub fn transcendental(system: &System) -> bool {
     system.slots().iter().any(|s| matches!(s.physics, Physics::Frequency(TimeForm::None(_))))
+}
+
+/// Modes are looked for in a region and counted: a part has no time form, or the machine has more modes than are wanted.
+pub fn in_region(system: &System) -> bool {
+    transcendental(system) || is_large(system) && is_polynomial(system)
 }
 
 /// The characteristic function over one sector or all unknowns.
@@ -251,9 +257,9 @@ fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool, bare: bool
 /// Roots of the machine in a region.
 ///
 /// # Errors
-/// A state that turns with the rotor: the domain of the parts is known in fixed axes.
+/// A state that turns with the rotor, of a machine with parts given in the frequency domain: their domain is known in fixed axes.
 pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<Roots, Diagnostic> {
-    if about.frame == Frame::Turning {
+    if about.frame == Frame::Turning && !is_polynomial(system) {
         return Err(Diagnostic::error("modes.frequency_only", text!("a part without time form is linearised about rest only"))
             .help(text!("leave about out")));
     }
@@ -268,21 +274,31 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     }
     let speed = about.speed;
     let domains = system.domains(speed);
-    let linear = Linearised::of_time_forms(system, about);
+    let unknowns = Unknowns::of(system);
     let mut t = Characteristic::new(system, about);
     let rough = system.rough();
     let mut counting = Characteristic::new(rough.as_ref().unwrap_or(system), about);
     let terms = domains.iter().map(|d| d.terms as u64).sum::<u64>().max(1);
     let budget = BUDGET.min(TERMS / terms).min(request.evaluations.unwrap_or(u64::MAX));
     let stopped = || request.cancel.is_some_and(|c| c.load(Ordering::Relaxed));
-    let isotropic = uncoupled(&mut t, speed);
-    let rest = linear.spectrum().ok();
+    let sectors: &[Option<Sector>] = if uncoupled(&mut t, speed) { &[Some(Sector::Forward), Some(Sector::Axial)] } else { &[None] };
+    // roots that are known lead on, and what is missing shows in the count
+    let large = is_large(system).then(|| match request.frequency {
+        Some(frequency) if !request.starts.is_empty() => Starts { frequency, values: Vec::new() },
+        frequency => starts(&t, sectors, frequency),
+    });
+    let own: Vec<(Option<Sector>, C64)> = match &large {
+        Some(near) => near.values.clone(),
+        None => {
+            let rest = Linearised::of_time_forms(system, about).spectrum().ok();
+            let families = rest.into_iter().flat_map(|s| s.families);
+            families.flat_map(|f| f.modes.into_iter().map(move |m| (f.sector, m.value))).collect()
+        }
+    };
     let values = |sector: Option<Sector>| -> Vec<C64> {
-        let families = rest.iter().flat_map(|s| &s.families);
         // the rest of the machine may have other symmetries than the whole
-        families
-            .flat_map(|f| f.modes.iter().map(move |m| (f.sector, m.value)))
-            .flat_map(|(own, v)| match (own, sector) {
+        own.iter()
+            .flat_map(|&(own, v)| match (own, sector) {
                 (Some(Sector::Forward), None) => vec![if v.im < 0.0 { v.conj() } else { v }],
                 (None, Some(Sector::Forward)) => vec![v, v.conj()],
                 (a, b) if a == b || b.is_none() => vec![v],
@@ -290,8 +306,12 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             })
             .collect()
     };
-    let largest = values(None).iter().map(|v| v.abs()).filter(|v| v.is_finite()).fold(3.0 * speed.abs(), f64::max);
-    let frequency = request.frequency.unwrap_or(1.2 * largest);
+    let largest = match &large {
+        Some(near) => near.frequency,
+        None => values(None).iter().map(|v| v.abs()).filter(|v| v.is_finite()).fold(3.0 * speed.abs(), f64::max),
+    };
+    let usual = if large.is_some() { largest } else { 1.2 * largest };
+    let frequency = request.frequency.unwrap_or(usual);
     if !(frequency > 0.0 && frequency.is_finite()) {
         return Err(Diagnostic::error(
             "modes.region",
@@ -307,7 +327,6 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         margin: request.margin,
         frequency,
     };
-    let sectors: &[Option<Sector>] = if isotropic { &[Some(Sector::Forward), Some(Sector::Axial)] } else { &[None] };
     for &sector in sectors {
         let mut f = Determinant::new(&mut counting, sector);
         if f.of.members.is_empty() {
@@ -319,7 +338,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             d.waves.iter().flat_map(move |&w| [c(1e-3 * w.abs(), w), c(-gap - 1e-3 * w.abs(), w)])
         });
         // what the parts hold together has no modes without them
-        let spread = if request.growing && !request.starts.is_empty() { 0 } else { SPREAD };
+        let spread = if large.is_some() || request.growing && !request.starts.is_empty() { 0 } else { SPREAD };
         let spread = (0..spread).flat_map(|k| {
             let w = frequency * (0.75f64).powi(k);
             let both = [c(-0.03 * w, w), c(-0.03 * w, -w)];
@@ -399,7 +418,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let family = out.spectrum.families.len();
         let mut modes = Vec::new();
         for p in known {
-            let mut mode = mode(&linear, &p, sector, system.m());
+            let mut mode = mode(&unknowns, &p, sector);
             mode.place = (family, modes.len());
             out.counted.push(proven(p.value));
             out.spectrum.modes.push(mode);
@@ -417,11 +436,11 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
 }
 
 /// A root as a mode.
-fn mode(linear: &Linearised, p: &Polished, sector: Option<Sector>, states: usize) -> MachineMode {
+pub(super) fn mode(unknowns: &Unknowns, p: &Polished, sector: Option<Sector>) -> MachineMode {
     let mut mode = MachineMode {
         value: p.value,
         q: Vec::new(),
-        z: vec![C64::zero(); states],
+        z: vec![C64::zero(); unknowns.states.len()],
         sector,
         whirl: Whirl::None,
         forward_share: 0.5,
@@ -430,14 +449,14 @@ fn mode(linear: &Linearised, p: &Polished, sector: Option<Sector>, states: usize
         polished: true,
         place: (0, 0),
     };
-    linear.reshape(&mut mode, p.value, &p.right);
+    unknowns.reshape(&mut mode, p.value, &p.right);
     mode
 }
 
 /// The mode that a start leads to.
 pub(super) fn mode_near(system: &System, about: &Equilibrium, start: C64, sector: Option<Sector>) -> Option<MachineMode> {
     let p = Characteristic::new(system, about).polish(start, sector)?;
-    Some(mode(&Linearised::of_time_forms(system, about), &p, sector, system.m()))
+    Some(mode(&Unknowns::of(system), &p, sector))
 }
 
 fn holds(growth: &(f64, f64), band: &(f64, f64), mirrored: bool, z: C64) -> bool {
@@ -448,10 +467,8 @@ fn holds(growth: &(f64, f64), band: &(f64, f64), mirrored: bool, z: C64) -> bool
 /// No sector of the characteristic matrix is coupled with another.
 fn uncoupled(t: &mut Characteristic, speed: f64) -> bool {
     let scale = speed.abs().max(1.0);
-    let (mut value, mut slope) = (Mat::default(), Mat::default());
     [c(0.31, 0.77), c(0.83, -1.9)].iter().all(|s| {
-        t.at(s.scale(scale), &mut value, &mut slope);
-        let sectors = t.sectors();
-        sectors.coupling(sectors, &value) <= ISOTROPIC
+        let [value, _] = t.entries(s.scale(scale));
+        t.sectors().coupling_of_entries(t.pattern(), &value) <= ISOTROPIC
     })
 }

@@ -181,6 +181,14 @@ impl Sectors {
         }
         worst / all
     }
+    /// The same of the entries of a square matrix.
+    pub fn coupling_of_entries(&self, pattern: &Pattern, polarised: &[C64]) -> f64 {
+        let larger = |a: f64, x: f64| if x > a || x.is_nan() { x } else { a };
+        let all = polarised.iter().map(|x| x.size()).fold(0.0, larger);
+        let across = |i: usize| pattern.row(i).filter(move |&(_, j)| self.of[i] != self.of[j]);
+        let worst = (0..pattern.n()).flat_map(across).map(|(e, _)| polarised[e].size()).fold(0.0, larger);
+        if all == 0.0 { 0.0 } else { worst / all }
+    }
 }
 
 /// Amplitudes of the forward and the backward circular motion of the pair `(x, y) exp(s t)`, Im s > 0: the real motion is

@@ -1,15 +1,14 @@
 //! Spectra along the spin speed, followed by modal assurance.
 
-use super::characteristic::{Characteristic, Equilibrium};
+use super::characteristic::Equilibrium;
+use super::follow::{follow, follow_large};
 use super::locate::State;
 use super::pencil::{Family, MachineMode, Spectrum, modes_about, wants_polish};
-use super::roots::{Request, mode_near, roots, transcendental};
-use super::sectors::Sector;
+use super::roots::{in_region, transcendental};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::eig::Track;
-use laval_num::work::piece;
 use serde::{Deserialize, Serialize};
 
 /// A mode followed along the speed.
@@ -43,8 +42,21 @@ pub struct Sweep {
     pub passings: Vec<Passing>,
     /// Spectra computed.
     pub solved: u64,
+    /// Of a large machine the speeds at which its roots were counted.
+    pub counts: Vec<Count>,
     /// The mode that grows most at every speed computed, with what its growth may be off by: also where its frequency is not followed.
     pub strongest: Vec<Strongest>,
+}
+
+/// A count of the roots of a large machine at a speed.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Count {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Frequency up to which roots were counted, rad/s.
+    pub frequency: f64,
+    /// None is missing.
+    pub complete: bool,
 }
 
 /// The mode that grows most at a speed.
@@ -79,20 +91,6 @@ pub fn spectrum(system: &System, state: State, speed: f64) -> Result<(Equilibriu
     let modes = modes_about(system, &about, wants_polish(system))?;
     Ok((about, modes))
 }
-
-/// Growth or decay over the speed from which on the roots of a machine with parts without time form are counted at every speed; those nearer to the imaginary axis are
-/// followed.
-const COUNTED: f64 = 0.01;
-
-/// Of a root that is followed: share of the step over which its tangent is taken; how far the tangent may lead, relative to the root; how far from the tangent
-/// the root may end, relative to the tangent and to the root.
-const TANGENT: f64 = 1e-3;
-const FAR: f64 = 0.2;
-const BEND: f64 = 0.3;
-const STILL: f64 = 1e-4;
-
-/// Steps between two speeds: more where two roots seem to lead to one.
-const PIECES: [usize; 4] = [1, 4, 16, 64];
 
 /// Growth over the eigenvalue, and over the largest of all, that is rounding.
 const GROWS: f64 = 1e-7;
@@ -248,6 +246,9 @@ pub fn sweep(
     if transcendental(system) {
         return follow(system, state, speeds, limit, each);
     }
+    if in_region(system) {
+        return follow_large(system, state, speeds, limit, each);
+    }
     let out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
     let mut f = Follower { system, state, limit, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
     for (k, &speed) in speeds.iter().enumerate() {
@@ -266,175 +267,4 @@ pub fn sweep(
         }
     }
     Ok(f.out)
-}
-
-/// The same for a machine with parts that have no time form: a root goes on where its tangent and Newton's method lead. Roots that enter the region are born.
-fn follow(
-    system: &System,
-    state: State,
-    speeds: &[f64],
-    limit: f64,
-    mut each: impl FnMut(usize, u64) -> bool,
-) -> Result<Sweep, Diagnostic> {
-    let mut out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
-    // branch of each mode of the speed before
-    let mut ids: Vec<usize> = Vec::new();
-    for (k, &speed) in speeds.iter().enumerate() {
-        if !each(k, out.solved) {
-            break;
-        }
-        let about = state(speed)?;
-        let before: Vec<(usize, MachineMode)> = match out.points.last() {
-            Some((_, s)) => ids.iter().copied().zip(s.modes.iter().cloned()).collect(),
-            None => Vec::new(),
-        };
-        let mut led: Vec<(usize, C64, Option<Sector>)> = Vec::new();
-        for pieces in PIECES {
-            let again = |id: usize, m: &MachineMode| {
-                let to = led.iter().filter(|l| l.0 == id && l.2 == m.sector).map(|l| l.1).next();
-                to.is_some_and(|to| led.iter().any(|l| l.0 != id && l.2 == m.sector && same(l.1, to)))
-            };
-            let those: Vec<&(usize, MachineMode)> = before.iter().filter(|(id, m)| pieces == 1 || again(*id, m)).collect();
-            if those.is_empty() {
-                break;
-            }
-            led.retain(|l| those.iter().all(|t| t.0 != l.0));
-            for (id, mode) in those {
-                let Some(to) = piece(|| lead_in_pieces(system, state, (speeds[k - 1], speed), mode, pieces)) else { return Ok(met(out)) };
-                let to = to?;
-                led.extend(to.map(|value| (*id, value, mode.sector)));
-            }
-        }
-        let forward = |z: C64, sector: Option<Sector>| if sector == Some(Sector::Backward) { z.conj() } else { z };
-        let starts: Vec<C64> = led.iter().map(|l| forward(l.1, l.2)).collect();
-        let frequency = limit.is_finite().then_some(limit);
-        let dense = system.domains(speed).iter().any(|d| !d.axis);
-        let request = Request { margin: if dense { COUNTED * speed.abs() } else { 0.0 }, frequency, starts: &starts, ..Request::default() };
-        let Some(found) = piece(|| roots(system, &about, &request)) else { return Ok(met(out)) };
-        let found = found?.spectrum;
-        out.strongest.extend(Strongest::of(speed, &found));
-        out.solved += 1;
-        ids = found.modes.iter().map(|_| usize::MAX).collect();
-        for (id, value, sector) in led {
-            if let Some(at) = found.modes.iter().position(|m| m.sector == sector && same(m.value, value))
-                && ids[at] == usize::MAX
-            {
-                ids[at] = id;
-            }
-        }
-        for (id, mode) in ids.iter_mut().zip(&found.modes) {
-            if *id == usize::MAX {
-                *id = out.branches.len();
-                out.branches.push(Branch::default());
-            }
-            out.branches[*id].points.push((speed, mode.clone()));
-        }
-        out.points.push((speed, found));
-    }
-    for born in 0..out.branches.len() {
-        match piece(|| back(system, state, limit, born, &mut out)) {
-            Some(done) => done?,
-            None => break,
-        }
-    }
-    Ok(met(out))
-}
-
-/// Without the branches that turned out to be the end of others.
-fn met(mut out: Sweep) -> Sweep {
-    out.branches.retain(|b| !b.points.is_empty());
-    out
-}
-
-/// Two values are those of one root.
-fn same(a: C64, b: C64) -> bool {
-    (a - b).abs() <= 1e-8 * b.abs()
-}
-
-/// A branch that was met at some speed, followed back to where it comes from. Where that is the end of another the two are one.
-fn back(system: &System, state: State, limit: f64, born: usize, out: &mut Sweep) -> Result<(), Diagnostic> {
-    while let Some((speed, mode)) = out.branches[born].points.first().cloned()
-        && let Some(k) = out.points.iter().position(|p| p.0 == speed)
-        && k > 0
-    {
-        let before = out.points[k - 1].0;
-        for pieces in PIECES {
-            let Some(value) = lead_in_pieces(system, state, (speed, before), &mode, pieces)? else { return Ok(()) };
-            let own = |m: &MachineMode| m.sector == mode.sector && same(m.value, value);
-            if !out.points[k - 1].1.modes.iter().any(own) {
-                let there = mode_near(system, &state(before)?, value, mode.sector);
-                let Some(there) = there.filter(|m| own(m) && m.value.im.abs() <= limit) else { return Ok(()) };
-                out.points[k - 1].1.modes.push(there.clone());
-                out.branches[born].points.insert(0, (before, there));
-                break;
-            }
-            let ends = |b: &Branch| b.points.last().is_some_and(|(w, m)| *w == before && own(m));
-            if let Some(other) = out.branches.iter().position(ends) {
-                let rest = std::mem::take(&mut out.branches[born].points);
-                out.branches[other].points.extend(rest);
-                return Ok(());
-            }
-            // it is on another branch: perhaps one that runs beside this
-            if Some(&pieces) == PIECES.last() {
-                return Ok(());
-            }
-        }
-    }
-    Ok(())
-}
-
-/// [`lead`] in so many equal steps.
-fn lead_in_pieces(
-    system: &System,
-    state: State,
-    (from, to): (f64, f64),
-    mode: &MachineMode,
-    pieces: usize,
-) -> Result<Option<C64>, Diagnostic> {
-    let mut value = mode.value;
-    for k in 0..pieces {
-        let at = |k: usize| from + (to - from) * k as f64 / pieces as f64;
-        match lead(system, state, (at(k), at(k + 1)), value, mode.sector, DEPTH)? {
-            Some(next) => value = next,
-            None => return Ok(None),
-        }
-    }
-    Ok(Some(value))
-}
-
-/// Where a root goes from one speed to the next: where Newton's method leads from its tangent, if that is near; else by way of the speed between, and nowhere
-/// when it is not near at the shortest step: what is found there is another root.
-fn lead(
-    system: &System,
-    state: State,
-    (from, to): (f64, f64),
-    value: C64,
-    sector: Option<Sector>,
-    depth: usize,
-) -> Result<Option<C64>, Diagnostic> {
-    let at = |speed: f64, start: C64| -> Result<Option<C64>, Diagnostic> {
-        let about = state(speed)?;
-        Ok(Characteristic::new(system, &about).polish(start, sector).map(|p| p.value))
-    };
-    let beside = from + TANGENT * (to - from);
-    // a wave that hardly moves the machine has a frequency that is proportional to the speed, and leads Newton's method from nowhere else
-    let starts = [Some(value), (from != 0.0).then(|| value.scale(beside / from))];
-    for start in starts.into_iter().flatten() {
-        let Some(near) = at(beside, start)? else { continue };
-        let ahead = (near - value).scale(1.0 / TANGENT);
-        if ahead.abs() <= FAR * value.abs()
-            && let Some(there) = at(to, value + ahead)?
-            && (there - value - ahead).abs() <= BEND * ahead.abs() + STILL * value.abs()
-        {
-            return Ok(Some(there));
-        }
-    }
-    if depth == 0 {
-        return Ok(None);
-    }
-    let middle = 0.5 * (from + to);
-    match lead(system, state, (from, middle), value, sector, depth - 1)? {
-        Some(between) => lead(system, state, (middle, to), between, sector, depth - 1),
-        None => Ok(None),
-    }
 }

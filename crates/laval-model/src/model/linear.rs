@@ -173,6 +173,27 @@ impl<S: Scalar> LinearModel<S> {
     pub fn stiffness_alone(&self, i: usize, j: usize) -> S {
         self.get(&self.stiffness, i, j)
     }
+    /// `A0, A1, A2` of the dynamic stiffness `A0 + s A1 + s^2 A2` of what the blocks hold: everything but memory and impedances.
+    pub fn polynomial(&self) -> [Vec<S>; 3] {
+        let (pattern, held) = (self.pattern(), self.held());
+        let mut out = [(); 3].map(|()| vec![S::zero(); pattern.entries()]);
+        for i in 0..held {
+            for (e, j) in pattern.row(i).take_while(|x| x.1 < held) {
+                out.iter_mut().zip(self.term(e, i, j)).for_each(|(all, x)| all[e] = x);
+            }
+        }
+        out
+    }
+    /// One entry of [`polynomial`](Self::polynomial).
+    #[inline]
+    fn term(&self, e: usize, i: usize, j: usize) -> [S; 3] {
+        let (k, d) = (self.stiffness[e] + self.speed * self.circulatory[e], self.damping[e] + self.speed * self.gyroscopic[e]);
+        match i < self.n {
+            true if j < self.n => [k, d, self.mass[e]],
+            true => [self.stiffness[e], S::zero(), S::zero()],
+            false => [-self.stiffness[e], if i == j { S::one() } else { -self.damping[e] }, -self.mass[e]],
+        }
+    }
     /// The mass matrix alone, entry by entry of the pattern.
     pub fn mass_values(&self) -> &[S] {
         &self.mass
@@ -362,31 +383,13 @@ impl System {
         Complex<S>: Copy,
     {
         let pattern = &*model.assembly.pattern;
-        let n = self.n();
         refill(out, pattern.entries(), Complex::zero());
         spend((10 * pattern.entries() + 100 * self.slots().len()) as u64);
         let s2 = s * s;
-        for i in 0..n {
-            for (e, j) in pattern.row(i) {
-                out[e] = if j < n {
-                    let k = model.stiffness[e] + model.speed * model.circulatory[e];
-                    let d = model.damping[e] + model.speed * model.gyroscopic[e];
-                    s2.scale(model.mass[e]) + s.scale(d) + Complex::real(k)
-                } else {
-                    Complex::real(model.stiffness[e])
-                };
-            }
-        }
-        for i in n..model.held() {
+        for i in 0..model.held() {
             for (e, j) in pattern.row(i).take_while(|x| x.1 < model.held()) {
-                out[e] = if j < n {
-                    -(Complex::real(model.stiffness[e]) + s.scale(model.damping[e]) + s2.scale(model.mass[e]))
-                } else {
-                    Complex::real(-model.stiffness[e])
-                };
-                if i == j {
-                    out[e] += s;
-                }
+                let [a0, a1, a2] = model.term(e, i, j);
+                out[e] = s2.scale(a2) + s.scale(a1) + Complex::real(a0);
             }
         }
         let mut add = |slot: &Slot, row: usize, col: usize, x: Complex<S>| {

@@ -9,32 +9,68 @@ use laval_num::dual::Dual;
 use laval_num::refill::refill;
 use laval_num::work::spend;
 
+/// A matrix that is added to entry by entry.
+pub trait Entries: Default {
+    /// Zeros of this size.
+    fn reset(&mut self, rows: usize, cols: usize);
+    /// Adds to an entry.
+    fn add(&mut self, i: usize, j: usize, x: f64);
+}
+
+impl Entries for Mat {
+    fn reset(&mut self, rows: usize, cols: usize) {
+        Mat::reset(self, rows, cols);
+    }
+    #[inline]
+    fn add(&mut self, i: usize, j: usize, x: f64) {
+        self[(i, j)] += x;
+    }
+}
+
+/// What is added, with its row and column.
+#[derive(Clone, Debug, Default)]
+pub struct Triplets(pub Vec<(usize, usize, f64)>);
+
+impl Entries for Triplets {
+    fn reset(&mut self, _: usize, _: usize) {
+        self.0.clear();
+    }
+    fn add(&mut self, i: usize, j: usize, x: f64) {
+        self.0.push((i, j, x));
+    }
+}
+
 /// Residual and its tangents at one point. With `spin`, the spin angle is coordinate `n` and the spin row is row `n`.
 #[derive(Clone, Debug, Default)]
-pub struct Tangent {
+pub struct TangentOf<M> {
     /// Residual of the rows.
     pub force: Vec<f64>,
     /// Rates of internal states.
     pub rate: Vec<f64>,
     /// d force / d q.
-    pub q: Mat,
+    pub q: M,
     /// d force / d v.
-    pub v: Mat,
+    pub v: M,
     /// d force / d a: the mass matrix.
-    pub a: Mat,
+    pub a: M,
     /// d force / d z.
-    pub z: Mat,
+    pub z: M,
     /// d rate / d q.
-    pub rate_q: Mat,
+    pub rate_q: M,
     /// d rate / d v.
-    pub rate_v: Mat,
+    pub rate_v: M,
     /// d rate / d a.
-    pub rate_a: Mat,
+    pub rate_a: M,
     /// d rate / d z.
-    pub rate_z: Mat,
+    pub rate_z: M,
 }
 
-impl Tangent {
+/// In full matrices.
+pub type Tangent = TangentOf<Mat>;
+/// In lists of what is added to their entries.
+pub type SparseTangent = TangentOf<Triplets>;
+
+impl<M: Entries> TangentOf<M> {
     fn reset(&mut self, n: usize, m: usize) {
         refill(&mut self.force, n, 0.0);
         refill(&mut self.rate, m, 0.0);
@@ -77,7 +113,14 @@ struct Seed(Group, Option<usize>);
 
 impl System {
     /// Residual and tangents of the parts `which` admits at a global point; with `spin` also over the spin angle, speed and acceleration.
-    pub fn tangent(&self, at: &At<f64>, spin: bool, out: &mut Tangent, scratch: &mut TangentScratch, which: impl Fn(&Slot) -> bool) {
+    pub fn tangent<M: Entries>(
+        &self,
+        at: &At<f64>,
+        spin: bool,
+        out: &mut TangentOf<M>,
+        scratch: &mut TangentScratch,
+        which: impl Fn(&Slot) -> bool,
+    ) {
         let rows = self.n() + usize::from(spin);
         out.reset(rows, self.m());
         let mut spin_row = 0.0;
@@ -94,7 +137,7 @@ impl System {
         }
     }
 
-    fn slot_tangent(&self, slot: &Slot, at: &At<f64>, spin: bool, out: &mut Tangent, w: &mut TangentScratch) {
+    fn slot_tangent<M: Entries>(&self, slot: &Slot, at: &At<f64>, spin: bool, out: &mut TangentOf<M>, w: &mut TangentScratch) {
         for (x, local) in [at.q, at.v, at.a].iter().zip(&mut w.local) {
             gather(&slot.map, x, local);
         }
@@ -139,7 +182,7 @@ impl System {
         w.seeds = seeds;
     }
 
-    fn seeded(&self, slot: &Slot, at: &At<f64>, chunk: &[Seed], out: &mut Tangent, w: &mut TangentScratch, spin: bool) {
+    fn seeded<M: Entries>(&self, slot: &Slot, at: &At<f64>, chunk: &[Seed], out: &mut TangentOf<M>, w: &mut TangentScratch, spin: bool) {
         let z = &at.z[slot.states.clone()];
         for (x, s) in w.local.iter().map(Vec::as_slice).chain([z]).zip(&mut w.seeded) {
             s.clear();
@@ -186,21 +229,21 @@ impl System {
                 if !linear_known {
                     for (row, f) in slot.map.iter().zip(&w.force) {
                         for &(gi, ci) in row {
-                            force_d[(gi, col)] += ci * cj * f.eps[k];
+                            force_d.add(gi, col, ci * cj * f.eps[k]);
                         }
                     }
                     for (i, r) in w.rate.iter().enumerate() {
-                        rate_d[(slot.states.start + i, col)] += cj * r.eps[k];
+                        rate_d.add(slot.states.start + i, col, cj * r.eps[k]);
                     }
                 }
                 if spin {
-                    force_d[(spin_index, col)] += cj * spin_row.eps[k];
+                    force_d.add(spin_index, col, cj * spin_row.eps[k]);
                 }
             }
         }
     }
 
-    fn add_block_tangent(&self, slot: &Slot, spin_accel: f64, b: &Blocks<f64>, out: &mut Tangent) {
+    fn add_block_tangent<M: Entries>(&self, slot: &Slot, spin_accel: f64, b: &Blocks<f64>, out: &mut TangentOf<M>) {
         let m = b.state.rows();
         let z0 = slot.states.start;
         for (i, rows) in slot.map.iter().enumerate() {
@@ -209,39 +252,39 @@ impl System {
                 let k = b.stiffness[(i, j)] + b.speed * b.circulatory[(i, j)] + spin_accel * b.spin_accel_stiffness[(i, j)];
                 for &(gi, ci) in rows {
                     for &(gj, cj) in cols {
-                        out.a[(gi, gj)] += ci * cj * b.mass[(i, j)];
-                        out.v[(gi, gj)] += ci * cj * d;
-                        out.q[(gi, gj)] += ci * cj * k;
+                        out.a.add(gi, gj, ci * cj * b.mass[(i, j)]);
+                        out.v.add(gi, gj, ci * cj * d);
+                        out.q.add(gi, gj, ci * cj * k);
                     }
                 }
             }
             for &(g, c) in rows {
                 for j in 0..m {
-                    out.z[(g, z0 + j)] += c * (b.state_force[(i, j)] + spin_accel * b.spin_accel_state_force[(i, j)]);
-                    out.rate_q[(z0 + j, g)] += c * b.state_q[(j, i)];
-                    out.rate_v[(z0 + j, g)] += c * b.state_v[(j, i)];
-                    out.rate_a[(z0 + j, g)] += c * b.state_a[(j, i)];
+                    out.z.add(g, z0 + j, c * (b.state_force[(i, j)] + spin_accel * b.spin_accel_state_force[(i, j)]));
+                    out.rate_q.add(z0 + j, g, c * b.state_q[(j, i)]);
+                    out.rate_v.add(z0 + j, g, c * b.state_v[(j, i)]);
+                    out.rate_a.add(z0 + j, g, c * b.state_a[(j, i)]);
                 }
             }
         }
         for i in 0..m {
             for j in 0..m {
-                out.rate_z[(z0 + i, z0 + j)] += b.state[(i, j)];
+                out.rate_z.add(z0 + i, z0 + j, b.state[(i, j)]);
             }
         }
         for (k, mem) in b.memory.iter().enumerate() {
             let row = z0 + m + k;
             for &(g, c) in &slot.map[mem.input] {
-                out.rate_q[(row, g)] += c;
+                out.rate_q.add(row, g, c);
             }
             for &(g, c) in &slot.map[mem.output] {
-                out.z[(g, row)] += c * mem.gain;
+                out.z.add(g, row, c * mem.gain);
             }
-            out.rate_z[(row, row)] -= mem.rate;
+            out.rate_z.add(row, row, -mem.rate);
             match mem.axes {
                 super::blocks::Axes::Fixed => {}
-                super::blocks::Axes::RotorX => out.rate_z[(row, row + 1)] -= b.speed,
-                super::blocks::Axes::RotorY => out.rate_z[(row, row - 1)] += b.speed,
+                super::blocks::Axes::RotorX => out.rate_z.add(row, row + 1, -b.speed),
+                super::blocks::Axes::RotorY => out.rate_z.add(row, row - 1, b.speed),
             }
         }
     }

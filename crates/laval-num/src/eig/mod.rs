@@ -1,10 +1,11 @@
-//! Eigenvalue problems of small and medium dense matrices.
+//! Eigenvalue problems: all modes of small and medium dense matrices, some of large sparse ones.
 //!
 //! | problem | call |
 //! | --- | --- |
 //! | `A x = s x` | [`eigenvalues`], [`Spectrum`] (reusable, fast for small real matrices), [`modes`] |
 //! | `A x = s E x`, E possibly singular | [`Pencil`] |
 //! | `A x = s E x`, real symmetric, E positive definite | [`definite`] |
+//! | `(A0 + s A1 + s^2 A2) x = 0`, sparse: those nearest to a shift | [`nearest`] |
 //! | modes along a parameter | [`Track`] |
 //!
 //! Every problem is scaled before it is solved (rows and columns by powers of two, so without rounding), and every mode carries the
@@ -18,6 +19,7 @@
 
 mod balance;
 mod deflate;
+mod krylov;
 mod mode;
 mod number;
 mod pencil;
@@ -28,6 +30,7 @@ mod symmetric;
 mod tests;
 mod track;
 
+pub use krylov::{Nearest, Quadratic, nearest};
 pub use mode::{Mode, upper_half};
 pub use number::{Number, Svd};
 pub use pencil::{Modes, Pencil};

@@ -7,9 +7,10 @@ use crate::model::field::Attach;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Link, Physics, PortKind, Rows};
 use crate::model::system::{Slot, System};
-use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::text;
 use laval_num::dense::Mat;
+use laval_num::factor::{Factors, Plan};
 
 /// Warns of parts that cannot do what they are there for, of displacements without any stiffness and of tilt stiffness on bodies that do not tilt.
 pub(super) fn check(system: &System, out: &mut Diagnostics) {
@@ -139,29 +140,64 @@ fn free(system: &System) -> Vec<usize> {
     let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(system.params(), speed, Form::Time, &mut model, &mut scratch);
     let typical: Vec<f64> = system.coordinates().iter().map(|c| c.dof.typical).collect();
-    let mut k = Mat::from_fn(n, n, |i, j| model.stiffness_alone(i, j));
+    // what moves inside the rotor, such as a ball in its track, may be free
+    let bodies: Vec<usize> = (0..n).filter(|&i| system.coordinates()[i].dof.kind != DofKind::Scalar).collect();
+    let pattern = model.pattern();
+    let mut k = vec![0.0; pattern.entries()];
+    for i in 0..n {
+        pattern.row(i).take_while(|x| x.1 < n).for_each(|(e, j)| k[e] = model.stiffness_alone(i, j));
+    }
     let (zero, z) = (vec![0.0; n], vec![0.0; system.m()]);
     // a law may have no stiffness at rest, or on one side only
     for side in [-1.0, 0.0, 1.0] {
         let q: Vec<f64> = typical.iter().enumerate().map(|(i, t)| side * t / (1.0 + 0.1 * i as f64)).collect();
         let at = At { q: &q, v: &zero, a: &zero, z: &z, phase: 0.3, speed, spin_accel: 0.0, t: 0.0 };
-        let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+        let (mut t, mut ts) = (SparseTangent::default(), TangentScratch::default());
         system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
-        for i in 0..n {
-            for j in 0..n {
-                k[(i, j)] += t.q[(i, j)];
+        for &(i, j, x) in &t.q.0 {
+            // coordinates of one part are in the pattern
+            if let Some(e) = pattern.index(i, j) {
+                k[e] += x;
             }
         }
     }
     for i in 0..n {
-        for j in 0..n {
-            k[(i, j)] *= typical[i] * typical[j];
-        }
+        pattern.row(i).take_while(|x| x.1 < n).for_each(|(e, j)| k[e] *= typical[i] * typical[j]);
     }
-    // what moves inside the rotor, such as a ball in its track, may be free
-    let bodies: Vec<usize> = (0..n).filter(|&i| system.coordinates()[i].dof.kind != DofKind::Scalar).collect();
-    let k = Mat::from_fn(bodies.len(), bodies.len(), |i, j| k[(bodies[i], bodies[j])]);
+    let of = model.selection(&bodies);
+    let k = of.taken(&k);
+    if bodies.len() > FEW && regular(&of.inner, &k) {
+        return Vec::new();
+    }
+    let pattern = of.inner.pattern();
+    let k = Mat::from_fn(bodies.len(), bodies.len(), |i, j| pattern.index(i, j).map_or(0.0, |e| k[e]));
     unpivoted(k).into_iter().map(|i| bodies[i]).collect()
+}
+
+/// Coordinates up to which complete pivoting costs nothing.
+const FEW: usize = 60;
+
+/// One factorisation shows that every motion costs force: the smallest singular value, by inverse iteration, is far above what counts as none.
+fn regular(plan: &Plan, k: &[f64]) -> bool {
+    let pattern = plan.pattern();
+    let n = pattern.n();
+    let size: Vec<f64> = (0..n).map(|i| pattern.row(i).map(|(e, _)| k[e].abs()).fold(0.0, f64::max)).collect();
+    let mut scaled = k.to_vec();
+    for i in 0..n {
+        pattern.row(i).for_each(|(e, j)| scaled[e] /= (size[i] * size[j]).sqrt());
+    }
+    let Ok(factors) = Factors::new(plan, &scaled) else { return false };
+    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let mut x: Vec<f64> = (0..n).map(|i| 1.0 + 0.3 * (2.4 * i as f64).sin()).collect();
+    let mut least = f64::INFINITY;
+    for _ in 0..3 {
+        let before = norm(&x);
+        x.iter_mut().for_each(|x| *x /= before);
+        factors.solve(&mut x);
+        factors.solve_transposed(&mut x);
+        least = norm(&x).sqrt().recip();
+    }
+    least > 1e3 * NONE
 }
 
 /// Columns that elimination with complete pivoting leaves; the later of equals, so that a body far from the ground is named last.

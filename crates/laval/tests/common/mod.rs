@@ -4,6 +4,7 @@
 pub mod base;
 pub mod files;
 pub mod planar_file;
+pub mod shaft;
 #[allow(unused_imports)]
 pub use base::Base;
 

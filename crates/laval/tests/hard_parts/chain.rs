@@ -14,7 +14,8 @@ use laval::params;
 use laval::parts::{bearing_cubic::*, damper::*};
 use laval::solve::harmonic::balance::problem::Balance;
 use laval::solve::harmonic::stability::floquet::Unassessed;
-use laval::solve::pencil::modes_about;
+use laval::solve::large::usual_frequency;
+use laval::solve::pencil::{Linearised, modes_about};
 use laval::solve::rest::rest;
 use laval::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
@@ -155,7 +156,17 @@ fn receptance(a: usize, b: usize, s: C64) -> C64 {
 fn modes_have_their_closed_form() {
     let system = builder(0.0).build().unwrap();
     assert_eq!(system.n(), 2 * N);
-    let spectrum = modes_about(&system, &rest(&system, 300.0).unwrap(), false).unwrap();
+    let about = rest(&system, 300.0).unwrap();
+    // a machine of this size: those up to a frequency; all from its matrices
+    let band = modes_about(&system, &about, false).unwrap();
+    let below = |limit: f64| 2 * (0..N).filter(|&j| frequency(j) < limit).count();
+    let limit = usual_frequency(&system, &about);
+    assert!((12..2 * N).contains(&band.modes.len()));
+    assert_eq!(band.modes.len(), below(limit), "below {limit}");
+    let spectrum = Linearised::new(&system, &about).unwrap().spectrum().unwrap();
+    for m in &band.modes {
+        assert!(spectrum.modes.iter().any(|all| (all.value - m.value).abs() < 1e-9 * m.value.abs()), "{:?}", m.value);
+    }
     // forward and backward of each
     assert_eq!(spectrum.modes.len(), 2 * N);
     for j in 0..N {

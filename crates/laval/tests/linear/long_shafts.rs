@@ -1,64 +1,106 @@
 //! Shafts of many stations: sparse results against dense ones and closed forms, and how the work grows with the number of stations.
 
 use crate::common::files::load;
+use crate::common::shaft::{DENSITY, LENGTH, MODULUS, RADIUS, SUPPORT, isotropic, shaft};
 use laval::model::blocks::Grid;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
 use laval::model::system::System;
 use laval::solve::characteristic::{Characteristic, Equilibrium, Frame};
+use laval::solve::criticals::criticals;
 use laval::solve::linear_response::response;
+use laval::solve::pencil::Linearised;
 use laval::solve::rest::rest;
+use laval::solve::roots::{Request, roots};
+use laval::solve::sweep::sweep;
 use laval::study::Cancel;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 use laval_num::work::watched;
 use std::f64::consts::PI;
 
-const LENGTH: f64 = 1.5;
-const RADIUS: f64 = 0.025;
-const MODULUS: f64 = 2.1e11;
-const DENSITY: f64 = 7800.0;
-const SUPPORT: f64 = 2e6;
+/// Modes of a machine with frequencies up to a limit, and growth of the same size, by its full matrices.
+fn dense(system: &System, about: &Equilibrium, limit: f64) -> Vec<C64> {
+    let all = Linearised::new(system, about).unwrap().spectrum().unwrap().modes;
+    all.iter().map(|m| m.value).filter(|s| s.im <= limit && s.re.abs() <= limit).collect()
+}
 
-/// A round shaft of equal beam elements without shear, its mass at the stations, on two damped bearings; with an unbalance in the middle and, on request, a foundation
-/// below both bearings. `plain` leaves out what a slender beam on springs does not have: rotary inertia and damping.
-fn shaft(stations: usize, founded: bool, plain: bool) -> System {
-    let (area, second) = (PI * RADIUS.powi(2), 0.25 * PI * RADIUS.powi(4));
-    let step = LENGTH / (stations - 1) as f64;
-    let mut text = String::from("[machine]\nname = \"shaft\"\nspeed = \"3000 rpm\"\naxis = \"vertical\"\n");
-    for k in 0..stations {
-        let share = if k == 0 || k + 1 == stations { 0.5 } else { 1.0 };
-        let mass = share * DENSITY * area * step;
-        let unbalance = if k == stations / 2 { "unbalance = \"20 g mm\"\n" } else { "" };
-        text += &format!(
-            "[[part]]\nkind = \"disc\"\nname = \"n{k}\"\nmass = {mass}\ndiametral_inertia = {}\npolar_inertia = {}\n{unbalance}",
-            0.25 * mass * RADIUS.powi(2) * if plain { 1e-6 } else { 1.0 },
-            if plain { 0.0 } else { 0.5 * mass * RADIUS.powi(2) }
-        );
+fn same_values(found: &[C64], all: &[C64], what: &str) {
+    assert_eq!(found.len(), all.len(), "{what}: {found:?} {all:?}");
+    for s in all {
+        let away = found.iter().map(|f| (*f - *s).abs()).fold(f64::INFINITY, f64::min);
+        // what an element is stiffer than its supports is lost to rounding, in the full matrices more than here
+        assert!(away <= 1e-6 * s.abs(), "{what}: {s:?} is {away:e} away");
     }
-    let bending = MODULUS * second;
-    for k in 1..stations {
-        text += &format!(
-            "[[part]]\nkind = \"shaft_lumped\"\nname = \"e{k}\"\nbetween = [{{ body = \"n{k}\", at = {} }}, {{ body = \"n{}\", at = {} }}]\n\
-             stiffness = {}\ntilt_stiffness = {}\n",
-            -0.5 * step,
-            k - 1,
-            0.5 * step,
-            12.0 * bending / step.powi(3),
-            bending / step
-        );
+}
+
+/// Modes up to a frequency are those of the full matrices, all of them, and the count says so.
+#[test]
+fn modes_up_to_a_frequency() {
+    for (stations, founded) in [(26, false), (41, true), (51, false)] {
+        let system = shaft(stations, founded, false);
+        for speed in [0.0, 314.0] {
+            let about = rest(&system, speed).unwrap();
+            for frequency in [None, Some(900.0), Some(9000.0)] {
+                let found = roots(&system, &about, &Request { frequency, ..Request::default() }).unwrap();
+                let what = format!("{stations} stations at {speed} rad/s up to {frequency:?}");
+                assert!(found.areas.iter().all(|a| a.complete()) && !found.areas.is_empty(), "{what}: {:?}", found.areas);
+                let modes: Vec<C64> = found.spectrum.modes.iter().map(|m| m.value).collect();
+                assert!(frequency.is_some() || modes.len() >= 12, "{what}: {}", modes.len());
+                same_values(&modes, &dense(&system, &about, found.frequency), &what);
+            }
+        }
     }
-    let foot = if founded { "base" } else { "ground" };
-    for k in [0, stations - 1] {
-        text += &format!(
-            "[[part]]\nkind = \"bearing_linear\"\nname = \"b{k}\"\nbetween = [\"n{k}\", \"{foot}\"]\nkxx = {SUPPORT}\nkyy = {}\ncxx = {}\ncyy = 400.0\n",
-            1.2 * SUPPORT,
-            if plain { 0.0 } else { 300.0 }
-        );
+}
+
+/// The same of a machine without preferred direction, whose forward sector is solved by itself, and of one with twice the stiffness in it as a nonlinear part.
+#[test]
+fn modes_of_isotropic_and_nonlinear_machines() {
+    let text = |stations: usize, cubic: bool| {
+        let mut text = isotropic(stations);
+        if cubic {
+            text += "[[part]]\nkind = \"bearing_cubic\"\nname = \"seal\"\nbetween = [\"n5\", \"ground\"]\nstiffness = 1e6\ncubic_stiffness = 1e14\n";
+        }
+        text
+    };
+    for cubic in [false, true] {
+        let system = load(&text(31, cubic)).system;
+        let about = rest(&system, 500.0).unwrap();
+        let found = roots(&system, &about, &Request::default()).unwrap();
+        assert!(found.areas.iter().all(|a| a.complete()) && !found.areas.is_empty(), "{:?}", found.areas);
+        assert!(found.spectrum.modes.iter().all(|m| m.sector.is_some()));
+        let modes: Vec<C64> = found.spectrum.modes.iter().map(|m| m.value).collect();
+        same_values(&modes, &dense(&system, &about, found.frequency), if cubic { "cubic" } else { "isotropic" });
     }
-    if founded {
-        text += "[[part]]\nkind = \"disc\"\nname = \"base\"\nmass = 80.0\n[[part]]\nkind = \"bearing_linear\"\nname = \"soil\"\nbetween = [\"base\", \"ground\"]\nkxx = 5e7\nkyy = 6e7\ncxx = 2e4\ncyy = 2e4\n";
+}
+
+/// Branches over the speed are continuous, hold the modes of the full matrices at every speed, and their crossings are critical speeds.
+#[test]
+fn branches_over_the_speed() {
+    for (system, name) in [(shaft(41, true, false), "founded"), (load(&isotropic(41)).system, "isotropic")] {
+        let state = |w: f64| rest(&system, w);
+        let speeds: Vec<f64> = (0..13).map(|k| 50.0 + 50.0 * f64::from(k)).collect();
+        let limit = 1500.0;
+        let found = sweep(&system, &state, &speeds, limit, |_, _| true).unwrap();
+        assert_eq!((found.points.len(), found.ambiguous.len()), (13, 0), "{name}");
+        assert!(found.counts.iter().all(|c| c.complete) && found.counts.len() >= 3, "{name}: {:?}", found.counts);
+        for (k, &speed) in speeds.iter().enumerate() {
+            let here = found.branches.iter().filter_map(|b| b.points.iter().find(|p| p.0 == speed));
+            let modes: Vec<C64> = here.map(|p| p.1.value).collect();
+            same_values(&modes, &dense(&system, &state(speed).unwrap(), limit), &format!("{name}: {k}"));
+        }
+        // no branch has a gap
+        for b in &found.branches {
+            let places: Vec<usize> = b.points.iter().map(|p| speeds.iter().position(|w| *w == p.0).unwrap()).collect();
+            assert!(places.windows(2).all(|w| w[1] == w[0] + 1), "{name}: {places:?}");
+        }
+        let critical = criticals(&system, &state, &found, &[1.0]);
+        assert!(critical.len() >= 2, "{name}: {}", critical.len());
+        for c in &critical {
+            assert!(c.located(), "{name}: {c:?}");
+            let all = dense(&system, &state(c.speed).unwrap(), limit);
+            assert!(all.iter().any(|s| (s.im - c.speed).abs() <= 1e-6 * c.speed), "{name}: {} {all:?}", c.speed);
+        }
     }
-    load(&text).system
 }
 
 /// Forced responses by the sparse factorisation are those of the dense matrix.
@@ -91,7 +133,7 @@ fn units(f: impl FnOnce()) -> u64 {
     stop.spent()
 }
 
-/// Twice the stations are twice the work, of responses and of the test function whose zeros are roots.
+/// Twice the stations are twice the work: of responses, of the test function whose zeros are roots, of the modes up to a frequency and of following them over the speed.
 #[test]
 fn work_grows_with_the_number_of_stations() {
     let spent = |stations: usize| {
@@ -102,7 +144,7 @@ fn work_grows_with_the_number_of_stations() {
             }
         });
         let about = Equilibrium::zero(&system, Frame::Fixed, 300.0);
-        let roots = units(|| {
+        let test = units(|| {
             let mut t = Characteristic::new(&system, &about);
             let all: Vec<usize> = (0..t.size()).collect();
             let border = t.border(c(-2.0, 430.0), &all).unwrap();
@@ -110,14 +152,22 @@ fn work_grows_with_the_number_of_stations() {
                 assert!(t.test(c(-2.0, 430.0 + f64::from(k)), &border).is_some());
             }
         });
+        let modes = units(|| {
+            let found = roots(&system, &about, &Request { frequency: Some(2000.0), ..Request::default() }).unwrap();
+            assert!(found.areas.iter().all(|a| a.complete()));
+        });
+        let speeds: Vec<f64> = (0..9).map(|k| 100.0 + 50.0 * f64::from(k)).collect();
+        let branches = units(|| {
+            sweep(&system, &|w| rest(&system, w), &speeds, 1500.0, |_, _| true).unwrap();
+        });
         let system = shaft(stations, false, false);
         let n = system.n();
         assert!(system.assembly(Form::Frequency).pattern.entries() <= 12 * n, "{}", system.assembly(Form::Frequency).pattern.entries());
-        [responses, roots]
+        [responses, test, modes, branches]
     };
     let (short, long) = (spent(60), spent(120));
     for (s, l) in short.iter().zip(&long) {
-        assert!(*s > 0 && *l as f64 <= 2.3 * *s as f64, "{short:?} {long:?}");
+        assert!(*s > 0 && *l as f64 <= 2.5 * *s as f64, "{short:?} {long:?}");
     }
 }
 

@@ -52,6 +52,11 @@ region-all-roots = Root count verified (argument principle): no { $root } below 
         [1] The only root in the counted regions is known
        *[other] All { $found } roots in the counted regions are known
     }.
+region-all-modes = { $found ->
+        [0] The machine has no mode below { $frequency }
+        [1] The only mode below { $frequency } is computed
+       *[other] All { $found } modes below { $frequency } are computed
+    }, none is missing (roots counted by the argument principle). Modes above are not computed: the machine has { $states } states. frequency_limit sets the limit.
 region-slower-roots-missed = Root count verified (argument principle): no { $root } below { $frequency } is missing. Slow waves of { $part } add { $missing ->
         [one] one root that is counted but not computed
        *[other] { $missing } roots that are counted but not computed

@@ -63,7 +63,7 @@ stability-map-unstable-range-not-located = Unstable from a speed between { $low 
 stability-map-all-counted = Root count verified at { $points ->
         [one] the point
        *[other] all { $points } points
-    } by the argument principle: no { $threshold ->
+    } by the argument principle, up to { $frequency }: no { $threshold ->
         [zero] growing root
        *[set] root growing faster than { $limit }
     } is missing.

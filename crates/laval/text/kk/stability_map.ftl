@@ -63,7 +63,7 @@ stability-map-unstable-range-not-located = { $low } – { $high } аралығы
 stability-map-all-counted = Түбір саны { $points ->
         [one] жалғыз нүктеде
        *[other] барлық { $points } нүктеде
-    } аргумент принципі бойынша тексерілді: бірде-бір { $threshold ->
+    } аргумент принципі бойынша { $frequency } жиілігіне дейін тексерілді: бірде-бір { $threshold ->
         [zero] өсетін түбір
        *[set] { $limit } мәнінен тез өсетін түбір
     } қалып қойған жоқ.

@@ -52,6 +52,11 @@ region-all-roots = Ildizlar soni tekshirilgan (argument prinsipi): { $frequency 
         [1] Sanalgan sohalardagi yagona ildiz ma’lum
        *[other] Sanalgan sohalardagi barcha { $found } ta ildiz ma’lum
     }.
+region-all-modes = { $found ->
+        [0] { $frequency } chastotadan pastda moda yo‘q
+        [1] { $frequency } chastotadan pastdagi yagona moda hisoblangan
+       *[other] { $frequency } chastotadan pastdagi barcha { $found } ta moda hisoblangan
+    }; birortasi ham tushib qolmagan (ildizlar soni argument prinsipi bo‘yicha tekshirilgan). Yuqori modalar hisoblanmaydi: mashinada { $states } ta holat o‘zgaruvchisi bor. Chegarani frequency_limit beradi.
 region-slower-roots-missed = Ildizlar soni tekshirilgan (argument prinsipi): { $frequency } chastotadan pastda birorta ham { $root } tushib qolmagan. Sanalgan, lekin hisoblanmagan yana { $missing } ta ildiz { $part } modelining sekin to‘lqinlaridan kelib chiqadi.
 region-roots-missed = Turg‘unlik isbotlanmagan: { $missing ->
         [1] sanalgan bitta ildiz topilmadi, u

@@ -63,7 +63,7 @@ stability-map-unstable-range-not-located = { $low } va { $high } orasidagi tezli
 stability-map-all-counted = Ildizlar soni { $points ->
         [1] yagona nuqtada
        *[other] barcha { $points } ta nuqtada
-    } argument prinsipi bo‘yicha tekshirilgan: { $threshold ->
+    } argument prinsipi bo‘yicha { $frequency } chastotagacha tekshirilgan: { $threshold ->
         [zero] birorta ham o‘suvchi ildiz
        *[set] birorta ham { $limit } sur’atdan tez o‘suvchi ildiz
     } tushib qolmagan.

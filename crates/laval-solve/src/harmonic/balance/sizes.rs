@@ -1,17 +1,17 @@
 //! What a balance is scaled and its steps are measured by: resonances of the machine at rest, stiffnesses of the size of those of the nonlinear parts.
 
+use crate::characteristic::{Characteristic, Equilibrium, Frame, is_polynomial};
 use crate::harmonic::balance::coordinates::Nonlinear;
+use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
+use crate::large;
 use crate::model::part::{At, DofKind};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
+use laval_num::complex::C64;
 
 /// Where the spin speed meets a frequency of the machine linearised at rest: continuation must not step over these.
 pub(super) fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64)> {
-    use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
     let (n, m) = (system.n(), system.m());
-    if 2 * n + m > MOST_STATES {
-        return Vec::new();
-    }
     let (q, z) = (vec![0.0; n], vec![0.0; m]);
     let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
     let mut found: Vec<(f64, f64)> = Vec::new();
@@ -19,18 +19,27 @@ pub(super) fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64
     let spacing = (hi - lo) / points as f64;
     for i in 0..points {
         let speed = lo + spacing * (i as f64 + 0.5);
-        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-        system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
-        let Some(values) = first_order(&tangent).and_then(|a| laval_num::eig::eigenvalues(&a).ok()) else {
-            continue;
-        };
-        for z in values {
+        let mut keep = |z: C64| {
             // trusted only near the speed it was computed at; the synchronous wave of a liquid is no resonance of the unbalance
             let (centre, half_width) = (z.im.abs(), z.re.abs().max(1e-4 * z.im.abs()));
             if (centre - speed.abs()).abs() <= spacing && !found.iter().any(|f| (f.0 - centre).abs() <= 0.5 * half_width) {
                 found.push((centre, half_width));
             }
+        };
+        if 2 * n + m > MOST_STATES {
+            let mut t = Characteristic::new(system, &Equilibrium::zero(system, Frame::Fixed, speed));
+            let near = large::near(&t, speed.abs());
+            near.into_iter()
+                .filter_map(|s| if is_polynomial(system) { Some(s) } else { Some(t.polish(s, None)?.value) })
+                .for_each(&mut keep);
+            continue;
         }
+        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
+        let Some(values) = first_order(&tangent).and_then(|a| laval_num::eig::eigenvalues(&a).ok()) else {
+            continue;
+        };
+        values.into_iter().for_each(keep);
     }
     found
 }

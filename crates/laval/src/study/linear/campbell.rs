@@ -20,10 +20,11 @@ use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, End, Figure, Finding, Kept, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table};
 use crate::solve::criticals::{Critical, criticals};
+use crate::solve::large::usual_frequency;
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
-use crate::solve::roots::{LEAST, transcendental};
-use crate::solve::sweep::{Branch, Strongest, Sweep, sweep};
+use crate::solve::roots::{LEAST, in_region, transcendental};
+use crate::solve::sweep::{Branch, Count, Strongest, Sweep, sweep};
 use crate::study::shared::region;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -135,10 +136,31 @@ pub struct Campbell {
     pub compare: bool,
 }
 
+impl Campbell {
+    /// Largest frequency followed, rad/s: all modes but of machines whose roots are counted in a region.
+    fn limit(&self, system: &System) -> Result<f64, Diagnostic> {
+        if !in_region(system) {
+            return Ok(f64::INFINITY);
+        }
+        if let Some(given) = self.frequency {
+            return Ok(given);
+        }
+        if transcendental(system) {
+            return Ok(f64::INFINITY);
+        }
+        let fastest = if self.speed.from.abs() > self.speed.to.abs() { self.speed.from } else { self.speed.to };
+        let excited = self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)) * fastest.abs();
+        Ok(usual_frequency(system, &rest(system, fastest)?).max(BEYOND * excited))
+    }
+}
+
+/// Largest frequency that is followed, over the largest that is excited, at least.
+const BEYOND: f64 = 1.1;
+
 /// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
 pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
-    if transcendental(system) {
+    if in_region(system) {
         context.announce(total as f64, COUNTS, text!("speeds at which roots are counted, one after another"));
     } else {
         context.announce(total as f64, 10_000.0, text!("eigenvalue problems to solve"));
@@ -213,8 +235,7 @@ orders = [1, 2]
     }
 
     fn compute(&self, system: &System, context: &Context) -> Result<CampbellResult, Diagnostic> {
-        // other machines have finitely many modes, which are all followed
-        let limit = self.frequency.filter(|_| transcendental(system)).unwrap_or(f64::INFINITY);
+        let limit = self.limit(system)?;
         let (found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
         let locate = || criticals(system, &|w| rest(system, w), &found, &self.orders);
         // of a study that has to end those that there is no time for are left out
@@ -227,6 +248,7 @@ orders = [1, 2]
             strongest: found.strongest,
             ambiguous: found.ambiguous,
             worst_assurance: found.worst_assurance,
+            counts: found.counts,
             crossings,
             approximation,
             states,
@@ -266,6 +288,8 @@ pub struct CampbellResult {
     pub ambiguous: Vec<(f64, f64)>,
     /// Smallest assurance with which a step was accepted.
     pub worst_assurance: f64,
+    /// Of a machine too large for all its modes the speeds at which they were counted.
+    pub counts: Vec<Count>,
     /// Critical speeds, by order, then speed.
     pub crossings: Vec<Critical>,
     /// The approximation with few waves, where requested.
@@ -366,6 +390,16 @@ impl<'a> Shown<'a> {
             let finding = Finding::warning("ambiguous", "campbell-ambiguous").value_as(narrow(a)).arg("to", narrow(b));
             let finding = finding.arg("steps", Arg::count(self.result.ambiguous.len()));
             out.push(finding.evidence("smallest assurance", self.result.worst_assurance, ""));
+        }
+        if let Some(last) = self.result.counts.last() {
+            let complete = self.result.counts.iter().filter(|c| c.complete).count();
+            let finding = if complete == self.result.counts.len() {
+                Finding::info("all_modes", "campbell-all-modes").arg("speeds", Arg::count(complete))
+            } else {
+                let open = self.result.counts.len() - complete;
+                Finding::warning("modes_not_counted", "campbell-modes-not-counted").arg("open", Arg::count(open))
+            };
+            out.push(finding.arg("all", Arg::count(self.result.speeds.len())).arg("frequency", Arg::frequency(last.frequency)));
         }
         if transcendental(self.system) {
             let from = self.study.speed.from;

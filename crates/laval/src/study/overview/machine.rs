@@ -2,7 +2,7 @@
 
 use crate::model::part::{At, Link, Physics};
 use crate::model::system::{Body, Slot, System, Workspace};
-use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::tangent::{SparseTangent, TangentScratch, Triplets};
 use crate::outcome::{Arg, Block, Joint};
 use crate::study::shared::stations::Stations;
 
@@ -83,7 +83,7 @@ fn cavity(system: &System, body: &str) -> Option<(f64, f64, f64)> {
 /// What a part is made of: its force on a displacement and on a velocity against each of them, where nothing is displaced. A force law that begins with no
 /// stiffness, and an exact reaction over the frequency, are springs.
 fn joint(system: &System, slot: &Slot) -> Joint {
-    let (n, zero, states) = (system.n(), vec![0.0; system.n()], vec![0.0; system.m()]);
+    let (zero, states) = (vec![0.0; system.n()], vec![0.0; system.m()]);
     let speed = system.machine.speed.unwrap_or(0.0);
     let at = At { q: &zero, v: &zero, a: &zero, z: &states, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
     let gap = slot.part.contacts().and_then(|contacts| {
@@ -94,10 +94,11 @@ fn joint(system: &System, slot: &Slot) -> Joint {
     if matches!(slot.physics, Physics::Frequency(_)) {
         return Joint { elastic: true, damped: false, gap };
     }
-    let (mut t, mut scratch) = (Tangent::default(), TangentScratch::default());
+    let (mut t, mut scratch) = (SparseTangent::default(), TangentScratch::default());
     system.tangent(&at, false, &mut t, &mut scratch, |s| s.name == slot.name);
-    let damped = (0..n).any(|i| t.v[(i, i)] != 0.0);
-    let elastic = (0..n).any(|i| t.q[(i, i)] != 0.0) || !slot.is_linear() || !damped;
+    let acts = |m: &Triplets| m.0.iter().any(|&(i, j, x)| i == j && x != 0.0);
+    let damped = acts(&t.v);
+    let elastic = acts(&t.q) || !slot.is_linear() || !damped;
     Joint { elastic, damped, gap }
 }
 

@@ -24,7 +24,7 @@ use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
 use crate::solve::rest::rest;
-use crate::solve::roots::{LEAST, transcendental};
+use crate::solve::roots::{LEAST, in_region};
 use crate::solve::stability::{Row, row};
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
@@ -233,7 +233,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         let about = ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR);
         let known = match &worst {
             // the boundaries of what is unstable between two of the speeds as well
-            Some(worst) if !transcendental(system) => limited(context, || {
+            Some(worst) if !in_region(system) => limited(context, || {
                 speed_range::known(&map(about), system)?;
                 let mut speeds = about.linspace(NEAR);
                 speeds.extend(&worst.peaks);

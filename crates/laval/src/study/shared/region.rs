@@ -7,15 +7,15 @@ use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Arg, Finding, Message, Table};
 use crate::solve::harmonic::balance::refused::among_waves;
-use crate::solve::roots::{ACCUMULATION, Area, LEAST, Roots};
+use crate::solve::roots::{ACCUMULATION, Area, LEAST, Roots, in_region, transcendental};
 
 /// Field: largest frequency of the region in which roots are counted.
 pub(in crate::study) const FREQUENCY_LIMIT: Field = Field::optional(
     "frequency_limit",
     FieldKind::Quantity { unit: "rad/s", bounds: Bounds::positive(1e7) },
     "",
-    "with parts that have no time form: roots with frequencies up to this are looked for; when left out, up to 1.2 times the larger of three times the \
-     speed and the highest frequency of the machine without those parts",
+    "largest frequency of the modes, of machines with parts that have no time form and of those with more than 160 states; when left out, 1.2 times the \
+     larger of three times the speed and the highest frequency of the machine without those parts, or so high that twelve modes lie below, and three times the speed",
 );
 
 /// What was counted, and what could not be.
@@ -34,7 +34,11 @@ pub(in crate::study) fn findings(system: &System, speed: f64, roots: &Roots) -> 
         let finding = Finding::warning("roots_not_counted", "region-roots-not-counted").arg("open", Arg::count(open));
         finding.arg("all", Arg::count(roots.areas.len())).arg("proven", Arg::word(if proven { "yes" } else { "no" }))
     } else {
-        Finding::info("all_roots", "region-all-roots").arg("found", Arg::count(found))
+        match in_region(system) && !transcendental(system) {
+            true => Finding::info("all_modes", "region-all-modes").arg("states", Arg::count(2 * system.n() + system.m())),
+            false => Finding::info("all_roots", "region-all-roots"),
+        }
+        .arg("found", Arg::count(found))
     };
     let root = match roots.margin {
         0.0 => Message::new("region-growing-root"),

@@ -21,7 +21,7 @@ use crate::outcome::{End, Kept, Outcome};
 use crate::solve::characteristic::{Characteristic, Equilibrium};
 use crate::solve::exact::growing;
 use crate::solve::pencil::{MachineMode, Spectrum, holds_fit, modes_about};
-use crate::solve::roots::{Request, Roots, roots, transcendental};
+use crate::solve::roots::{Request, Roots, in_region, roots};
 use crate::study::shared::region;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{ABOUT, About, SPEED, admit_roots, admit_threshold, speed};
@@ -106,7 +106,7 @@ impl Study for Modes {
     fn compute(&self, system: &System, context: &Context) -> Result<ModesResult, Diagnostic> {
         admit_threshold(system, self.speed, self.threshold)?;
         let about = self.about.find(system, self.speed, None)?;
-        let roots = if transcendental(system) {
+        let roots = if in_region(system) {
             let terms: usize = system.domains(self.speed).iter().map(|d| d.terms).sum();
             context.announce(terms as f64, SERIES, text!("terms of series in every evaluation of the function whose roots are counted"));
             let request = Request { margin: self.threshold, frequency: self.frequency, cancel: Some(context.cancel), ..Request::default() };

@@ -21,7 +21,7 @@ use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome, quantity};
 use crate::solve::counted;
-use crate::solve::roots::{LEAST, transcendental};
+use crate::solve::roots::{LEAST, in_region};
 use crate::solve::stability::{Row, row};
 use crate::study::shared::region;
 use crate::study::shared::size::Size;
@@ -134,7 +134,7 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         let speeds = self.speed.linspace(200);
         let values = self.values();
         let total = (values.len() * speeds.len()) as u64;
-        if transcendental(system) {
+        if in_region(system) {
             context.announce(total as f64, COUNTS, text!("speeds at which roots are counted, one after another"));
         } else {
             context.announce(total as f64, 10_000.0, text!("eigenvalue problems to solve"));
@@ -159,7 +159,7 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
                 }
                 let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
                     let state = |w: f64| self.about.find(s, w, None);
-                    if transcendental(s) {
+                    if in_region(s) {
                         return counted::row(s, &state, &speeds, self.least(s, &speeds), (self.frequency, context.cancel), each);
                     }
                     row(s, &state, &speeds, self.threshold, each)

@@ -7,7 +7,7 @@ use crate::model::system::System;
 use crate::outcome::{
     Arg, Axis, Band, Figure, Heat, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, TableBuilder, parameter_name,
 };
-use crate::solve::roots::transcendental;
+use crate::solve::roots::in_region;
 use crate::solve::stability::{Edge, Peak, Row, Sample};
 use crate::study::Study;
 use crate::study::linear::operating::operating;
@@ -51,7 +51,7 @@ fn at_boundary(e: &Edge) -> Sample {
 
 impl<'a> Shown<'a> {
     pub fn new(study: &'a StabilityMap, system: &'a System, result: &'a StabilityMapResult) -> Self {
-        let (rows, endless, two) = (&result.rows, transcendental(system), study.parameter.is_some());
+        let (rows, endless, two) = (&result.rows, in_region(system), study.parameter.is_some());
         let (name, unit) = match &study.parameter {
             Some((path, _)) => {
                 let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit);

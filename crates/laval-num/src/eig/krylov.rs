@@ -1,0 +1,276 @@
+//! Some eigenvalues of a large sparse quadratic problem: those nearest to a shift.
+//!
+//! ```text
+//! (A0 + s A1 + s^2 A2) u = 0,    T(s) = A0 + s A1 + s^2 A2
+//! ```
+//!
+//! Arnoldi's method for the inverse of the problem about the shift p, written for (u, w) with w = s u / d, d a number of the size of the eigenvalues:
+//!
+//! ```text
+//! u' = -T(p)^-1 (d A2 w + (A1 + p A2) u),    w' = (u + p u') / d,    eigenvalues 1/(s - p).
+//! ```
+//!
+//! One factorisation of T(p) serves all steps. Infinite eigenvalues (singular A2) are its zeros and do not disturb.
+//!
+//! Source: Z. Bai, J. Demmel, J. Dongarra, A. Ruhe, H. van der Vorst (eds.), Templates for the Solution of Algebraic Eigenvalue Problems, SIAM 2000, sections 7.5 and 9.2.
+
+use super::number::norm2;
+use super::{EigError, modes};
+use crate::complex::{C64, c};
+use crate::dense::{Field, Mat};
+use crate::factor::{Factors, Plan};
+use crate::work::spend;
+
+/// A quadratic problem by the entries of its matrices on the pattern of a plan.
+#[derive(Clone, Copy, Debug)]
+pub struct Quadratic<'a> {
+    /// How T(s) is factored.
+    pub plan: &'a Plan,
+    /// A0, A1, A2.
+    pub terms: [&'a [C64]; 3],
+}
+
+/// Eigenvalues nearest to a shift.
+#[derive(Clone, Debug, Default)]
+pub struct Nearest {
+    /// By distance from the shift.
+    pub values: Vec<C64>,
+    /// Distance from the shift of the nearest that is not resolved yet: nearer ones are among the values, but for copies of a multiple one. Infinite where all are resolved.
+    pub radius: f64,
+}
+
+/// Distance of an approximate eigenvalue from a true one, relative to its distance from the shift, at which it is resolved.
+const RESOLVED: f64 = 1e-7;
+/// Steps after which the approximations are looked at, again and again.
+const ROUND: usize = 20;
+/// Shifts that are tried, and their distance over the size of the eigenvalues.
+const SHIFTS: i32 = 4;
+const BESIDE: f64 = 1e-6;
+/// Size of a new direction, over that before it was made orthogonal, that is rounding.
+const ROUNDING: f64 = 1e-13;
+
+impl Quadratic<'_> {
+    fn at(&self, s: C64) -> Vec<C64> {
+        let [a0, a1, a2] = self.terms;
+        a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| a0 + s * (a1 + s * a2)).collect()
+    }
+
+    /// `A1 x + A2 y`, row by row.
+    fn product(&self, x: &[C64], y: &[C64], out: &mut [C64]) {
+        let [_, a1, a2] = self.terms;
+        for (i, o) in out.iter_mut().enumerate() {
+            *o = self.plan.pattern().row(i).fold(C64::ZERO, |sum, (e, j)| sum + a1[e] * x[j] + a2[e] * y[j]);
+        }
+    }
+
+    /// Square roots of the diagonal of |A0| + |p| |A1| + |p|^2 |A2|: unknowns of different units count alike.
+    fn weights(&self, p: f64) -> Vec<f64> {
+        let [a0, a1, a2] = self.terms;
+        let weight = |i: usize| {
+            let size = self.plan.pattern().index(i, i).map_or(0.0, |e| a0[e].size() + p * (a1[e].size() + p * a2[e].size()));
+            if size > 0.0 && size.is_finite() { size.sqrt() } else { 1.0 }
+        };
+        (0..self.plan.n()).map(weight).collect()
+    }
+}
+
+/// The eigenvalues nearest to `shift`, at least `wanted` where so many are resolved within `most` steps. `size` is that of the eigenvalues.
+///
+/// # Errors
+/// Entries that are not finite; a problem that every number solves.
+pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: usize) -> Result<Nearest, EigError> {
+    let n = problem.plan.n();
+    // beside an eigenvalue where the shift is one
+    let beside = (0..SHIFTS).map(|k| shift + C64::cis(f64::from(k)).scale(BESIDE * f64::from(k) * size));
+    let factored = |p: C64| Some((p, Factors::new(problem.plan, &problem.at(p)).ok()?));
+    let Some((shift, factors)) = beside.into_iter().find_map(factored) else { return Err(EigError::SingularPencil) };
+    let weights = problem.weights(size);
+    let most = most.min(2 * n);
+    // an arbitrary start, the same every time
+    let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    };
+    let mut start: Vec<C64> = (0..2 * n).map(|_| c(random(), random())).collect();
+    scale(&mut start);
+    let (mut basis, mut columns): (Vec<Vec<C64>>, Vec<Vec<C64>>) = (vec![start], Vec::new());
+    let (mut x, mut y, mut image) = (vec![C64::ZERO; n], vec![C64::ZERO; n], vec![C64::ZERO; n]);
+    loop {
+        let k = columns.len();
+        spend((4 * (n * 30 + 8 * n * k)) as u64);
+        let (u, w) = basis[k].split_at(n);
+        for i in 0..n {
+            x[i] = u[i].scale(1.0 / weights[i]);
+            y[i] = (w[i].scale(size) + shift * u[i]).scale(1.0 / weights[i]);
+        }
+        problem.product(&x, &y, &mut image);
+        factors.solve(&mut image);
+        let mut next: Vec<C64> = image.iter().zip(&weights).map(|(v, &d)| -v.scale(d)).collect();
+        next.extend((0..n).map(|i| (u[i] + shift * next[i]).scale(1.0 / size)).collect::<Vec<_>>());
+        let before = norm2(&next);
+        if !before.is_finite() {
+            return Err(EigError::NotFinite);
+        }
+        let mut column = vec![C64::ZERO; k + 2];
+        // once more: what the first pass leaves is rounding of what it takes
+        for _ in 0..2 {
+            for (b, h) in basis.iter().zip(&mut column) {
+                let part = b.iter().zip(&next).fold(C64::ZERO, |sum, (b, &x)| sum + b.conj() * x);
+                b.iter().zip(&mut next).for_each(|(&b, x)| *x -= part * b);
+                *h += part;
+            }
+        }
+        let rest = scale(&mut next);
+        let ended = rest <= ROUNDING * before;
+        column[k + 1] = c(if ended { 0.0 } else { rest }, 0.0);
+        columns.push(column);
+        let steps = k + 1;
+        if ended || steps >= most || steps % ROUND == 0 {
+            let found = resolved(&columns, shift)?;
+            if ended || steps >= most || found.values.len() >= wanted {
+                return Ok(if ended { Nearest { radius: f64::INFINITY, ..found } } else { found });
+            }
+        }
+        basis.push(next);
+    }
+}
+
+/// Divides by the norm, which is returned.
+fn scale(x: &mut [C64]) -> f64 {
+    let size = norm2(x);
+    if size > 0.0 {
+        x.iter_mut().for_each(|x| *x = x.scale(1.0 / size));
+    }
+    size
+}
+
+/// What a Hessenberg matrix, column by column with the entry below its last row, says of the eigenvalues.
+fn resolved(columns: &[Vec<C64>], shift: C64) -> Result<Nearest, EigError> {
+    let m = columns.len();
+    let h = Mat::from_fn(m, m, |i, j| columns[j].get(i).copied().unwrap_or(C64::ZERO));
+    let beyond = columns[m - 1][m].abs();
+    let mut out = Nearest { values: Vec::new(), radius: f64::INFINITY };
+    for mode in modes(&h)? {
+        let size = mode.value.abs();
+        let error = beyond * mode.right[m - 1].abs();
+        if error <= RESOLVED * size && size > 0.0 {
+            out.values.push(shift + mode.value.recip());
+        } else if size > 0.0 {
+            out.radius = out.radius.min(1.0 / size);
+        }
+    }
+    let distance = |s: &C64| (*s - shift).abs();
+    out.values.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Pencil;
+    use super::*;
+    use crate::factor::Pattern;
+    use std::sync::Arc;
+
+    /// A chain of equal masses between springs, fixed at both ends, damping proportional to stiffness: roots in closed form.
+    fn chain(n: usize, stiffness: f64, delay: f64) -> (Plan, [Vec<C64>; 3], Vec<C64>) {
+        let pattern = Arc::new(Pattern::new(n, (1..n).map(|i| (i - 1, i))));
+        let [mut k, mut m] = [vec![C64::ZERO; pattern.entries()], vec![C64::ZERO; pattern.entries()]];
+        for i in 0..n {
+            for (e, j) in pattern.row(i) {
+                k[e] = c(if i == j { 2.0 } else { -1.0 } * stiffness, 0.0);
+                m[e] = c(if i == j { 1.0 } else { 0.0 }, 0.0);
+            }
+        }
+        let d = k.iter().map(|x| x.scale(delay)).collect();
+        let mut roots = Vec::new();
+        for j in 1..=n {
+            let w2 = 4.0 * stiffness * (0.5 * std::f64::consts::PI * j as f64 / (n + 1) as f64).sin().powi(2);
+            let (decay, rest) = (0.5 * delay * w2, 0.25 * delay * delay * w2 * w2 - w2);
+            let root = if rest < 0.0 { c(0.0, (-rest).sqrt()) } else { c(rest.sqrt(), 0.0) };
+            roots.extend([c(-decay, 0.0) + root, c(-decay, 0.0) - root]);
+        }
+        (Plan::new(&pattern), [k, d, m], roots)
+    }
+
+    fn agrees(found: &Nearest, exact: &[C64], shift: C64) {
+        for v in &found.values {
+            let away = exact.iter().map(|e| (*e - *v).abs()).fold(f64::INFINITY, f64::min);
+            assert!(away <= 1e-6 * (*v - shift).abs() + 1e-9 * v.abs(), "{v:?} is off by {away:e}");
+        }
+        // none nearer than the radius is overlooked
+        for e in exact.iter().filter(|e| (**e - shift).abs() < 0.999 * found.radius) {
+            let away = found.values.iter().map(|v| (*e - *v).abs()).fold(f64::INFINITY, f64::min);
+            assert!(away <= 1e-6 * e.abs(), "{e:?} is missing: {away:e}");
+        }
+    }
+
+    #[test]
+    fn those_nearest_to_a_shift() {
+        let (plan, terms, exact) = chain(600, 4e8, 1e-6);
+        let problem = Quadratic { plan: &plan, terms: terms.each_ref().map(Vec::as_slice) };
+        for (shift, size) in [(c(0.0, 900.0), 1e3), (c(-20.0, 9000.0), 1e4), (c(0.0, -3000.0), 3e3), (c(5.0, 39_000.0), 4e4)] {
+            let found = nearest(&problem, shift, size, 10, 120).unwrap();
+            assert!(found.values.len() >= 10, "{} at {shift:?}", found.values.len());
+            assert!(found.radius > 0.0 && found.values.iter().filter(|v| (**v - shift).abs() < found.radius).count() >= 4, "{found:?}");
+            agrees(&found, &exact, shift);
+        }
+    }
+
+    #[test]
+    fn a_shift_on_an_eigenvalue() {
+        let (plan, terms, exact) = chain(40, 1e4, 0.0);
+        let problem = Quadratic { plan: &plan, terms: terms.each_ref().map(Vec::as_slice) };
+        for shift in [exact[0], exact[20], exact[39]] {
+            let found = nearest(&problem, shift, shift.abs(), 6, 60).unwrap();
+            assert!(found.values.iter().any(|v| (*v - shift).abs() <= 1e-9 * shift.abs()), "{found:?}");
+        }
+        let zero = vec![C64::ZERO; terms[0].len()];
+        let nothing = Quadratic { plan: &plan, terms: [&zero, &zero, &zero] };
+        assert_eq!(nearest(&nothing, c(0.0, 1.0), 1.0, 3, 20).unwrap_err(), EigError::SingularPencil);
+        let mut wrong = terms[0].clone();
+        wrong[7] = c(f64::NAN, 0.0);
+        let wrong = Quadratic { plan: &plan, terms: [&wrong, &terms[1], &terms[2]] };
+        assert!(nearest(&wrong, c(0.0, 1.0), 1.0, 3, 20).is_err());
+    }
+
+    /// A full problem of small size, with a singular A2, against the pencil of its first order.
+    #[test]
+    fn all_of_a_small_problem() {
+        let n = 7;
+        let mut seed = 5u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        let pattern = Arc::new(Pattern::new(n, (0..n).flat_map(|i| (0..n).map(move |j| (i, j)))));
+        let mut terms = [(); 3].map(|()| (0..n * n).map(|_| c(random(), 0.3 * random())).collect::<Vec<C64>>());
+        // two unknowns without mass
+        for i in 0..n {
+            for j in [2, 5] {
+                (terms[2][i * n + j], terms[2][j * n + i]) = (C64::ZERO, C64::ZERO);
+            }
+        }
+        let [k, d, m] = &terms;
+        let a = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+            (true, false) if j - n == i => C64::ONE,
+            (false, true) => -k[(i - n) * n + j],
+            (false, false) => -d[(i - n) * n + j - n],
+            _ => C64::ZERO,
+        });
+        let e = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+            (true, true) if i == j => C64::ONE,
+            (false, false) => m[(i - n) * n + j - n],
+            _ => C64::ZERO,
+        });
+        let exact = Pencil::new(a, e).modes().unwrap();
+        assert_eq!(exact.infinite, 2);
+        let exact: Vec<C64> = exact.finite.iter().map(|m| m.value).collect();
+        let plan = Plan::new(&pattern);
+        let problem = Quadratic { plan: &plan, terms: terms.each_ref().map(Vec::as_slice) };
+        let shift = c(0.1, 0.2);
+        let found = nearest(&problem, shift, 1.0, 2 * n, 100).unwrap();
+        assert_eq!(found.values.len(), exact.len(), "{found:?} {exact:?}");
+        agrees(&Nearest { radius: f64::INFINITY, ..found }, &exact, shift);
+    }
+}

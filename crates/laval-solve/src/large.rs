@@ -1,0 +1,160 @@
+//! Machines with so many states that not all of their modes are computed but those up to a frequency, as [roots](super::roots) that are counted.
+//!
+//! Starts for Newton's method are the eigenvalues nearest to places on the imaginary axis, so many places that what is resolved around them covers
+//! the axis up to the frequency. They need not be complete: what they lack the count of the roots says.
+//!
+//! Theory: `docs/theory/linear-vibration.md#machines-with-many-coordinates`.
+
+use super::characteristic::{Characteristic, Equilibrium};
+use super::sectors::Sector;
+use crate::model::system::System;
+use laval_num::complex::{C64, c};
+use laval_num::eig::{Quadratic, nearest};
+use laval_num::factor::Selection;
+use laval_num::order::ascending;
+use std::sync::Arc;
+
+/// First-order states up to which all modes of a machine are computed.
+pub const ALL_MODES: usize = 160;
+
+/// Modes, of either direction, that the frequency holds at least where none is given, and multiple of the speed that it is at least.
+pub const LEAST_MODES: usize = 12;
+const OF_SPEED: f64 = 3.0;
+/// Of the frequencies above those modes, the number among which the limit is laid into the widest gap.
+const GAPS: usize = 4;
+/// Place of the first shift, over the size of the lowest frequencies.
+const LOW: f64 = 0.37;
+/// Eigenvalues sought about one place, and steps for them, at most.
+const WANTED: usize = 24;
+const STEPS: usize = 120;
+/// Eigenvalues sought beside one frequency.
+const BESIDE: usize = 8;
+/// Place in an interval of the axis: in its middle may lie an eigenvalue.
+const INSIDE: f64 = 0.4873;
+/// Places that the axis is covered from, at most.
+const PLACES: usize = 200;
+/// Share of the resolved radius that counts as covered, and radius over the interval below which it cannot be covered.
+const COVERED: f64 = 0.95;
+const NARROW: f64 = 0.01;
+/// Two starts at this relative distance lead to one root.
+const SAME: f64 = 1e-6;
+
+/// The machine has more states than all modes are computed of.
+pub fn is_large(system: &System) -> bool {
+    2 * system.n() + system.m() > ALL_MODES
+}
+
+/// Places near the eigenvalues of the machine without memory and parts given in the frequency domain, and the frequency up to which they were sought.
+pub(super) struct Starts {
+    pub frequency: f64,
+    pub values: Vec<(Option<Sector>, C64)>,
+}
+
+/// The unknowns of one sector.
+struct Block {
+    sector: Option<Sector>,
+    of: Arc<Selection>,
+    terms: [Vec<C64>; 3],
+}
+
+impl Block {
+    fn problem(&self) -> Quadratic<'_> {
+        Quadratic { plan: &self.of.inner, terms: self.terms.each_ref().map(Vec::as_slice) }
+    }
+    /// Of a real problem the upper half is enough.
+    fn mirrored(&self) -> bool {
+        self.sector != Some(Sector::Forward)
+    }
+    /// Eigenvalues whose neighbourhoods cover the axis from `a` to `b`.
+    fn cover(&self, (a, b): (f64, f64)) -> Vec<C64> {
+        let (mut open, mut out, mut places) = (vec![(a, b)], Vec::new(), 0);
+        while let Some((a, b)) = open.pop()
+            && places < PLACES
+        {
+            places += 1;
+            let middle = a + INSIDE * (b - a);
+            let half = (b - middle).max(middle - a);
+            let Ok(found) = nearest(&self.problem(), c(0.0, middle), half.max(middle.abs()), WANTED, STEPS) else { continue };
+            out.extend(found.values);
+            let radius = COVERED * found.radius;
+            if radius < half && radius > NARROW * half {
+                open.extend([(a, middle - radius), (middle + radius, b)].into_iter().filter(|(a, b)| b > a));
+            }
+        }
+        out
+    }
+}
+
+/// Eigenvalues near the places where the axis meets a frequency, of either direction.
+pub(super) fn near(t: &Characteristic, frequency: f64) -> Vec<C64> {
+    let mut out = Vec::new();
+    for block in blocks(t, &[None]) {
+        out.extend(nearest(&block.problem(), c(0.0, frequency), frequency.abs(), BESIDE, STEPS).unwrap_or_default().values);
+    }
+    out
+}
+
+fn blocks(t: &Characteristic, sectors: &[Option<Sector>]) -> Vec<Block> {
+    let terms = t.polynomial();
+    let block = |&sector: &Option<Sector>| {
+        let members: Vec<usize> = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
+        let of = t.selection(&members);
+        let terms = terms.each_ref().map(|all| of.taken(all));
+        Block { sector, of, terms }
+    };
+    sectors.iter().map(block).filter(|b| !b.of.members.is_empty()).collect()
+}
+
+/// Starts for the roots of a machine in some of its sectors.
+pub(super) fn starts(t: &Characteristic, sectors: &[Option<Sector>], frequency: Option<f64>) -> Starts {
+    let blocks = blocks(t, sectors);
+    let frequency = frequency.unwrap_or_else(|| lowest(&blocks, t.speed().abs()));
+    let mut values: Vec<(Option<Sector>, C64)> = Vec::new();
+    for block in &blocks {
+        let low = if block.mirrored() { 0.0 } else { -frequency };
+        for mut s in block.cover((low, frequency)) {
+            if block.mirrored() && s.im < 0.0 {
+                s = s.conj();
+            }
+            let known = |v: &(Option<Sector>, C64)| v.0 == block.sector && (v.1 - s).abs() <= SAME * s.abs();
+            if s.abs() <= 1.5 * frequency && !values.iter().any(known) {
+                values.push((block.sector, s));
+            }
+        }
+    }
+    Starts { frequency, values }
+}
+
+/// The frequency up to which the modes of a large machine are computed where none is given: at least three times the speed, and so high that twelve modes lie below.
+pub fn usual_frequency(system: &System, about: &Equilibrium) -> f64 {
+    lowest(&blocks(&Characteristic::new(system, about), &[None]), about.speed.abs())
+}
+
+/// A frequency that at least [`LEAST_MODES`] modes lie below, in a wide gap between two of them.
+fn lowest(blocks: &[Block], speed: f64) -> f64 {
+    let mut all: Vec<f64> = Vec::new();
+    for block in blocks {
+        let size = if speed > 0.0 { speed } else { slow(block) };
+        let found = nearest(&block.problem(), c(0.0, LOW * size), size, 2 * (LEAST_MODES + GAPS) + 2, STEPS).unwrap_or_default();
+        all.extend(found.values.iter().map(|s| s.im).filter(|f| !(block.mirrored() && *f < 0.0)).map(f64::abs));
+    }
+    ascending(&mut all);
+    let last = all.last().map_or(0.0, |f| 1.05 * f);
+    let above = all.get(LEAST_MODES - 1..).unwrap_or_default();
+    let gaps = above.windows(2).take(GAPS).map(|w| (w[1] - w[0], 0.5 * (w[0] + w[1])));
+    let limit = gaps.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(last, |g| g.1);
+    limit.max(OF_SPEED * speed)
+}
+
+/// The size of the lowest frequencies of a block, roughly: the usual one of an unknown by itself, over the number of unknowns.
+fn slow(block: &Block) -> f64 {
+    let pattern = block.of.inner.pattern();
+    let own = |i: usize| {
+        let e = pattern.index(i, i)?;
+        let [k, _, m] = block.terms.each_ref().map(|all| all[e].abs());
+        Some((k / m).sqrt()).filter(|f| *f > 0.0 && f.is_finite())
+    };
+    let mut all: Vec<f64> = (0..pattern.n()).filter_map(own).collect();
+    ascending(&mut all);
+    all.get(all.len() / 2).map_or(1.0, |f| f / pattern.n() as f64)
+}

@@ -1,0 +1,56 @@
+//! How the cost of linear studies grows with the number of stations of a shaft, on one core, beside all modes by full matrices. Prints the least time of some runs.
+//!
+//! `cargo bench -p laval --bench stations`
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+#[path = "common/processor.rs"]
+mod processor;
+
+use common::shaft::shaft;
+use laval::solve::criticals::criticals;
+use laval::solve::linear_response::response;
+use laval::solve::pencil::Linearised;
+use laval::solve::rest::rest;
+use laval::solve::roots::{Request, roots};
+use laval::solve::sweep::sweep;
+use processor::processor;
+use std::time::Instant;
+
+const SPEED: f64 = 314.0;
+/// Full matrices of more stations take minutes.
+const FULL: usize = 51;
+
+fn least<T>(runs: usize, mut f: impl FnMut() -> T) -> (f64, Option<T>) {
+    let mut out = (f64::INFINITY, None);
+    for _ in 0..runs {
+        let start = Instant::now();
+        let found = f();
+        out = (out.0.min(start.elapsed().as_secs_f64() * 1e3), Some(found));
+    }
+    out
+}
+
+fn main() {
+    println!("processor: {}", processor());
+    println!("stations  coordinates  modes, counted  their number  50 speeds  criticals  200 responses  all modes, full (ms)");
+    for stations in [26, 51, 101, 201, 501] {
+        let system = shaft(stations, true, false);
+        let state = |w: f64| rest(&system, w);
+        let runs = if stations > 100 { 1 } else { 3 };
+        let Ok(about) = state(SPEED) else { return println!("no rest") };
+        let (modes, found) = least(runs, || roots(&system, &about, &Request::default()));
+        let count = found.and_then(Result::ok).map_or(0, |r| r.spectrum.modes.len());
+        let speeds: Vec<f64> = (0..50).map(|k| 20.0 + 10.0 * f64::from(k)).collect();
+        let (campbell, followed) = least(runs, || sweep(&system, &state, &speeds, 1600.0, |_, _| true));
+        let crossings = |f| least(1, || criticals(&system, &state, f, &[1.0])).0;
+        let critical = followed.and_then(Result::ok).as_ref().map_or(f64::NAN, crossings);
+        let (responses, _) = least(runs, || (0..200).filter_map(|k| response(&system, &state, 20.0 + 2.5 * f64::from(k)).ok()).count());
+        let full = if stations > FULL { f64::NAN } else { least(1, || Linearised::new(&system, &about).map(|l| l.spectrum().is_ok())).0 };
+        println!(
+            "{stations:8}  {:11}  {modes:14.1}  {count:12}  {campbell:9.1}  {critical:9.1}  {responses:13.1}  {full:12.1}",
+            system.n()
+        );
+    }
+}
