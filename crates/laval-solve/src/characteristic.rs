@@ -15,7 +15,7 @@ use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::dense::{Field, Mat};
 use laval_num::dual::Dual;
-use laval_num::factor::{Directed, Factors, LogDet, Pattern, Selection};
+use laval_num::factor::{Directed, Factors, LogDet, Pattern, Selection, Terms};
 use laval_num::work::spend;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -405,7 +405,14 @@ impl<'a> Characteristic<'a> {
     /// The bordered test function `g` (zero exactly where T is singular), dg/ds, and the null vectors that belong to it.
     pub fn test(&mut self, s: C64, border: &Border) -> Option<Test> {
         let [t, d] = self.entries(s);
-        border.test(&t, &d)
+        let mut test = border.test(&t, &d)?;
+        if let Some([a0, a1, a2]) = self.polynomial.as_ref().filter(|_| !border.of.bordered.is_dense()) {
+            // g = -y^H T x does not change with small errors of x and y, and the entries of T are not rounded
+            let (x, y) = (border.spread(&test.right, &border.cols, self.size()), border.spread(&test.left, &border.rows, self.size()));
+            let terms = [(C64::ONE, &a0[..]), (s, &a1[..]), (s * s, &a2[..])];
+            test.g = -Terms { pattern: &self.pattern, terms: &terms }.form(&y, &x);
+        }
+        test.g.is_finite().then_some(test)
     }
 
     /// Newton's method on `g(s) = 0` from a nearby start, over the members of a sector or all unknowns (`None`).

@@ -1,6 +1,6 @@
 //! Linear synchronous response: `T(i W) X = F` with the forces that turn with the rotor.
 
-use super::characteristic::{Characteristic, Equilibrium, Frame, nonlinear_states};
+use super::characteristic::{Characteristic, Equilibrium, Frame, is_polynomial, nonlinear_states};
 use super::locate::State;
 use super::sectors::{Sectors, circular, imaginary};
 use crate::diagnostic::Diagnostic;
@@ -11,7 +11,7 @@ use crate::model::system::System;
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Field;
-use laval_num::factor::{Factors, Plan};
+use laval_num::factor::{Factors, Plan, Terms};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -74,11 +74,11 @@ const CIRCLE: f64 = 1e-9;
 /// # Errors
 /// As the state.
 pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Response>, Diagnostic> {
-    let Equations { plan, entries, load, sectors } = equations(system, state, speed)?;
+    let Equations { plan, entries, polynomial, load, sectors } = equations(system, state, speed)?;
     // at standstill no unbalance acts, and what no stiffness holds stays where it is
     let still = speed == 0.0 && load.iter().all(|f| *f == C64::ZERO) && entries.iter().all(|x| x.is_finite());
     let at_rest = Response { speed, x: vec![C64::ZERO; load.len()], residual: 0.0 };
-    Ok(solve(plan, &entries, load, speed).or(still.then_some(at_rest)).map(|mut r| {
+    Ok(solve(plan, &entries, polynomial, load, speed).or(still.then_some(at_rest)).map(|mut r| {
         if let Some(sectors) = sectors {
             sectors.restore(&mut r.x);
         }
@@ -98,6 +98,8 @@ pub fn is_known(system: &System, state: State, speed: f64) -> Result<bool, Diagn
 struct Equations<'a> {
     plan: &'a Plan,
     entries: Vec<C64>,
+    /// `A0, A1, A2` of T, where it is a polynomial.
+    polynomial: Option<[Vec<f64>; 3]>,
     load: Vec<C64>,
     sectors: Option<Sectors>,
 }
@@ -111,7 +113,7 @@ fn equations<'a>(system: &'a System, state: State, speed: f64) -> Result<Equatio
         let [entries, _] = t.entries(imaginary(speed));
         let (_, mut load) = t.loads();
         t.sectors().polarise(&mut load);
-        Equations { plan: plan(system), entries, load, sectors: Some(t.sectors().clone()) }
+        Equations { plan: plan(system), entries, polynomial: None, load, sectors: Some(t.sectors().clone()) }
     })
 }
 
@@ -121,8 +123,8 @@ fn plan(system: &System) -> &Plan {
 
 /// Response of the linear parts alone, nonlinear parts left out; `None` where they hold no body.
 pub fn of_linear_parts(system: &System, speed: f64) -> Option<Response> {
-    let Equations { plan, entries, load, .. } = fixed(system, speed, None);
-    solve(plan, &entries, load, speed)
+    let Equations { plan, entries, polynomial, load, .. } = fixed(system, speed, None);
+    solve(plan, &entries, polynomial, load, speed)
 }
 
 /// T(i W) and the load in x and y, without derivatives: all that a response about a state at rest takes. Without a state nonlinear parts are left out.
@@ -131,15 +133,17 @@ fn fixed<'a>(system: &'a System, speed: f64, about: Option<&Equilibrium>) -> Equ
     let (mut model, mut scratch, mut entries) = (LinearModel::default(), LinearScratch::default(), Vec::new());
     system.linear(system.params(), speed, Form::Frequency, &mut model, &mut scratch);
     system.dynamic_stiffness_entries(system.params(), &model, Form::Frequency, s, &mut entries, &mut scratch);
+    let mut polynomial = (is_polynomial(system) && !model.plan().is_dense()).then(|| model.polynomial());
     if let Some(about) = about.filter(|_| system.slots().iter().any(|s| !s.is_linear())) {
         let zero = vec![0.0; n];
         let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         let (mut t, mut ts) = (SparseTangent::default(), TangentScratch::default());
         system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
-        for (tangent, factor) in [(&t.q, C64::ONE), (&t.v, s), (&t.a, s * s)] {
+        for (power, (tangent, factor)) in [(&t.q, C64::ONE), (&t.v, s), (&t.a, s * s)].into_iter().enumerate() {
             for &(i, j, x) in &tangent.0 {
                 if let Some(e) = model.pattern().index(i, j) {
                     entries[e] += factor.scale(x);
+                    polynomial.iter_mut().for_each(|terms| terms[power][e] += x);
                 }
             }
         }
@@ -147,28 +151,41 @@ fn fixed<'a>(system: &'a System, speed: f64, about: Option<&Equilibrium>) -> Equ
     if about.is_none() {
         // states of nonlinear parts are left out with them
         for i in model.held()..model.pattern().n() {
-            model.pattern().row(i).filter(|x| x.1 == i).for_each(|(e, _)| entries[e] = C64::ONE);
+            model.pattern().row(i).filter(|x| x.1 == i).for_each(|(e, _)| {
+                entries[e] = C64::ONE;
+                polynomial.iter_mut().for_each(|terms| terms[0][e] = 1.0);
+            });
         }
     }
     let b = &model.loads;
     let load = (0..model.pattern().n()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { C64::ZERO }).collect();
-    Equations { plan: plan(system), entries, load, sectors: None }
+    Equations { plan: plan(system), entries, polynomial, load, sectors: None }
 }
 
-/// Solves with one refinement.
-fn solve(plan: &Plan, entries: &[C64], load: Vec<C64>, speed: f64) -> Option<Response> {
+/// Solves with refinement.
+fn solve(plan: &Plan, entries: &[C64], polynomial: Option<[Vec<f64>; 3]>, load: Vec<C64>, speed: f64) -> Option<Response> {
     let size = load.iter().map(|z| z.abs()).fold(0.0, f64::max);
     let factors = Factors::new(plan, entries).ok()?;
     let pattern = plan.pattern();
+    let s = c(0.0, speed);
+    let exact = polynomial.as_ref().map(|[a0, a1, a2]| [(C64::ONE, &a0[..]), (s, &a1[..]), (s * s, &a2[..])]);
+    let exact = exact.as_ref().map(|terms| Terms { pattern, terms });
     let rest = |x: &[C64]| -> Vec<C64> {
+        if let Some(exact) = &exact {
+            return exact.residual(x, &load);
+        }
         let row = |i: usize| pattern.row(i).fold(C64::ZERO, |sum, (e, j)| sum + entries[e] * x[j]);
         load.iter().enumerate().map(|(i, f)| *f - row(i)).collect()
     };
     let mut x = load.clone();
-    factors.solve(&mut x);
-    let mut r = rest(&x);
-    factors.solve(&mut r);
-    x.iter_mut().zip(&r).for_each(|(x, r)| *x += *r);
+    if let Some(exact) = &exact {
+        exact.solve(&factors, &mut x);
+    } else {
+        factors.solve(&mut x);
+        let mut r = rest(&x);
+        factors.solve(&mut r);
+        x.iter_mut().zip(&r).for_each(|(x, r)| *x += *r);
+    }
     if !x.iter().all(|z| z.is_finite()) {
         return None;
     }

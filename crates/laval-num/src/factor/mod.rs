@@ -24,6 +24,7 @@ mod order;
 mod pattern;
 mod plan;
 mod selection;
+mod terms;
 #[cfg(test)]
 mod tests;
 
@@ -36,6 +37,7 @@ pub use pattern::Pattern;
 pub use plan::Plan;
 use plan::Target;
 pub use selection::Selection;
+pub use terms::{Entry, Terms};
 
 /// A pivot of the band below this share of the largest entry is replaced where a border follows: the matrix may be regular although its band is not.
 /// Corrections with the original matrix restore what that costs.

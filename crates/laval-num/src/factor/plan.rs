@@ -105,6 +105,10 @@ impl Plan {
     pub fn pattern(&self) -> &Arc<Pattern> {
         &self.pattern
     }
+    /// The matrix is so small that it is factored as a dense one.
+    pub fn is_dense(&self) -> bool {
+        self.band.is_none()
+    }
     /// Multiplications of one factorisation, about.
     pub fn multiplications(&self) -> u64 {
         match &self.band {

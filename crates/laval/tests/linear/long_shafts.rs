@@ -58,7 +58,7 @@ fn modes_of_isotropic_and_nonlinear_machines() {
     let text = |stations: usize, cubic: bool| {
         let mut text = isotropic(stations);
         if cubic {
-            text += "[[part]]\nkind = \"bearing_cubic\"\nname = \"seal\"\nbetween = [\"n5\", \"ground\"]\nstiffness = 1e6\ncubic_stiffness = 1e14\n";
+            text += "[[part]]\nkind = \"bearing_cubic\"\nname = \"seal\"\nbetween = [\"n5\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = 1e6\ncubic_stiffness = 1e14\n";
         }
         text
     };

@@ -9,6 +9,7 @@
 //! A reference stiffness S (diagonal, in the unit of each coordinate) is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
 //! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
 
+use crate::characteristic::is_polynomial;
 use crate::harmonic::balance::pace::Pace;
 use crate::model::blocks::Axes;
 use crate::model::erased::D1;
@@ -16,7 +17,8 @@ use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat, Singular};
-use laval_num::factor::Factors;
+use laval_num::factor::{Factors, Terms};
+use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 
 /// Rows of independent nonlinear coordinates over global ones, and every nonlinear part's local coordinates in terms of them.
@@ -95,6 +97,17 @@ pub struct Order {
     pub free_speed: Vec<C64>,
 }
 
+/// Solves for all columns, exactly where the terms of the matrix are given.
+fn solve_all(factors: &Factors<C64>, exact: Option<&Terms<f64>>, b: &mut Mat<C64>) {
+    let Some(exact) = exact else { return factors.solve_mat(b) };
+    let mut column = vec![C64::zero(); b.rows()];
+    for j in 0..b.cols() {
+        column.iter_mut().enumerate().for_each(|(i, x)| *x = b[(i, j)]);
+        exact.solve(factors, &mut column);
+        column.iter().enumerate().for_each(|(i, x)| b[(i, j)] = *x);
+    }
+}
+
 /// Condenses orders of one machine; keeps its scratch.
 pub struct Condenser {
     basis: Vec<Vec<(usize, f64)>>,
@@ -109,6 +122,10 @@ pub struct Condenser {
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
     dual: Vec<laval_num::complex::Complex<D1>>,
+    /// `A0, A1, A2` of Z and the mass alone, of a machine whose Z is a polynomial and no small matrix.
+    polynomial: Option<[Vec<f64>; 4]>,
+    /// Reference stiffness by entries.
+    held: Vec<f64>,
     z: Vec<C64>,
     dz: Vec<C64>,
     factors: Factors<C64>,
@@ -133,6 +150,8 @@ impl Condenser {
             model: LinearModel::default(),
             scratch: LinearScratch::default(),
             dual: Vec::new(),
+            polynomial: None,
+            held: Vec::new(),
             z: Vec::new(),
             dz: Vec::new(),
             factors: Factors::default(),
@@ -154,6 +173,11 @@ impl Condenser {
             p.eps = [pace.parameter.map_or(0.0, |q| q.rate(i))];
         }
         system.linear(&self.params, speed, Form::Frequency, &mut self.model, &mut self.scratch);
+        self.polynomial = (is_polynomial(system) && !self.model.plan().is_dense()).then(|| {
+            let real = |all: &[D1]| all.iter().map(|x| x.re).collect::<Vec<f64>>();
+            let [a0, a1, a2] = self.model.polynomial().map(|all| real(&all));
+            [a0, a1, a2, real(self.model.mass_values())]
+        });
     }
 
     /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
@@ -193,7 +217,10 @@ impl Condenser {
         self.dz.extend(self.dual.iter().map(|e| c(e.re.eps[0], e.im.eps[0])));
         // states of nonlinear parts are not of the linear model
         for i in self.model.held()..size {
-            pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| self.z[e] = C64::one());
+            pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| {
+                self.z[e] = C64::one();
+                self.polynomial.iter_mut().for_each(|terms| terms[0][e] = 1.0);
+            });
         }
         if self.drive.re != 0.0 || self.drive.eps[0] != 0.0 {
             // - xi s M
@@ -206,12 +233,14 @@ impl Condenser {
                 }
             }
         }
+        refill(&mut self.held, pattern.entries(), 0.0);
         for (row, &reference) in self.basis.iter().zip(&self.reference) {
             for &(gi, ci) in row {
                 for &(gj, cj) in row {
                     // coordinates of one part are coupled
                     if let Some(e) = pattern.index(gi, gj) {
                         self.z[e] += lossy(k, reference).scale(ci * cj);
+                        self.held[e] += reference * (ci * cj);
                     }
                 }
             }
@@ -237,7 +266,14 @@ impl Condenser {
             self.rhs[(i, m)] = f;
             self.rhs[(i, m + 1)] = df;
         }
-        self.factors.solve_mat(&mut self.rhs);
+        // soft supports of a stiff chain: what rounding makes of the entries of Z changes from speed to speed
+        let s = c(0.0, frequency.re);
+        let push = c(0.0, -(self.drive.re * frequency.re));
+        let terms = self.polynomial.as_ref().map(|[a0, a1, a2, mass]| {
+            [(C64::one(), &a0[..]), (s, &a1[..]), (s * s, &a2[..]), (push, &mass[..]), (lossy(k, 1.0), &self.held[..])]
+        });
+        let exact = terms.as_ref().map(|terms| Terms { pattern: &pattern, terms });
+        solve_all(&self.factors, exact.as_ref(), &mut self.rhs);
         // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
         self.work.reset(size, m + 2);
         for i in 0..size {
@@ -247,7 +283,7 @@ impl Condenser {
                 sums.iter_mut().zip(self.rhs.row(j)).for_each(|(s, &x)| *s += a * x);
             }
         }
-        self.factors.solve_mat(&mut self.work);
+        solve_all(&self.factors, exact.as_ref(), &mut self.work);
         // rows of B applied to both: flexibility and its derivative, and the free motion
         for (w, projected) in [&self.rhs, &self.work].into_iter().zip(&mut self.projected) {
             projected.reset(m, m + 2);
