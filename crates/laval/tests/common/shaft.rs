@@ -68,3 +68,15 @@ pub fn isotropic(stations: usize) -> String {
     }
     text
 }
+
+/// On isotropic bearings whose force grows with the cube of the displacement.
+pub fn cubic(stations: usize) -> System {
+    let mut text = elements(stations, false);
+    for k in [0, stations - 1] {
+        text += &format!(
+            "[[part]]\nkind = \"bearing_cubic\"\nname = \"b{k}\"\nbetween = [\"n{k}\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = {SUPPORT}\ncubic_stiffness = 1e14\n\
+             [[part]]\nkind = \"damper\"\nname = \"c{k}\"\nbetween = [\"n{k}\", \"ground\"]\ndamping = 250.0\n"
+        );
+    }
+    load(&text).system
+}

@@ -1,12 +1,13 @@
 //! Shafts of many stations: sparse results against dense ones and closed forms, and how the work grows with the number of stations.
 
 use crate::common::files::load;
-use crate::common::shaft::{DENSITY, LENGTH, MODULUS, RADIUS, SUPPORT, isotropic, shaft};
+use crate::common::shaft::{DENSITY, LENGTH, MODULUS, RADIUS, SUPPORT, cubic, isotropic, shaft};
 use laval::model::blocks::Grid;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
 use laval::model::system::System;
 use laval::solve::characteristic::{Characteristic, Equilibrium, Frame};
 use laval::solve::criticals::criticals;
+use laval::solve::harmonic::branches::response::{Request as Response, respond};
 use laval::solve::linear_response::response;
 use laval::solve::pencil::Linearised;
 use laval::solve::rest::rest;
@@ -17,6 +18,7 @@ use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 use laval_num::work::watched;
 use std::f64::consts::PI;
+use std::sync::atomic::AtomicBool;
 
 /// Modes of a machine with frequencies up to a limit, and growth of the same size, by its full matrices.
 fn dense(system: &System, about: &Equilibrium, limit: f64) -> Vec<C64> {
@@ -209,6 +211,36 @@ fn roots_converge_to_the_beam() {
         // masses at the stations: the error falls with the square of their distance
         for ratio in [coarse[k] / middle[k], middle[k] / fine[k]] {
             assert!((3.5..4.5).contains(&ratio), "mode {k}: {coarse:?} {middle:?} {fine:?}");
+        }
+    }
+}
+
+/// The jumps of one rotor do not depend on how many stations it is divided into, but for the error of the elements, and stability is known at every size.
+#[test]
+fn jumps_converge_with_the_stations() {
+    let jumps = |stations: usize, stability: bool| -> Vec<f64> {
+        let system = cubic(stations);
+        let request = Response { stability, ..Response::over(100.0, 400.0) };
+        let found = respond(&system, &request, &AtomicBool::new(false), &|_| {}).unwrap();
+        assert!(found.unassessed.is_none(), "{stations} stations: {:?}", found.unassessed);
+        let points = found.branches.iter().flat_map(|b| &b.points);
+        assert!(!stability || points.clone().all(|p| p.exponents.is_some()), "{stations} stations");
+        // between the two jumps the middle state is unstable, and no other
+        let mut folds: Vec<f64> = found.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed).collect();
+        folds.sort_by(f64::total_cmp);
+        if stability {
+            let unstable: Vec<f64> = points.filter(|p| !p.exponents.as_ref().unwrap().stable()).map(|p| p.speed).collect();
+            assert!(unstable.len() > 3 && unstable.iter().all(|w| (folds[0]..=folds[1]).contains(w)), "{folds:?} {unstable:?}");
+        }
+        assert_eq!(folds.len(), 2, "{stations} stations: {folds:?}");
+        folds
+    };
+    let found: Vec<Vec<f64>> = [13, 25, 49, 97].map(|k| jumps(k, k == 49)).into();
+    for k in 0..2 {
+        let steps: Vec<f64> = found.windows(2).map(|w| (w[1][k] - w[0][k]).abs()).collect();
+        // masses at the stations: the error falls with the square of their distance
+        for ratio in [steps[0] / steps[1], steps[1] / steps[2]] {
+            assert!((3.0..5.0).contains(&ratio), "jump {k}: {found:?}");
         }
     }
 }

@@ -3,12 +3,15 @@
 //! A small disturbance obeys `y' = A(t) y`. After the part of the period that the symmetry repeats, it is turned back; the eigenvalues mu of that map
 //! give the exponents `ln(mu) / T`. Three ways, each exact in its case, none sorts anything:
 //!
-//! - circular motion of an isotropic machine: eigenvalues of a constant matrix in the rotating frame;
+//! - circular motion of an isotropic machine: eigenvalues of a constant matrix in the rotating frame; of a machine of many states the roots up to a frequency, counted where they
+//!   grow (see `crate::harmonic::stability::counted`);
 //! - motion so small that A hardly varies: eigenvalues of its mean, when the second-order bound of the rest is below the tolerance;
 //! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple (see `crate::harmonic::stability::monodromy`).
 //!
 //! Theory: `docs/theory/harmonic-balance.md#stability`.
 
+use super::counted::Counted;
+use crate::characteristic::is_polynomial;
 use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
 use crate::harmonic::balance::nonlinear::Sampled;
 use crate::harmonic::balance::problem::Balance;
@@ -17,6 +20,7 @@ use laval_model::text::{Arg, Argument};
 use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 
+use crate::large::is_large;
 use crate::model::part::{At, DofKind};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
@@ -150,6 +154,9 @@ pub struct Stability {
     pub(super) steps_left: u64,
     /// Tolerance of the integration of maps.
     pub(super) tolerance: f64,
+    /// Number of states, where it is more than a map can carry: circular motions alone are assessed.
+    many: Option<usize>,
+    pub(super) counted: Counted,
 }
 
 /// Steps of integration spent on the maps of one response, at most.
@@ -165,8 +172,10 @@ impl Stability {
             }
         }
         let (n, m) = (system.n(), system.m());
-        if 2 * n + m > MOST_STATES {
-            return Err(Unassessed::TooManyStates(2 * n + m));
+        let states = 2 * n + m;
+        let many = (states > MOST_STATES).then_some(states);
+        if many.is_some() && !is_polynomial(system) {
+            return Err(Unassessed::TooManyStates(states));
         }
         let leads = |kinds: Vec<DofKind>| kinds.into_iter().map(DofKind::leads_pair).collect::<Vec<bool>>();
         let q = leads(system.coordinates().iter().map(|c| c.dof.kind).collect());
@@ -188,6 +197,8 @@ impl Stability {
             dop: Dop853::new(),
             steps_left: MOST_STEPS,
             tolerance: crate::harmonic::stability::monodromy::TOLERANCE,
+            many,
+            counted: Counted::default(),
         })
     }
 
@@ -198,6 +209,9 @@ impl Stability {
 
     /// Exponents by the map over the period, however small the motion. The balance must have been sampled there last, and not be circular.
     pub fn mapped(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unassessed> {
+        if let Some(states) = self.many {
+            return Err(Unassessed::TooManyStates(states));
+        }
         let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
         match jumps {
             Some(part) => Err(Unassessed::Jumps(part)),
@@ -214,6 +228,14 @@ impl Stability {
         let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
         if let Some(part) = jumps {
             return Err(Unassessed::Jumps(part));
+        }
+        if let Some(states) = self.many {
+            if balance.terms.symmetry != Symmetry::Circular || !self.constant_mass {
+                return Err(Unassessed::TooManyStates(states));
+            }
+            if is_large(balance.system) {
+                return self.counted(balance, x, speed);
+            }
         }
         if !self.constant_mass {
             return self.general(balance, x, speed);
@@ -260,7 +282,7 @@ impl Stability {
 
     /// Frequencies of the machine linearised about the mean of the motion last sampled, rad/s.
     pub(in crate::harmonic) fn mean_frequencies(&mut self, balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
-        if !self.constant_mass {
+        if !self.constant_mass || self.many.is_some() {
             return None;
         }
         self.set_speed(balance, speed).ok()?;

@@ -1,4 +1,5 @@
 //! Stability of a periodic motion.
+mod counted;
 pub mod determinant;
 pub mod floquet;
 pub mod hill;
