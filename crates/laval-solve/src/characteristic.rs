@@ -15,7 +15,7 @@ use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::dense::{Field, Mat};
 use laval_num::dual::Dual;
-use laval_num::factor::{Directed, Factors, LogDet, Pattern, Selection, Terms};
+use laval_num::factor::{Directed, Factors, LogDet, Pattern, Plan, Selection, Terms};
 use laval_num::work::spend;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -237,6 +237,11 @@ impl<'a> Characteristic<'a> {
         &self.pattern
     }
 
+    /// How matrices over all unknowns are factored.
+    pub fn plan(&self) -> &Plan {
+        self.model.plan()
+    }
+
     /// Some of the unknowns (in rising order) by themselves.
     pub fn selection(&self, members: &[usize]) -> Arc<Selection> {
         self.model.selection(members)
@@ -282,11 +287,17 @@ impl<'a> Characteristic<'a> {
         Some(value)
     }
 
-    /// The share of linear and frequency-domain parts.
-    pub fn linear_at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
-        let [v, d] = self.differentiated(s, (1.0, 0.0));
-        self.fill(&v, value);
-        self.fill(&d, slope);
+    /// The share of linear and frequency-domain parts, as entries.
+    pub fn linear_entries(&mut self, s: C64) -> Vec<C64> {
+        let [value, _] = self.differentiated(s, (1.0, 0.0));
+        value
+    }
+
+    /// The stiffness against displacements at rest, as real entries in x and y.
+    pub fn stiffness_entries(&mut self) -> Vec<f64> {
+        let [mut value, _] = self.entries(C64::ZERO);
+        self.sectors.restore_entries(&self.pattern, &mut value);
+        value.iter().map(|k| k.re).collect()
     }
 
     /// Derivative over the speed of the share of linear and frequency-domain parts as entries, exact also beside their poles, which may turn with the rotor.

@@ -182,7 +182,7 @@ struct Led {
     root: Polished,
 }
 
-/// Roots of one speed at the next, and whether two of them could not be told apart: of those one branch ends.
+/// Roots of one speed at the next, and whether two of them could not be distinguished: of those one branch ends.
 fn lead_all(
     system: &System,
     state: State,

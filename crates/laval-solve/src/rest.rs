@@ -4,15 +4,16 @@
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, nonlinear_states};
 use super::co_rotating::preferring;
-use super::sectors::{Sectors, real_part};
+use super::sectors::Sectors;
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Rows};
 use crate::model::system::{Drive, Slot, System, Workspace};
 use laval_model::text;
 use laval_model::text::Text;
-use laval_num::complex::C64;
-use laval_num::dense::{Lu, Mat, max_abs};
+use laval_num::complex::{C64, c};
+use laval_num::dense::max_abs;
+use laval_num::factor::{Factors, Pattern};
 
 /// Static equilibrium at a spin speed (rad/s): all rates zero, constant loads only. Zero when there is no load.
 ///
@@ -113,19 +114,23 @@ fn held(system: &System, slot: &Slot, about: &Equilibrium) -> bool {
     const HELD: f64 = 1e-11;
     let n = system.n();
     let mut t = Characteristic::new(system, about);
-    let (mut k, mut d) = (Mat::default(), Mat::default());
-    t.at(C64::zero(), &mut k, &mut d);
-    t.sectors().restore_matrix(t.sectors(), &mut k);
-    let k = real_part(&k);
+    let k = t.stiffness_entries();
     let typical: Vec<f64> = system.coordinates().iter().map(|c| c.dof.typical).collect();
     let typical: Vec<f64> = typical.into_iter().chain(t.states().iter().map(|&s| system.states()[s].dof.typical)).collect();
     let size = typical.len();
-    let mut scaled = Mat::from_fn(size, size, |i, j| k[(i, j)] * typical[i] * typical[j]);
-    let largest = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).map(|ij| scaled[ij].abs()).fold(0.0, f64::max);
-    for i in 0..n {
-        scaled[(i, i)] += WEAK * largest;
+    let (mut scaled, mut largest) = (k, 0.0f64);
+    for i in 0..size {
+        for (e, j) in t.pattern().row(i) {
+            scaled[e] *= typical[i] * typical[j];
+            if i < n && j < n {
+                largest = largest.max(scaled[e].abs());
+            }
+        }
     }
-    let Ok(lu) = Lu::new(&scaled) else { return false };
+    for i in 0..n {
+        t.pattern().row(i).filter(|x| x.1 == i).for_each(|(e, _)| scaled[e] += WEAK * largest);
+    }
+    let Ok(lu) = Factors::new(t.plan(), &scaled) else { return false };
     let moves = |i: usize| local(system, slot, &(0..n).map(|j| if i == j { typical[i] } else { 0.0 }).collect::<Vec<_>>());
     let moves: Vec<Vec<f64>> = (0..n).map(moves).collect();
     (0..moves.first().map_or(0, Vec::len)).all(|side| {
@@ -164,10 +169,12 @@ fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinat
     let mut r = if x.iter().all(|&x| x == 0.0) {
         vec![0.0; x.len()]
     } else {
-        let (mut k, mut d) = (Mat::default(), Mat::default());
-        t.linear_at(C64::zero(), &mut k, &mut d);
-        t.sectors().restore_matrix(t.sectors(), &mut k);
-        real_part(&k).mul_vec(x)
+        let k = t.linear_entries(C64::zero());
+        let mut u: Vec<C64> = x.iter().map(|&x| c(x, 0.0)).collect();
+        t.sectors().polarise(&mut u);
+        let mut force = t.times(&k, &u);
+        t.sectors().restore(&mut force);
+        force.iter().map(|f| f.re).collect()
     };
     let (constant, turning) = t.loads();
     for (i, r) in r.iter_mut().enumerate() {
@@ -201,12 +208,13 @@ fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinat
 }
 
 /// Coordinates that are held take no part in a Newton step.
-fn hold(k: &mut Mat<f64>, held: &[usize]) {
-    for &i in held {
-        for j in 0..k.rows() {
-            (k[(i, j)], k[(j, i)]) = (0.0, 0.0);
+fn hold(pattern: &Pattern, k: &mut [f64], held: &[usize]) {
+    for i in 0..pattern.n() {
+        for (e, j) in pattern.row(i) {
+            if held.contains(&i) || held.contains(&j) {
+                k[e] = if i == j { 1.0 } else { 0.0 };
+            }
         }
-        k[(i, i)] = 1.0;
     }
 }
 
@@ -234,11 +242,11 @@ const ROUNDINGS: f64 = 4.0;
 
 /// Newton step that one rounding of every force stands for, in typical sizes: `|K^-1| |K| |x|` times the rounding unit. Heavy bodies that are stiffly joined on a soft support
 /// hang further down than their forces cancel.
-fn resolution(k: &Mat<f64>, lu: &Lu<f64>, x: &[f64], typical: &[f64]) -> f64 {
+fn resolution(pattern: &Pattern, k: &[f64], lu: &Factors<f64>, x: &[f64], typical: &[f64]) -> f64 {
     let size = x.len();
     let mut moved = vec![0.0; size];
     for j in 0..size {
-        let force = f64::EPSILON * (0..size).map(|i| (k[(j, i)] * x[i]).abs()).sum::<f64>();
+        let force = f64::EPSILON * pattern.row(j).map(|(e, i)| (k[e] * x[i]).abs()).sum::<f64>();
         let mut column: Vec<f64> = (0..size).map(|i| if i == j { force } else { 0.0 }).collect();
         lu.solve(&mut column);
         moved.iter_mut().zip(&column).for_each(|(m, c)| *m += c.abs());
@@ -275,12 +283,9 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
     }
     let mut last = f64::INFINITY;
     for iteration in 1..=60 {
-        let (mut k, mut d) = (Mat::default(), Mat::default());
-        t.at(C64::zero(), &mut k, &mut d);
-        t.sectors().restore_matrix(t.sectors(), &mut k);
-        let mut k = real_part(&k);
-        hold(&mut k, held);
-        let Ok(lu) = Lu::new(&k) else { return Err(not_held(system, at.speed)) };
+        let mut k = t.stiffness_entries();
+        hold(t.pattern(), &mut k, held);
+        let Ok(lu) = Factors::new(t.plan(), &k) else { return Err(not_held(system, at.speed)) };
         if lu.pivot_ratio().is_nan() {
             return Err(not_held(system, at.speed));
         }
@@ -303,7 +308,7 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
             if rest <= (1.0 - 0.25 * share) * length || length <= 1e-12 * (size + 1e-12) {
                 break (trial, moved);
             }
-            if share == 1.0 && length <= RESOLVED * size && length <= ROUNDINGS * resolution(&k, &lu, &x, &typical) {
+            if share == 1.0 && length <= RESOLVED * size && length <= ROUNDINGS * resolution(t.pattern(), &k, &lu, &x, &typical) {
                 (at.iterations, at.last_step) = (iteration, length);
                 return Ok(at);
             }
@@ -345,15 +350,12 @@ fn sink(system: &System, start: &Equilibrium, held: &[usize]) -> Option<Equilibr
         if work <= CARRIED * load {
             return Some(at);
         }
-        let (mut k, mut d) = (Mat::default(), Mat::default());
-        t.at(C64::zero(), &mut k, &mut d);
-        t.sectors().restore_matrix(t.sectors(), &mut k);
-        let mut k = real_part(&k);
-        hold(&mut k, held);
+        let mut k = t.stiffness_entries();
+        hold(t.pattern(), &mut k, held);
         for i in 0..n {
-            k[(i, i)] += load / (typical[i] * typical[i]);
+            t.pattern().row(i).filter(|x| x.1 == i).for_each(|(e, _)| k[e] += load / (typical[i] * typical[i]));
         }
-        Lu::new(&k).ok()?.solve(&mut r);
+        Factors::new(t.plan(), &k).ok()?.solve(&mut r);
         // nothing that is not a number goes on
         if !r.iter().all(|s| s.is_finite()) {
             return None;

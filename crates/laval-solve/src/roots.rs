@@ -118,9 +118,14 @@ pub fn transcendental(system: &System) -> bool {
     system.slots().iter().any(|s| matches!(s.physics, Physics::Frequency(TimeForm::None(_))))
 }
 
-/// Modes are looked for in a region and counted: a part has no time form, or the machine has more modes than are wanted.
+/// Modes are looked for in a region and counted: a part has no time form, or the machine has more modes than are computed.
 pub fn in_region(system: &System) -> bool {
-    transcendental(system) || is_large(system) && is_polynomial(system)
+    transcendental(system) || has_more_modes(system)
+}
+
+/// The machine has finitely many modes, and more than are computed: those up to a frequency are.
+pub fn has_more_modes(system: &System) -> bool {
+    is_large(system) && is_polynomial(system)
 }
 
 /// The characteristic function over one sector or all unknowns.

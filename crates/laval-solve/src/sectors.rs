@@ -157,6 +157,23 @@ impl Sectors {
             }
         }
     }
+    /// Entries in x and y again.
+    pub fn restore_entries(&self, pattern: &Pattern, values: &mut [C64]) {
+        for i in self.pairs() {
+            for ((p, _), (q, _)) in pattern.row(i).zip(pattern.row(i + 1)) {
+                let (a, b) = (values[p], values[q]);
+                (values[p], values[q]) = ((a + b).scale(FRAC_1_SQRT_2), (b - a).mul_i().scale(FRAC_1_SQRT_2));
+            }
+        }
+        for i in 0..pattern.n() {
+            for (e, j) in pattern.row(i) {
+                if self.of[j] == Sector::Forward {
+                    let (a, b) = (values[e], values[e + 1]);
+                    (values[e], values[e + 1]) = ((a + b).scale(FRAC_1_SQRT_2), (a - b).mul_i().scale(FRAC_1_SQRT_2));
+                }
+            }
+        }
+    }
     /// Complex copy of a real matrix in sector coordinates.
     pub fn polarised(&self, rows: &Sectors, m: &Mat) -> Mat<C64> {
         let mut z = m.to_complex();
@@ -203,11 +220,6 @@ pub fn block<T: Field>(m: &Mat<T>, rows: &[usize], cols: &[usize]) -> Mat<T> {
     Mat::from_fn(rows.len(), cols.len(), |i, j| m[(rows[i], cols[j])])
 }
 
-/// Real part of a matrix that is real but for rounding.
-pub fn real_part(m: &Mat<C64>) -> Mat {
-    Mat::from_fn(m.rows(), m.cols(), |i, j| m[(i, j)].re)
-}
-
 /// The imaginary unit times a number.
 pub fn imaginary(w: f64) -> C64 {
     c(0.0, w)
@@ -243,6 +255,12 @@ mod tests {
         let mut back = p;
         s.restore_matrix(&s, &mut back);
         assert!((0..9).all(|k| (back.data()[k] - c(m.data()[k], 0.0)).abs() < 1e-14));
+        let full = Pattern::new(3, (0..3).flat_map(|i| (0..3).map(move |j| (i, j))));
+        let mut entries: Vec<C64> = m.data().iter().map(|x| c(*x, 0.0)).collect();
+        s.polarise_entries(&full, &mut entries);
+        assert!(entries.iter().zip(s.polarised(&s, &m).data()).all(|(a, b)| (*a - *b).abs() < 1e-14));
+        s.restore_entries(&full, &mut entries);
+        assert!(entries.iter().zip(m.data()).all(|(a, b)| (*a - c(*b, 0.0)).abs() < 1e-14));
         let iso = Mat::from_fn(3, 3, |i, j| [[2.0, -3.0, 0.0], [3.0, 2.0, 0.0], [0.0, 0.0, 1.0]][i][j]);
         assert!(s.coupling(&s, &s.polarised(&s, &iso)) < 1e-15);
         assert!(s.coupling(&s, &s.polarised(&s, &m)) > 0.1);

@@ -1,7 +1,7 @@
 //! Where the entries of parts stand in the matrices of the machine: computed once, at the first assembly.
 
 use super::part::{DofKind, Physics};
-use super::system::{Slot, System};
+use super::slot::{GlobalDof, Slot};
 use laval_num::factor::{Pattern, Plan, Selection};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -84,14 +84,14 @@ pub(super) fn in_blocks(slot: &Slot, form: Form) -> bool {
 }
 
 impl Assembly {
-    pub(super) fn new(system: &System, form: Form) -> Self {
-        let n = system.n();
+    pub(super) fn new(slots: &[Slot], coordinates: &[GlobalDof], own_states: &[GlobalDof], form: Form) -> Self {
+        let n = coordinates.len();
         let own = |s: &Slot| s.states.start..s.states.end - s.memory;
-        let states: Vec<usize> = system.slots().iter().filter(|s| in_blocks(s, form)).flat_map(own).collect();
-        let nonlinear: Vec<usize> = system.slots().iter().filter(|s| !s.is_linear()).flat_map(|s| s.states.clone()).collect();
+        let states: Vec<usize> = slots.iter().filter(|s| in_blocks(s, form)).flat_map(own).collect();
+        let nonlinear: Vec<usize> = slots.iter().filter(|s| !s.is_linear()).flat_map(|s| s.states.clone()).collect();
         let kind = |i: usize| match i.checked_sub(n) {
-            None => system.coordinates()[i].dof.kind,
-            Some(z) => system.states()[if z < states.len() { states[z] } else { nonlinear[z - states.len()] }].dof.kind,
+            None => coordinates[i].dof.kind,
+            Some(z) => own_states[if z < states.len() { states[z] } else { nonlinear[z - states.len()] }].dof.kind,
         };
         let size = n + states.len() + nonlinear.len();
         let mut first = vec![None; size];
@@ -100,7 +100,7 @@ impl Assembly {
         }
         let mut pairs = Vec::new();
         let (mut row, mut behind) = (n, n + states.len());
-        for slot in system.slots() {
+        for slot in slots {
             let rows = if in_blocks(slot, form) {
                 row += own(slot).len();
                 row - own(slot).len()..row
@@ -121,7 +121,7 @@ impl Assembly {
         let pattern = Pattern::new(size, pairs);
         let mut row = n;
         let mut stamps = Vec::new();
-        for (k, slot) in system.slots().iter().enumerate().filter(|(_, s)| in_blocks(s, form)) {
+        for (k, slot) in slots.iter().enumerate().filter(|(_, s)| in_blocks(s, form)) {
             let (first_state, m) = (row, own(slot).len());
             row += m;
             // every pair of a part is in the pattern

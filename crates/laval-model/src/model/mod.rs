@@ -1,4 +1,5 @@
 //! What a machine is: parts, their parameters and ports, and the system they form.
+mod assemble;
 pub mod assembly;
 pub mod blocks;
 pub mod builder;
@@ -11,9 +12,12 @@ pub mod field;
 mod inertia;
 pub mod lanes;
 pub mod linear;
+pub mod machine;
 pub mod params;
 pub mod part;
 pub mod probe;
+mod probes;
+pub mod slot;
 pub mod system;
 pub mod tangent;
 pub mod timed;

@@ -2,133 +2,35 @@
 
 use super::assembly::{Assembly, Form};
 use super::blocks::Blocks;
-use super::erased::{Erased, Evaluate, MovableMasses};
-use super::field::{Attach, Extra, Field};
-use super::params::{ParamSlot, inadmissible};
-use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
-use super::probe::{self, Probe};
-use crate::diagnostic::{Diagnostic, Diagnostics, Span};
+use super::erased::{Evaluate, MovableMasses};
+use super::field::{Extra, Field};
+use super::params::ParamSlot;
+use super::part::{At, Correction, DofKind, Energy, Observed, Outline, Rows, Validity};
+use super::probe::Probe;
+use super::slot::{gather, scatter};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::text;
 use crate::text::Text;
 use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 use laval_num::work::spend;
-use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 pub use super::capability::scope::Axis;
-
-/// Standard gravity, m/s^2.
-pub const GRAVITY: f64 = 9.80665;
-
-/// How the spin angle moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Drive {
-    /// A programme: the spin row is not solved, it gives the torque needed.
-    #[default]
-    Prescribed,
-    /// The spin angle is a coordinate.
-    Free,
-}
-
-/// What is said of the machine as a whole.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct Machine {
-    /// Name.
-    pub name: String,
-    /// Spin speed for studies that name none, rad/s.
-    pub speed: Option<f64>,
-    /// Direction of the shaft.
-    pub axis: Axis,
-    /// Drive.
-    pub drive: Drive,
-    /// Blocks beside the parts that studies read: cups, suspension, limits.
-    pub extras: Vec<Extra>,
-    /// Points of bodies that such blocks name: body and height above its reference point, m.
-    pub points: Vec<(String, f64)>,
-}
-
-/// A part before assembly.
-#[derive(Clone)]
-pub struct PartInput {
-    /// Name, unique in the machine.
-    pub name: String,
-    /// The part.
-    pub part: Arc<dyn Erased>,
-    /// Its parameters in slot order, SI.
-    pub params: Vec<f64>,
-    /// Place of the block in the file.
-    pub span: Option<Span>,
-}
-
-/// A part in its place.
-pub struct Slot {
-    /// Name.
-    pub name: String,
-    /// The part.
-    pub part: Arc<dyn Erased>,
-    /// Its layout.
-    pub layout: Layout,
-    /// Form of its physics.
-    pub physics: Physics,
-    /// What its residual reads.
-    pub uses: Uses,
-    /// Its parameters among the machine's.
-    pub params: Range<usize>,
-    /// Each local coordinate as a combination of global ones: the rows of B.
-    pub map: Vec<Vec<(usize, f64)>>,
-    /// What the weight adds to the local accelerations the part sees (a body at rest in a field g moves like one accelerated by -g), m/s^2.
-    pub weight: Vec<f64>,
-    /// Its internal states among the machine's.
-    pub states: Range<usize>,
-    /// How many of them, at the end, are memory states.
-    pub memory: usize,
-    /// Place in the file.
-    pub span: Option<Span>,
-}
-
-impl Slot {
-    /// A linear (or time-fitted) part, given by its blocks in time.
-    pub fn is_linear(&self) -> bool {
-        self.physics != Physics::Nonlinear
-    }
-}
-
-/// A global coordinate or state.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GlobalDof {
-    /// `part.name`.
-    pub name: String,
-    /// Part that owns it.
-    pub slot: usize,
-    /// Kind, unit and typical size.
-    pub dof: Dof,
-}
-
-/// A body (or any part whose first two own coordinates are a lateral pair) that results speak of.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Body {
-    /// Name of the part.
-    pub name: String,
-    /// Its slot.
-    pub slot: usize,
-    /// Global index of its x; y follows.
-    pub x: usize,
-    /// Global index of the first component of its tilt, where it tilts; the other follows.
-    pub tilt: Option<usize>,
-}
+pub use super::machine::{Drive, GRAVITY, Machine};
+pub use super::slot::{Body, GlobalDof, PartInput, Slot};
 
 /// The machine.
 pub struct System {
     /// Name, speed, axis, drive.
     pub machine: Machine,
-    slots: Vec<Slot>,
-    coordinates: Vec<GlobalDof>,
-    states: Vec<GlobalDof>,
-    params: Vec<f64>,
-    param_slots: Vec<ParamSlot>,
-    probes: OnceLock<Vec<Probe>>,
-    assemblies: [OnceLock<Arc<Assembly>>; 2],
+    pub(super) slots: Vec<Slot>,
+    pub(super) coordinates: Vec<GlobalDof>,
+    pub(super) states: Vec<GlobalDof>,
+    pub(super) params: Vec<f64>,
+    pub(super) param_slots: Vec<ParamSlot>,
+    pub(super) probes: OnceLock<Vec<Probe>>,
+    pub(super) assemblies: [OnceLock<Arc<Assembly>>; 2],
 }
 
 /// Scratch for evaluations in scalar `S`; one per thread.
@@ -147,200 +49,7 @@ impl<S: Scalar> Default for Workspace<S> {
     }
 }
 
-/// Fills `local` with the local coordinates of a map.
-#[inline]
-pub fn gather<S: Scalar>(map: &[Vec<(usize, f64)>], global: &[S], local: &mut Vec<S>) {
-    local.clear();
-    for row in map {
-        let mut x = S::zero();
-        for &(g, c) in row {
-            x += if c == 1.0 { global[g] } else { global[g].scale(c) };
-        }
-        local.push(x);
-    }
-}
-
-/// Adds local forces to the global rows.
-#[inline]
-pub fn scatter<S: Scalar>(map: &[Vec<(usize, f64)>], local: &[S], global: &mut [S]) {
-    for (row, &f) in map.iter().zip(local) {
-        for &(g, c) in row {
-            global[g] += if c == 1.0 { f } else { f.scale(c) };
-        }
-    }
-}
-
 impl System {
-    /// Assembles a machine. All mistakes are reported together.
-    pub fn assemble(machine: Machine, inputs: Vec<PartInput>) -> Result<System, Diagnostics> {
-        let mut diagnostics = Diagnostics::default();
-        let mut system = System {
-            machine,
-            slots: vec![],
-            coordinates: vec![],
-            states: vec![],
-            params: vec![],
-            param_slots: vec![],
-            probes: OnceLock::new(),
-            assemblies: Default::default(),
-        };
-        for input in &inputs {
-            system.add(input, &mut diagnostics);
-        }
-        for k in 0..system.slots.len() {
-            match system.local_map(k) {
-                Ok(map) => {
-                    system.slots[k].weight = system.local_weight(&map);
-                    system.slots[k].map = map;
-                }
-                Err(d) => diagnostics.push(*d),
-            }
-        }
-        if system.coordinates.is_empty() {
-            diagnostics.push(
-                Diagnostic::error("machine.no_body", text!("the machine has no body that can move"))
-                    .help(text!("add a part such as a disc: [[part]] with kind = \"disc\" and a mass")),
-            );
-        }
-        if !diagnostics.has_errors() {
-            super::inertia::check(&system, &mut diagnostics);
-        }
-        if diagnostics.has_errors() { Err(diagnostics) } else { Ok(system) }
-    }
-
-    fn add(&mut self, input: &PartInput, diagnostics: &mut Diagnostics) {
-        let (part, k) = (&input.part, self.slots.len());
-        if let Some(other) = self.slots.iter().find(|s| s.name == input.name) {
-            diagnostics.push(
-                Diagnostic::error("part.duplicate", text!("two parts are named \"{name}\"", name = other.name))
-                    .at(input.span.clone())
-                    .help(text!("give each part its own name")),
-            );
-        }
-        let layout = part.layout();
-        let own = |dofs: &[Dof]| -> Vec<GlobalDof> {
-            dofs.iter().map(|d| GlobalDof { name: format!("{}.{}", input.name, d.name), slot: k, dof: d.clone() }).collect()
-        };
-        let slots = part.slots();
-        if slots.len() != input.params.len() {
-            diagnostics.push(Diagnostic::error(
-                "part.parameters",
-                text!("part \"{name}\" takes {slots} parameters", name = input.name, slots = slots.len()),
-            ));
-            return;
-        }
-        for wrong in inadmissible(&slots, &input.params) {
-            diagnostics
-                .push(Diagnostic::error("parameter.bounds", text!("\"{name}\": {wrong}", name = input.name, wrong)).at(input.span.clone()));
-        }
-        if !diagnostics.has_errors() {
-            for (_, message) in part.check(&input.params) {
-                diagnostics.push(
-                    Diagnostic::error("part.check", text!("\"{name}\": {message}", name = input.name, message)).at(input.span.clone()),
-                );
-            }
-            if let Some(message) = part.scope().and_then(|s| s.refuses_axis(&input.params, self.machine.axis)) {
-                diagnostics.push(
-                    Diagnostic::error("part.axis", text!("\"{name}\": {message}", name = input.name, message)).at(input.span.clone()),
-                );
-            }
-        }
-        let (p0, s0) = (self.params.len(), self.states.len());
-        self.params.extend(&input.params);
-        self.param_slots.extend(slots.into_iter().map(|s| ParamSlot { name: format!("{}.{}", input.name, s.name), ..s }));
-        self.coordinates.extend(own(&layout.own));
-        self.states.extend(own(&layout.states));
-        self.slots.push(Slot {
-            name: input.name.clone(),
-            part: part.clone(),
-            physics: part.physics(),
-            uses: part.uses(),
-            params: p0..self.params.len(),
-            map: vec![],
-            weight: vec![],
-            states: s0..self.states.len(),
-            memory: part.memory(),
-            span: input.span.clone(),
-            layout,
-        });
-    }
-
-    /// Rows of x, y, tilt_x, tilt_y of a point over global coordinates; empty rows for the ground.
-    pub(super) fn point_rows(&self, slot: usize, attach: &Attach) -> Result<[Vec<(usize, f64)>; 4], Box<Diagnostic>> {
-        let mut rows: [Vec<(usize, f64)>; 4] = Default::default();
-        let Some(name) = &attach.body else { return Ok(rows) };
-        let Some(body) = self.slots.iter().position(|s| &s.name == name) else {
-            let bodies: Vec<&str> = self.slots.iter().filter(|s| s.layout.body).map(|s| s.name.as_str()).collect();
-            return Err(Box::new(
-                Diagnostic::error(
-                    "body.missing",
-                    text!("\"{slot}\" is attached to \"{name}\", which does not exist", slot = self.slots[slot].name, name),
-                )
-                .at(self.slots[slot].span.clone())
-                .help(text!("bodies of this machine: {bodies}, ground", bodies = bodies.join(", "))),
-            ));
-        };
-        let b = &self.slots[body];
-        if !b.layout.body {
-            return Err(Box::new(
-                Diagnostic::error(
-                    "body.kind",
-                    text!("\"{slot}\" is attached to \"{name}\", which is not a body", slot = self.slots[slot].name, name),
-                )
-                .at(self.slots[slot].span.clone())
-                .help(text!("\"{name}\" is a {kind}; attach to a disc or a foundation", name, kind = b.part.kind())),
-            ));
-        }
-        let first = self.coordinates.iter().position(|c| c.slot == body).unwrap_or(0);
-        let shape = b.part.body().map_or_else(Vec::new, |body| body.shape(&self.params[b.params.clone()], attach.position));
-        for (j, column) in shape.iter().enumerate() {
-            for (row, &x) in rows.iter_mut().zip(column) {
-                if x != 0.0 {
-                    row.push((first + j, x));
-                }
-            }
-        }
-        Ok(rows)
-    }
-
-    fn local_map(&self, k: usize) -> Result<Vec<Vec<(usize, f64)>>, Box<Diagnostic>> {
-        let slot = &self.slots[k];
-        let mut map = Vec::new();
-        for port in &slot.layout.ports {
-            let rows = match &port.link {
-                Link::On(a) => self.point_rows(k, a)?,
-                Link::Between(a, b) => {
-                    if a == b {
-                        return Err(Box::new(
-                            Diagnostic::error("port.same", text!("\"{name}\" joins a point to itself", name = slot.name))
-                                .at(slot.span.clone()),
-                        ));
-                    }
-                    let (mut first, second) = (self.point_rows(k, a)?, self.point_rows(k, b)?);
-                    for (row, minus) in first.iter_mut().zip(second) {
-                        row.extend(minus.into_iter().map(|(g, c)| (g, -c)));
-                    }
-                    first
-                }
-            };
-            let wanted = match port.kind {
-                PortKind::Point => 2,
-                PortKind::PointAndTilt => 4,
-            };
-            map.extend(rows.into_iter().take(wanted));
-        }
-        map.extend(self.coordinates.iter().enumerate().filter(|(_, c)| c.slot == k).map(|(g, _)| vec![(g, 1.0)]));
-        Ok(map)
-    }
-
-    fn local_weight(&self, map: &[Vec<(usize, f64)>]) -> Vec<f64> {
-        if self.machine.axis == Axis::Vertical {
-            return Vec::new();
-        }
-        let share = |&(g, c): &(usize, f64)| if self.coordinates[g].dof.kind == DofKind::VectorY { c * GRAVITY } else { 0.0 };
-        map.iter().map(|row| row.iter().map(share).sum()).collect()
-    }
-
     /// The parts in their places.
     pub fn slots(&self) -> &[Slot] {
         &self.slots
@@ -380,14 +89,9 @@ impl System {
         }
         out
     }
-    /// All that is measured of the bodies' motion, by body: the reference point, the points where parts are attached or that a block names, where their
-    /// displacement differs from it, the tilt.
-    pub fn probes(&self) -> &[Probe] {
-        self.probes.get_or_init(|| probe::all(self))
-    }
     /// Where the entries of parts stand in the linear model of a form.
     pub fn assembly(&self, form: Form) -> &Arc<Assembly> {
-        self.assemblies[form as usize].get_or_init(|| Arc::new(Assembly::new(self, form)))
+        self.assemblies[form as usize].get_or_init(|| Arc::new(Assembly::new(&self.slots, &self.coordinates, &self.states, form)))
     }
     /// Parameter values, SI.
     pub fn params(&self) -> &[f64] {

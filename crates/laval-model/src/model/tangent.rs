@@ -3,7 +3,8 @@
 use super::blocks::Blocks;
 use super::erased::{D8, Evaluate};
 use super::part::{At, Rows};
-use super::system::{Slot, System, Workspace, gather};
+use super::slot::{Slot, gather};
+use super::system::{System, Workspace};
 use laval_num::dense::Mat;
 use laval_num::dual::Dual;
 use laval_num::refill::refill;

@@ -87,6 +87,10 @@ stability-stable = { $modes ->
         [one] the mode decays at { $decay }
        *[other] all { $modes } modes decay, the slowest at { $decay }
     }
+stability-stable-below = { $modes ->
+        [one] the mode below { $limit } decays at { $decay }
+       *[other] all { $modes } modes below { $limit } decay, the slowest at { $decay }
+    }
 stability-unstable = a mode grows by the factor e in { $time }
 stability-steady = the steady response is stable at this speed (nonlinear response)
 stability-decays = the slowest mode decays at { $decay }

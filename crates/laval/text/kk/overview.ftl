@@ -79,6 +79,10 @@ stability-stable = { $modes ->
         [one] мода өшеді, өшу жылдамдығы { $decay }
        *[other] барлық { $modes } мода өшеді, ең баяуының өшу жылдамдығы { $decay }
     }
+stability-stable-below = { $modes ->
+        [one] { $limit } жиілігінен төмен мода { $decay } жылдамдықпен өшеді
+       *[other] { $limit } жиілігінен төмен барлық { $modes } мода өшеді, ең баяуы { $decay } жылдамдықпен
+    }
 stability-unstable = бір мода өседі, e есе өсу уақыты { $time }
 stability-steady = бұл айналу жиілігінде орныққан тербеліс орнықты (бейсызық тербеліс)
 stability-decays = ең баяу мода { $decay } жылдамдықпен өшеді

@@ -86,6 +86,10 @@ stability-stable = { $modes ->
         [1] мода затухает со скоростью { $decay }
        *[other] затухают все моды ({ $modes }), самая медленная со скоростью { $decay }
     }
+stability-stable-below = { $modes ->
+        [1] мода ниже { $limit } затухает со скоростью { $decay }
+       *[other] все моды ниже { $limit } затухают (их { $modes }), самая медленная со скоростью { $decay }
+    }
 stability-unstable = мода растёт в e раз за { $time }
 stability-steady = установившийся отклик при этой частоте вращения устойчив (нелинейный отклик)
 stability-decays = самая медленная мода затухает со скоростью { $decay }

@@ -79,6 +79,10 @@ stability-stable = { $modes ->
         [1] moda { $decay } sur’at bilan so‘nadi
        *[other] barcha { $modes } ta moda so‘nadi, eng sekini { $decay } sur’at bilan
     }
+stability-stable-below = { $modes ->
+        [one] { $limit } chastotadan pastdagi moda { $decay } sur’at bilan so‘nadi
+       *[other] { $limit } chastotadan pastdagi barcha { $modes } moda so‘nadi, eng sekini { $decay } sur’at bilan
+    }
 stability-unstable = moda { $time } ichida e marta o‘sadi
 stability-steady = bu tezlikda barqaror javob turg‘un (chiziqsiz javob)
 stability-decays = eng sekin moda { $decay } sur’at bilan so‘nadi

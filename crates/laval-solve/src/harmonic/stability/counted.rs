@@ -8,19 +8,10 @@ use crate::large::usual_frequency;
 use crate::roots::{Request, roots};
 use laval_num::complex::C64;
 
-/// Growth over the frequency that counts as none.
-const STILL: f64 = 1e-8;
-/// Exponents that are followed from motion to motion.
-const FOLLOWED: usize = 12;
-
-/// What one motion leaves for the next.
-#[derive(Default)]
-pub(super) struct Counted {
-    /// Frequency up to which roots are counted, rad/s: one for all motions.
-    frequency: Option<f64>,
-    /// Exponents with the largest growth.
-    starts: Vec<C64>,
-}
+/// Growth over the frequency that counts as none: at a fold an exponent is zero to rounding, and no count can be taken through it.
+const STILL: f64 = 1e-6;
+/// Largest frequency, in axes that turn, over the speed, at least.
+const OF_SPEED: f64 = 3.0;
 
 impl Stability {
     pub(super) fn counted(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unassessed> {
@@ -34,16 +25,9 @@ impl Stability {
         let (mut v, mut a) = (vec![0.0; system.n()], vec![0.0; system.n()]);
         orbit.at(0.0, &mut about.q, &mut v, &mut a, &mut about.z);
         balance.sample(x, speed);
-        let frequency = *self.counted.frequency.get_or_insert_with(|| usual_frequency(system, &about));
+        let frequency = self.frequency.get_or_insert_with(|| usual_frequency(system, &about)).max(OF_SPEED * speed.abs());
         let margin = STILL * frequency;
-        let request = Request {
-            margin,
-            frequency: Some(frequency),
-            growing: true,
-            starts: &self.counted.starts,
-            cancel: balance.cancel,
-            ..Request::default()
-        };
+        let request = Request { margin, frequency: Some(frequency), growing: true, cancel: balance.cancel, ..Request::default() };
         let found = roots(system, &about, &request).map_err(|d| Unassessed::Failed(d.message.to_string()))?;
         if found.growing().is_none() {
             return Err(failed("the exponents that grow could not be counted"));
@@ -51,7 +35,6 @@ impl Stability {
         let modes: Vec<C64> = found.spectrum.modes.iter().map(|m| m.value).collect();
         let mut values: Vec<C64> = modes.iter().flat_map(|&s| [Some(s), (s.im != 0.0).then(|| s.conj())]).flatten().collect();
         values.sort_by(|a, b| b.re.total_cmp(&a.re));
-        self.counted.starts = values.iter().filter(|s| s.im >= 0.0).take(FOLLOWED).copied().collect();
         Ok(Exponents { values, error: margin, method: Method::Rotating, span: 0.0 })
     }
 }

@@ -10,7 +10,6 @@
 //!
 //! Theory: `docs/theory/harmonic-balance.md#stability`.
 
-use super::counted::Counted;
 use crate::characteristic::is_polynomial;
 use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
 use crate::harmonic::balance::nonlinear::Sampled;
@@ -156,7 +155,8 @@ pub struct Stability {
     pub(super) tolerance: f64,
     /// Number of states, where it is more than a map can carry: circular motions alone are assessed.
     many: Option<usize>,
-    pub(super) counted: Counted,
+    /// Frequency up to which exponents are counted, where they are, rad/s.
+    pub(super) frequency: Option<f64>,
 }
 
 /// Steps of integration spent on the maps of one response, at most.
@@ -198,7 +198,7 @@ impl Stability {
             steps_left: MOST_STEPS,
             tolerance: crate::harmonic::stability::monodromy::TOLERANCE,
             many,
-            counted: Counted::default(),
+            frequency: None,
         })
     }
 

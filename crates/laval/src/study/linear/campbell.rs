@@ -23,7 +23,7 @@ use crate::solve::criticals::{Critical, criticals};
 use crate::solve::large::usual_frequency;
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
-use crate::solve::roots::{LEAST, in_region, transcendental};
+use crate::solve::roots::{LEAST, has_more_modes, in_region, transcendental};
 use crate::solve::sweep::{Branch, Count, Strongest, Sweep, sweep};
 use crate::study::shared::region;
 use crate::study::shared::size;
@@ -142,11 +142,8 @@ impl Campbell {
         if !in_region(system) {
             return Ok(f64::INFINITY);
         }
-        if let Some(given) = self.frequency {
-            return Ok(given);
-        }
-        if transcendental(system) {
-            return Ok(f64::INFINITY);
+        if self.frequency.is_some() || !has_more_modes(system) {
+            return Ok(self.frequency.unwrap_or(f64::INFINITY));
         }
         let fastest = if self.speed.from.abs() > self.speed.to.abs() { self.speed.from } else { self.speed.to };
         let excited = self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)) * fastest.abs();

@@ -7,7 +7,7 @@ use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Arg, Finding, Message, Table};
 use crate::solve::harmonic::balance::refused::among_waves;
-use crate::solve::roots::{ACCUMULATION, Area, LEAST, Roots, in_region, transcendental};
+use crate::solve::roots::{ACCUMULATION, Area, LEAST, Roots, has_more_modes};
 
 /// Field: largest frequency of the region in which roots are counted.
 pub(in crate::study) const FREQUENCY_LIMIT: Field = Field::optional(
@@ -34,7 +34,7 @@ pub(in crate::study) fn findings(system: &System, speed: f64, roots: &Roots) -> 
         let finding = Finding::warning("roots_not_counted", "region-roots-not-counted").arg("open", Arg::count(open));
         finding.arg("all", Arg::count(roots.areas.len())).arg("proven", Arg::word(if proven { "yes" } else { "no" }))
     } else {
-        match in_region(system) && !transcendental(system) {
+        match has_more_modes(system) {
             true => Finding::info("all_modes", "region-all-modes").arg("states", Arg::count(2 * system.n() + system.m())),
             false => Finding::info("all_roots", "region-all-roots"),
         }

@@ -4,6 +4,7 @@ use super::report::Shown;
 use crate::model::part::Words;
 use crate::outcome::{Arg, Finding};
 use crate::solve::pencil::{MachineMode, Spectrum, holds_fit, wants_polish};
+use crate::solve::roots::has_more_modes;
 use crate::study::linear::growing::limit;
 use crate::study::linear::whirl;
 use crate::study::shared::region;
@@ -101,6 +102,10 @@ impl Shown<'_> {
                 (true, false) => Finding::info("stable", "modes-stable-found"),
                 (true, true) => Finding::info("stable", "modes-below-threshold-found"),
                 (false, true) => Finding::info("stable", "modes-below-threshold"),
+                (false, false) if has_more_modes(self.system) => {
+                    let frequency = self.result.roots.as_ref().map_or(f64::NAN, |r| r.frequency);
+                    Finding::info("stable", "modes-stable-below").arg("frequency", Arg::frequency(frequency))
+                }
                 (false, false) => Finding::info("stable", "modes-stable"),
             };
             finding.value(largest, "1/s")

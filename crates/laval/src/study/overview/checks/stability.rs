@@ -5,6 +5,7 @@ use super::super::operating::{Operating, span};
 use super::super::worst::decrement;
 use super::super::{Facts, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
+use crate::solve::roots::has_more_modes;
 use crate::study::Study;
 use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
@@ -76,7 +77,9 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     } else if !(growth < 0.0) || outcome.findings.iter().any(|f| f.id == "stable" && f.value == Some(0.0)) {
         (named("stability-neutral"), Verdict::Attention)
     } else {
-        (named("stability-stable"), Verdict::Passed)
+        let limit = result.roots.as_ref().map(|r| r.frequency).filter(|_| has_more_modes(facts.system));
+        let below = |limit: f64| named("stability-stable-below").arg("limit", Arg::frequency(limit));
+        (limit.map_or_else(|| named("stability-stable"), below), Verdict::Passed)
     };
     // the response that unbalance drives may be unstable where the machine at rest is stable
     if let (Some(s), Verdict::Passed | Verdict::Attention) = (&facts.steady, verdict) {

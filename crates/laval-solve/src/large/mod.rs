@@ -1,18 +1,21 @@
-//! Machines with so many states that not all of their modes are computed but those up to a frequency, as [roots](super::roots) that are counted.
+//! Machines with so many states that not all of their modes are computed but those up to a frequency, as [roots](crate::roots) that are counted.
 //!
 //! Starts for Newton's method are the eigenvalues nearest to places on the imaginary axis, so many places that what is resolved around them covers
 //! the axis up to the frequency. They need not be complete: what they lack the count of the roots says.
 //!
 //! Theory: `docs/theory/linear-vibration.md#machines-with-many-coordinates`.
 
-use super::characteristic::{Characteristic, Equilibrium};
-use super::sectors::Sector;
+use crate::characteristic::{Characteristic, Equilibrium};
 use crate::model::system::System;
+use crate::sectors::Sector;
 use laval_num::complex::{C64, c};
 use laval_num::eig::{Quadratic, nearest};
 use laval_num::factor::Selection;
 use laval_num::order::ascending;
 use std::sync::Arc;
+
+#[cfg(test)]
+mod tests;
 
 /// First-order states up to which all modes of a machine are computed.
 pub const ALL_MODES: usize = 160;

@@ -1,0 +1,184 @@
+//! Parts put together to a machine: names, parameters and places checked, local coordinates expressed in those of the machine.
+
+use super::field::Attach;
+use super::inertia;
+use super::machine::{GRAVITY, Machine};
+use super::params::{ParamSlot, inadmissible};
+use super::part::{Dof, DofKind, Link, PortKind};
+use super::slot::{GlobalDof, PartInput, Slot};
+use super::system::{Axis, System};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::text;
+use std::sync::OnceLock;
+
+impl System {
+    /// Assembles a machine. All mistakes are reported together.
+    pub fn assemble(machine: Machine, inputs: Vec<PartInput>) -> Result<System, Diagnostics> {
+        let mut diagnostics = Diagnostics::default();
+        let mut system = System {
+            machine,
+            slots: vec![],
+            coordinates: vec![],
+            states: vec![],
+            params: vec![],
+            param_slots: vec![],
+            probes: OnceLock::new(),
+            assemblies: Default::default(),
+        };
+        for input in &inputs {
+            system.add(input, &mut diagnostics);
+        }
+        for k in 0..system.slots.len() {
+            match system.local_map(k) {
+                Ok(map) => {
+                    system.slots[k].weight = system.local_weight(&map);
+                    system.slots[k].map = map;
+                }
+                Err(d) => diagnostics.push(*d),
+            }
+        }
+        if system.coordinates.is_empty() {
+            diagnostics.push(
+                Diagnostic::error("machine.no_body", text!("the machine has no body that can move"))
+                    .help(text!("add a part such as a disc: [[part]] with kind = \"disc\" and a mass")),
+            );
+        }
+        if !diagnostics.has_errors() {
+            inertia::check(&system, &mut diagnostics);
+        }
+        if diagnostics.has_errors() { Err(diagnostics) } else { Ok(system) }
+    }
+
+    fn add(&mut self, input: &PartInput, diagnostics: &mut Diagnostics) {
+        let (part, k) = (&input.part, self.slots.len());
+        if let Some(other) = self.slots.iter().find(|s| s.name == input.name) {
+            diagnostics.push(
+                Diagnostic::error("part.duplicate", text!("two parts are named \"{name}\"", name = other.name))
+                    .at(input.span.clone())
+                    .help(text!("give each part its own name")),
+            );
+        }
+        let layout = part.layout();
+        let own = |dofs: &[Dof]| -> Vec<GlobalDof> {
+            dofs.iter().map(|d| GlobalDof { name: format!("{}.{}", input.name, d.name), slot: k, dof: d.clone() }).collect()
+        };
+        let slots = part.slots();
+        if slots.len() != input.params.len() {
+            diagnostics.push(Diagnostic::error(
+                "part.parameters",
+                text!("part \"{name}\" takes {slots} parameters", name = input.name, slots = slots.len()),
+            ));
+            return;
+        }
+        for wrong in inadmissible(&slots, &input.params) {
+            diagnostics
+                .push(Diagnostic::error("parameter.bounds", text!("\"{name}\": {wrong}", name = input.name, wrong)).at(input.span.clone()));
+        }
+        if !diagnostics.has_errors() {
+            for (_, message) in part.check(&input.params) {
+                diagnostics.push(
+                    Diagnostic::error("part.check", text!("\"{name}\": {message}", name = input.name, message)).at(input.span.clone()),
+                );
+            }
+            if let Some(message) = part.scope().and_then(|s| s.refuses_axis(&input.params, self.machine.axis)) {
+                diagnostics.push(
+                    Diagnostic::error("part.axis", text!("\"{name}\": {message}", name = input.name, message)).at(input.span.clone()),
+                );
+            }
+        }
+        let (p0, s0) = (self.params.len(), self.states.len());
+        self.params.extend(&input.params);
+        self.param_slots.extend(slots.into_iter().map(|s| ParamSlot { name: format!("{}.{}", input.name, s.name), ..s }));
+        self.coordinates.extend(own(&layout.own));
+        self.states.extend(own(&layout.states));
+        self.slots.push(Slot {
+            name: input.name.clone(),
+            part: part.clone(),
+            physics: part.physics(),
+            uses: part.uses(),
+            params: p0..self.params.len(),
+            map: vec![],
+            weight: vec![],
+            states: s0..self.states.len(),
+            memory: part.memory(),
+            span: input.span.clone(),
+            layout,
+        });
+    }
+
+    /// Rows of x, y, tilt_x, tilt_y of a point over global coordinates; empty rows for the ground.
+    pub(super) fn point_rows(&self, slot: usize, attach: &Attach) -> Result<[Vec<(usize, f64)>; 4], Box<Diagnostic>> {
+        let mut rows: [Vec<(usize, f64)>; 4] = Default::default();
+        let Some(name) = &attach.body else { return Ok(rows) };
+        let Some(body) = self.slots.iter().position(|s| &s.name == name) else {
+            let bodies: Vec<&str> = self.slots.iter().filter(|s| s.layout.body).map(|s| s.name.as_str()).collect();
+            return Err(Box::new(
+                Diagnostic::error(
+                    "body.missing",
+                    text!("\"{slot}\" is attached to \"{name}\", which does not exist", slot = self.slots[slot].name, name),
+                )
+                .at(self.slots[slot].span.clone())
+                .help(text!("bodies of this machine: {bodies}, ground", bodies = bodies.join(", "))),
+            ));
+        };
+        let b = &self.slots[body];
+        if !b.layout.body {
+            return Err(Box::new(
+                Diagnostic::error(
+                    "body.kind",
+                    text!("\"{slot}\" is attached to \"{name}\", which is not a body", slot = self.slots[slot].name, name),
+                )
+                .at(self.slots[slot].span.clone())
+                .help(text!("\"{name}\" is a {kind}; attach to a disc or a foundation", name, kind = b.part.kind())),
+            ));
+        }
+        let first = self.coordinates.iter().position(|c| c.slot == body).unwrap_or(0);
+        let shape = b.part.body().map_or_else(Vec::new, |body| body.shape(&self.params[b.params.clone()], attach.position));
+        for (j, column) in shape.iter().enumerate() {
+            for (row, &x) in rows.iter_mut().zip(column) {
+                if x != 0.0 {
+                    row.push((first + j, x));
+                }
+            }
+        }
+        Ok(rows)
+    }
+
+    fn local_map(&self, k: usize) -> Result<Vec<Vec<(usize, f64)>>, Box<Diagnostic>> {
+        let slot = &self.slots[k];
+        let mut map = Vec::new();
+        for port in &slot.layout.ports {
+            let rows = match &port.link {
+                Link::On(a) => self.point_rows(k, a)?,
+                Link::Between(a, b) => {
+                    if a == b {
+                        return Err(Box::new(
+                            Diagnostic::error("port.same", text!("\"{name}\" joins a point to itself", name = slot.name))
+                                .at(slot.span.clone()),
+                        ));
+                    }
+                    let (mut first, second) = (self.point_rows(k, a)?, self.point_rows(k, b)?);
+                    for (row, minus) in first.iter_mut().zip(second) {
+                        row.extend(minus.into_iter().map(|(g, c)| (g, -c)));
+                    }
+                    first
+                }
+            };
+            let wanted = match port.kind {
+                PortKind::Point => 2,
+                PortKind::PointAndTilt => 4,
+            };
+            map.extend(rows.into_iter().take(wanted));
+        }
+        map.extend(self.coordinates.iter().enumerate().filter(|(_, c)| c.slot == k).map(|(g, _)| vec![(g, 1.0)]));
+        Ok(map)
+    }
+
+    fn local_weight(&self, map: &[Vec<(usize, f64)>]) -> Vec<f64> {
+        if self.machine.axis == Axis::Vertical {
+            return Vec::new();
+        }
+        let share = |&(g, c): &(usize, f64)| if self.coordinates[g].dof.kind == DofKind::VectorY { c * GRAVITY } else { 0.0 };
+        map.iter().map(|row| row.iter().map(share).sum()).collect()
+    }
+}

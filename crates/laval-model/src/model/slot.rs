@@ -1,0 +1,101 @@
+//! Parts in their places: how their local coordinates stand over those of the machine.
+
+use super::erased::Erased;
+use super::part::{Dof, Layout, Physics, Uses};
+use crate::diagnostic::Span;
+use laval_num::scalar::Scalar;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A part before assembly.
+#[derive(Clone)]
+pub struct PartInput {
+    /// Name, unique in the machine.
+    pub name: String,
+    /// The part.
+    pub part: Arc<dyn Erased>,
+    /// Its parameters in slot order, SI.
+    pub params: Vec<f64>,
+    /// Place of the block in the file.
+    pub span: Option<Span>,
+}
+
+/// A part in its place.
+pub struct Slot {
+    /// Name.
+    pub name: String,
+    /// The part.
+    pub part: Arc<dyn Erased>,
+    /// Its layout.
+    pub layout: Layout,
+    /// Form of its physics.
+    pub physics: Physics,
+    /// What its residual reads.
+    pub uses: Uses,
+    /// Its parameters among the machine's.
+    pub params: Range<usize>,
+    /// Each local coordinate as a combination of global ones: the rows of B.
+    pub map: Vec<Vec<(usize, f64)>>,
+    /// What the weight adds to the local accelerations the part sees (a body at rest in a field g moves like one accelerated by -g), m/s^2.
+    pub weight: Vec<f64>,
+    /// Its internal states among the machine's.
+    pub states: Range<usize>,
+    /// How many of them, at the end, are memory states.
+    pub memory: usize,
+    /// Place in the file.
+    pub span: Option<Span>,
+}
+
+impl Slot {
+    /// A linear (or time-fitted) part, given by its blocks in time.
+    pub fn is_linear(&self) -> bool {
+        self.physics != Physics::Nonlinear
+    }
+}
+
+/// A global coordinate or state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GlobalDof {
+    /// `part.name`.
+    pub name: String,
+    /// Part that owns it.
+    pub slot: usize,
+    /// Kind, unit and typical size.
+    pub dof: Dof,
+}
+
+/// A body (or any part whose first two own coordinates are a lateral pair) that results speak of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Name of the part.
+    pub name: String,
+    /// Its slot.
+    pub slot: usize,
+    /// Global index of its x; y follows.
+    pub x: usize,
+    /// Global index of the first component of its tilt, where it tilts; the other follows.
+    pub tilt: Option<usize>,
+}
+
+/// Fills `local` with the local coordinates of a map.
+#[inline]
+pub fn gather<S: Scalar>(map: &[Vec<(usize, f64)>], global: &[S], local: &mut Vec<S>) {
+    local.clear();
+    for row in map {
+        let mut x = S::zero();
+        for &(g, c) in row {
+            x += if c == 1.0 { global[g] } else { global[g].scale(c) };
+        }
+        local.push(x);
+    }
+}
+
+/// Adds local forces to the global rows.
+#[inline]
+pub fn scatter<S: Scalar>(map: &[Vec<(usize, f64)>], local: &[S], global: &mut [S]) {
+    for (row, &f) in map.iter().zip(local) {
+        for &(g, c) in row {
+            global[g] += if c == 1.0 { f } else { f.scale(c) };
+        }
+    }
+}
