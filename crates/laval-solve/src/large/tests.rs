@@ -1,16 +1,18 @@
 //! A chain of gyroscopic masses between springs against its full matrices.
 
-use super::{ALL_MODES, LEAST_MODES, usual_frequency};
+use super::{ALL_MODES, LEAST_MODES, starts, usual_frequency};
 use crate::characteristic::{Characteristic, Equilibrium, Frame};
 use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::problem::Balance;
 use crate::harmonic::branches::response::{Request as Response, respond};
 use crate::harmonic::stability::floquet::Stability;
 use crate::linear_response::response;
+use crate::locate::value_and_slope;
 use crate::matrices::{Matrices, matrices};
 use crate::pencil::{Linearised, modes_about};
 use crate::rest::rest;
 use crate::roots::{Request, in_region, roots};
+use crate::sectors::Sector;
 use crate::sweep::sweep;
 use laval_model::diagnostic::Diagnostics;
 use laval_model::model::blocks::Blocks;
@@ -22,6 +24,9 @@ use laval_model::model::part::{Dof, DofKind, Layout, Link, Params, Part, Physics
 use laval_model::model::system::System;
 use laval_model::params;
 use laval_model::parts::bearing_cubic::{BearingCubic, BearingCubicParams};
+use laval_model::parts::damper::{Damper, DamperParams};
+use laval_model::parts::disc::{Disc, DiscParams};
+use laval_model::parts::shaft_lumped::{ShaftLumped, ShaftLumpedParams};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 use laval_num::scalar::Scalar;
@@ -103,10 +108,30 @@ fn bearing(place: f64, cubic: f64) -> (BearingCubic, BearingCubicParams) {
     (BearingCubic::isotropic(link), BearingCubicParams { stiffness: [3e5; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 })
 }
 
-/// Without preferred direction; with one; with a nonlinear part.
-fn machines() -> [System; 3] {
+/// Bodies joined by springs, of which soft ones with dampers hold both ends.
+fn rod(stiff: f64, soft: f64) -> System {
+    let mut b = Builder::new("rod");
+    for k in 0..LINKS {
+        b = b.part(format!("d{k}"), Disc::planar(), DiscParams::new(0.2));
+    }
+    let spring = |k: f64| ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedParams::new() };
+    for k in 1..LINKS {
+        let link = Link::Between(Attach::on(format!("d{k}")), Attach::on(format!("d{}", k - 1)));
+        b = b.part(format!("s{k}"), ShaftLumped::lateral(link), spring(stiff));
+    }
+    for k in [0, LINKS - 1] {
+        let link = || Link::Between(Attach::on(format!("d{k}")), Attach::ground());
+        b = b.part(format!("k{k}"), ShaftLumped::lateral(link()), spring(soft));
+        b = b.part(format!("c{k}"), Damper::fixed(link()), DamperParams { damping: [4.0; 2], tilt_damping: 0.0 });
+    }
+    b.build().unwrap()
+}
+
+/// Without preferred direction; with one; with a nonlinear part; of many parts.
+fn machines() -> [System; 4] {
     let (part, p) = bearing(40.0, 1e12);
-    [builder(0.0), builder(3e4), builder(0.0).part("bearing", part, p)].map(|b| b.build().unwrap())
+    let [a, b, c] = [builder(0.0), builder(3e4), builder(0.0).part("bearing", part, p)].map(|b| b.build().unwrap());
+    [a, b, c, rod(1e8, 2e4)]
 }
 
 fn all(system: &System, about: &Equilibrium, limit: f64) -> Vec<C64> {
@@ -154,6 +179,53 @@ fn modes_up_to_a_frequency_are_those_of_the_full_matrices() {
             }
         }
     }
+}
+
+/// The axis is covered: every mode near it has a start, before any count.
+#[test]
+fn starts_of_all_modes_near_the_axis() {
+    for (k, system) in machines().iter().enumerate() {
+        let (about, limit) = (rest(system, 300.0).unwrap(), 7000.0);
+        let t = Characteristic::new(system, &about);
+        // the second machine has a preferred direction
+        let sectors = [Some(None), (k != 1).then_some(Some(Sector::Forward))];
+        for sector in sectors.into_iter().flatten() {
+            let found = starts(&t, &[sector], Some(limit)).values;
+            for s in all(system, &about, 0.95 * limit).iter().filter(|s| s.re.abs() < 0.1 * limit) {
+                let near = |v: &(Option<Sector>, C64)| (v.1 - *s).abs().min((v.1 - s.conj()).abs()) <= 1e-5 * s.abs();
+                assert!(found.iter().any(near), "machine {k}, {sector:?}: {s:?}");
+            }
+        }
+    }
+}
+
+/// The tangent of a mode over the speed is that of its values.
+#[test]
+fn tangents_of_modes() {
+    for system in &machines()[..3] {
+        let (state, speed) = (|w: f64| rest(system, w), 300.0);
+        for m in modes_about(system, &state(speed).unwrap(), false).unwrap().modes.iter().step_by(3) {
+            let (value, slope) = value_and_slope(system, &state, speed, m.value, m.sector).unwrap();
+            let at = |w: f64| Characteristic::new(system, &state(w).unwrap()).polish(value, m.sector).unwrap().value;
+            let central = |h: f64| (at(speed + h) - at(speed - h)).scale(0.5 / h);
+            // modes veer: the error of second order is taken off
+            let difference = (central(0.01).scale(4.0) - central(0.02)).scale(1.0 / 3.0);
+            assert!((slope - difference).abs() <= 1e-6 * (difference.abs() + 1e-3), "{:?} {value:?} {slope:?} {difference:?}", m.sector);
+        }
+    }
+}
+
+/// A stiff rod of many bodies on soft springs moves as one body, whose frequency rounding of its stiffness does not spoil.
+#[test]
+fn a_stiff_rod_on_soft_springs() {
+    let (stiff, soft) = (1e12, 2e4);
+    let system = rod(stiff, soft);
+    let root = Characteristic::new(&system, &rest(&system, 100.0).unwrap()).polish(c(-1.0, 60.0), None).unwrap();
+    let (mass, damping) = (0.2 * LINKS as f64, 8.0);
+    let rigid = c(-0.5 * damping / mass, (2.0 * soft / mass - (0.5 * damping / mass).powi(2)).sqrt());
+    // one rounding of the stiffness between two bodies is 1e-16 of 1e12 beside 2e4
+    assert!((root.value - rigid).abs() <= 1e-7 * rigid.abs(), "{:?} {rigid:?}", root.value);
+    assert!(root.step <= 1e-12 * rigid.abs(), "{:e}", root.step);
 }
 
 #[test]

@@ -20,6 +20,4 @@ campbell-ambiguous = Mode tracking is ambiguous at { $steps ->
         [one] 1 step
        *[other] { $steps } steps
     } of the speed, first between { $value } and { $to }. Modes may be exchanged there; use more points.
-campbell-all-modes = All modes below { $frequency } are followed: their number was verified at { $speeds } of { $all } speeds (argument principle). Modes above are not computed; frequency_limit sets the limit.
-campbell-modes-not-counted = Modes below { $frequency } may be missing: their count failed at { $open } of the speeds where it was tried. Try another frequency_limit.
 campbell-slow-roots = Critical speeds of slow waves may be missing: not all roots near the imaginary axis are followed. Compare with the resonances of forced_response.

@@ -57,6 +57,8 @@ region-all-modes = { $found ->
         [1] The only mode below { $frequency } is computed
        *[other] All { $found } modes below { $frequency } are computed
     }, none is missing (roots counted by the argument principle). Modes above are not computed: the machine has { $states } states. frequency_limit sets the limit.
+region-modes-followed = All modes below { $frequency } are followed: their number was verified at { $speeds } of { $all } speeds (argument principle). Modes above are not computed; frequency_limit sets the limit.
+region-modes-not-counted = Modes below { $frequency } may be missing: their count failed at { $open } of the speeds where it was tried. Try another frequency_limit.
 region-slower-roots-missed = Root count verified (argument principle): no { $root } below { $frequency } is missing. Slow waves of { $part } add { $missing ->
         [one] one root that is counted but not computed
        *[other] { $missing } roots that are counted but not computed

@@ -17,6 +17,4 @@ campbell-no-critical-speed-yet = Hisob to‘xtaguncha kritik aylanish chastotasi
 
 # Modalar qanchalik ma’lum.
 campbell-ambiguous = Modalarni kuzatish tezlikning { $steps } ta qadamida bir qiymatli emas, birinchisi { $value } – { $to } oralig‘ida. U yerda modalar o‘rin almashgan bo‘lishi mumkin; ko‘proq nuqta oling.
-campbell-all-modes = { $frequency } chastotadan pastdagi barcha modalar kuzatildi: ularning soni { $all } tezlikdan { $speeds } tasida tekshirildi (argument prinsipi). Yuqori modalar hisoblanmaydi; chegarani frequency_limit beradi.
-campbell-modes-not-counted = { $frequency } chastotadan pastda modalar tushib qolgan bo‘lishi mumkin: tekshirilgan tezliklarning { $open } tasida sanash natija bermadi. Boshqa frequency_limit bilan urinib ko‘ring.
 campbell-slow-roots = Sekin to‘lqinlarning kritik aylanish chastotalari tushib qolgan bo‘lishi mumkin: mavhum o‘q yaqinidagi ildizlarning hammasi ham kuzatilmaydi. forced_response rezonanslari bilan solishtiring.

@@ -57,6 +57,8 @@ region-all-modes = { $found ->
         [1] { $frequency } chastotadan pastdagi yagona moda hisoblangan
        *[other] { $frequency } chastotadan pastdagi barcha { $found } ta moda hisoblangan
     }; birortasi ham tushib qolmagan (ildizlar soni argument prinsipi bo‘yicha tekshirilgan). Yuqori modalar hisoblanmaydi: mashinada { $states } ta holat o‘zgaruvchisi bor. Chegarani frequency_limit beradi.
+region-modes-followed = { $frequency } chastotadan pastdagi barcha modalar kuzatildi: ularning soni { $all } tezlikdan { $speeds } tasida tekshirildi (argument prinsipi). Yuqori modalar hisoblanmaydi; chegarani frequency_limit beradi.
+region-modes-not-counted = { $frequency } chastotadan pastda modalar tushib qolgan bo‘lishi mumkin: tekshirilgan tezliklarning { $open } tasida sanash natija bermadi. Boshqa frequency_limit bilan urinib ko‘ring.
 region-slower-roots-missed = Ildizlar soni tekshirilgan (argument prinsipi): { $frequency } chastotadan pastda birorta ham { $root } tushib qolmagan. Sanalgan, lekin hisoblanmagan yana { $missing } ta ildiz { $part } modelining sekin to‘lqinlaridan kelib chiqadi.
 region-roots-missed = Turg‘unlik isbotlanmagan: { $missing ->
         [1] sanalgan bitta ildiz topilmadi, u

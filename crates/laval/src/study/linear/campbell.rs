@@ -388,16 +388,7 @@ impl<'a> Shown<'a> {
             let finding = finding.arg("steps", Arg::count(self.result.ambiguous.len()));
             out.push(finding.evidence("smallest assurance", self.result.worst_assurance, ""));
         }
-        if let Some(last) = self.result.counts.last() {
-            let complete = self.result.counts.iter().filter(|c| c.complete).count();
-            let finding = if complete == self.result.counts.len() {
-                Finding::info("all_modes", "campbell-all-modes").arg("speeds", Arg::count(complete))
-            } else {
-                let open = self.result.counts.len() - complete;
-                Finding::warning("modes_not_counted", "campbell-modes-not-counted").arg("open", Arg::count(open))
-            };
-            out.push(finding.arg("all", Arg::count(self.result.speeds.len())).arg("frequency", Arg::frequency(last.frequency)));
-        }
+        out.extend(region::modes_followed(&self.result.counts, self.result.speeds.len()));
         if transcendental(self.system) {
             let from = self.study.speed.from;
             let domains = self.system.domains(from);

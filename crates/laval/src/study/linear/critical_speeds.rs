@@ -21,9 +21,10 @@ use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Curve, Extremum, above, curve, seeds};
 use crate::solve::linear_response::Response;
 use crate::solve::rest::rest;
-use crate::solve::sweep::Strongest;
+use crate::solve::sweep::{Count, Strongest};
 use crate::study::shared::operation;
 use crate::study::shared::probes;
+use crate::study::shared::region;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, inconsistent, probe_name, range};
@@ -98,7 +99,8 @@ margin = "20 %"
             response = Some(found);
         }
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
-        Ok(CriticalSpeedsResult { crossings, strongest: found.strongest, spectra: found.points.len() as u64, response, states, end })
+        let (spectra, counts) = (found.points.len() as u64, found.counts);
+        Ok(CriticalSpeedsResult { crossings, strongest: found.strongest, spectra, counts, response, states, end })
     }
 
     fn report(&self, system: &System, result: &CriticalSpeedsResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -115,7 +117,7 @@ margin = "20 %"
         if let Some(f) = shown.margin() {
             outcome = outcome.finding(f);
         }
-        for f in result.states.remarks(system) {
+        for f in region::modes_followed(&result.counts, result.spectra as usize).into_iter().chain(result.states.remarks(system)) {
             outcome = outcome.finding(f);
         }
         outcome = outcome.table(critical_table(&result.crossings)?).table(shown.peak_table()?);
@@ -136,6 +138,8 @@ pub struct CriticalSpeedsResult {
     pub strongest: Vec<Strongest>,
     /// Speeds whose spectra were followed.
     pub spectra: u64,
+    /// Of a machine too large for all its modes the speeds at which they were counted.
+    pub counts: Vec<Count>,
     /// The response to unbalance; none where nothing forces the machine, or the search was stopped.
     pub response: Option<Curve>,
     /// States at the ends of the range.

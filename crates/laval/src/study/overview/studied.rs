@@ -126,6 +126,7 @@ pub(super) fn criticals(outcomes: &[Outcome], needed: Needed, orders: &[f64]) ->
             crossings: r.crossings.clone(),
             strongest: r.strongest.clone(),
             spectra: r.speeds.len() as u64,
+            counts: r.counts.clone(),
             response: forced(outcomes, needed).map(|f| f.0.curve),
             states: r.states.clone(),
             end: r.end,

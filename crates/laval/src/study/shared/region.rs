@@ -8,6 +8,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Finding, Message, Table};
 use crate::solve::harmonic::balance::refused::among_waves;
 use crate::solve::roots::{ACCUMULATION, Area, LEAST, Roots, has_more_modes};
+use crate::solve::sweep::Count;
 
 /// Field: largest frequency of the region in which roots are counted.
 pub(in crate::study) const FREQUENCY_LIMIT: Field = Field::optional(
@@ -54,6 +55,17 @@ pub(in crate::study) fn findings(system: &System, speed: f64, roots: &Roots) -> 
     out.extend(limits(&system.domains(speed), speed));
     out.extend(accumulation(&system.domains(speed), speed));
     out
+}
+
+/// Of a machine with more modes than are computed: whether all up to a frequency were followed over so many speeds.
+pub(in crate::study) fn modes_followed(counts: &[Count], speeds: usize) -> Option<Finding> {
+    let last = counts.last()?;
+    let open = counts.iter().filter(|c| !c.complete).count();
+    let finding = match open {
+        0 => Finding::info("all_modes", "region-modes-followed").arg("speeds", Arg::count(counts.len())),
+        _ => Finding::warning("modes_not_counted", "region-modes-not-counted").arg("open", Arg::count(open)),
+    };
+    Some(finding.arg("all", Arg::count(speeds)).arg("frequency", Arg::frequency(last.frequency)))
 }
 
 /// What the domain of the parts leaves out.

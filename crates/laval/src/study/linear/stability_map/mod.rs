@@ -21,7 +21,8 @@ use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome, quantity};
 use crate::solve::counted;
-use crate::solve::roots::{LEAST, in_region};
+use crate::solve::large::usual_frequency;
+use crate::solve::roots::{LEAST, has_more_modes, in_region};
 use crate::solve::stability::{Row, row};
 use crate::study::shared::region;
 use crate::study::shared::size::Size;
@@ -160,7 +161,8 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
                 let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
                     let state = |w: f64| self.about.find(s, w, None);
                     if in_region(s) {
-                        return counted::row(s, &state, &speeds, self.least(s, &speeds), (self.frequency, context.cancel), each);
+                        let frequency = self.limit(s, &speeds)?;
+                        return counted::row(s, &state, &speeds, self.least(s, &speeds), (frequency, context.cancel), each);
                     }
                     row(s, &state, &speeds, self.threshold, each)
                 };
@@ -205,6 +207,15 @@ impl StabilityMap {
         match &self.parameter {
             Some((_, r)) => r.linspace(40).into_iter().map(Some).collect(),
             None => vec![None],
+        }
+    }
+
+    /// Frequency up to which roots are counted: of a machine with more modes than are computed one for all speeds.
+    fn limit(&self, system: &System, speeds: &[f64]) -> Result<Option<f64>, Diagnostic> {
+        let fastest = speeds.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        match fastest.filter(|_| self.frequency.is_none() && has_more_modes(system)) {
+            Some(fastest) => Ok(Some(usual_frequency(system, &self.about.find(system, fastest, None)?))),
+            None => Ok(self.frequency),
         }
     }
 
