@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub enum Form {
     /// For time integration and eigenvalue pencils: frequency-domain parts by their fitted time form.
     Time,
-    /// For harmonics: frequency-domain parts enter [`System::dynamic_stiffness`] by their exact impedance.
+    /// For harmonics: frequency-domain parts enter [`System::dynamic_stiffness`](super::system::System::dynamic_stiffness) by their exact impedance.
     Frequency,
 }
 
