@@ -6,6 +6,19 @@
 diag-it-cannot-be-assembled-8afc = it cannot be assembled
 diag-did-you-mean-dcdc = did you mean { $near }? { $list }
 
+## laval-model/src/model/assemble.rs
+
+diag-the-machine-has-no-body-that-7801 = the machine has no body that can move
+diag-add-a-part-such-as-a-ab6a = add a part such as a disc: [[part]] with kind = "disc" and a mass
+diag-two-parts-are-named-638c = two parts are named "{ $name }"
+diag-give-each-part-its-own-name-aa86 = give each part its own name
+diag-part-takes-parameters-b0e6 = part "{ $name }" takes { $slots } parameters
+diag-is-attached-to-which-does-not-caff = "{ $slot }" is attached to "{ $name }", which does not exist
+diag-bodies-of-this-machine-ground-e4bc = bodies of this machine: { $bodies }, ground
+diag-is-attached-to-which-is-not-24c5 = "{ $slot }" is attached to "{ $name }", which is not a body
+diag-is-a-attach-to-a-disc-edc7 = "{ $name }" is a { $kind }; attach to a disc or a foundation
+diag-joins-a-point-to-itself-4999 = "{ $name }" joins a point to itself
+
 ## laval-model/src/model/field.rs
 
 diag-above-0-26cb = above 0
@@ -29,16 +42,6 @@ diag-is-it-must-be-2e8e = { $name } is { $value }; it must be { $wanted }
 
 ## laval-model/src/model/system.rs
 
-diag-the-machine-has-no-body-that-7801 = the machine has no body that can move
-diag-add-a-part-such-as-a-ab6a = add a part such as a disc: [[part]] with kind = "disc" and a mass
-diag-two-parts-are-named-638c = two parts are named "{ $name }"
-diag-give-each-part-its-own-name-aa86 = give each part its own name
-diag-part-takes-parameters-b0e6 = part "{ $name }" takes { $slots } parameters
-diag-is-attached-to-which-does-not-caff = "{ $slot }" is attached to "{ $name }", which does not exist
-diag-bodies-of-this-machine-ground-e4bc = bodies of this machine: { $bodies }, ground
-diag-is-attached-to-which-is-not-24c5 = "{ $slot }" is attached to "{ $name }", which is not a body
-diag-is-a-attach-to-a-disc-edc7 = "{ $name }" is a { $kind }; attach to a disc or a foundation
-diag-joins-a-point-to-itself-4999 = "{ $name }" joins a point to itself
 diag-parts-of-this-machine-eb3a = parts of this machine: { $names }
 diag-what-a-file-says-in-another-eeb2 = what a file says in another form, as a fill by its volume, is varied by the parameter it stands for
 diag-parameters-of-7bbb = parameters of "{ $part }": { $near } ({ $other })
