@@ -67,7 +67,7 @@ pub fn row(
             break;
         }
         out.evaluations += found.evaluations;
-        out.frequency = out.frequency.min(found.frequency);
+        out.frequency = Some(out.frequency.map_or(found.frequency, |f| f.min(found.frequency)));
         out.solved += 1;
         let forward = |m: &super::pencil::MachineMode| if m.sector == Some(Sector::Backward) { m.value.conj() } else { m.value };
         starts = found.spectrum.modes.iter().map(forward).collect();

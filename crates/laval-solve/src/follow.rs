@@ -69,8 +69,7 @@ pub(super) fn follow(
                 led.extend(to.map(|value| (*id, value, mode.sector)));
             }
         }
-        let forward = |z: C64, sector: Option<Sector>| if sector == Some(Sector::Backward) { z.conj() } else { z };
-        let starts: Vec<C64> = led.iter().map(|l| forward(l.1, l.2)).collect();
+        let starts: Vec<C64> = led.iter().map(|l| signed(l.1, l.2)).collect();
         let frequency = limit.is_finite().then_some(limit);
         let dense = system.domains(speed).iter().any(|d| !d.axis);
         let request = Request { margin: if dense { COUNTED * speed.abs() } else { 0.0 }, frequency, starts: &starts, ..Request::default() };
@@ -95,13 +94,7 @@ pub(super) fn follow(
         }
         out.points.push((speed, found));
     }
-    for born in 0..out.branches.len() {
-        match piece(|| back(system, state, limit, born, &mut out)) {
-            Some(done) => done?,
-            None => break,
-        }
-    }
-    Ok(met(out))
+    traced_back(system, state, limit, out)
 }
 
 /// Roots of a machine too large for all its modes: tangents are exact, and roots are counted at some of the speeds.
@@ -130,10 +123,9 @@ pub(super) fn follow_large(
         if ambiguous {
             out.ambiguous.push((speeds[k - 1], speed));
         }
-        let mut spectrum = Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0, left_out: 0 };
+        let mut spectrum = Spectrum::default();
         if k == 0 || k + 1 == speeds.len() || k % COUNT_EACH == 0 {
-            let forward = |l: &Led| if l.sector == Some(Sector::Backward) { l.root.value.conj() } else { l.root.value };
-            let starts: Vec<C64> = led.iter().map(forward).collect();
+            let starts: Vec<C64> = led.iter().map(|l| signed(l.root.value, l.sector)).collect();
             let request = Request { frequency, starts: &starts, ..Request::default() };
             let Some(found) = piece(|| roots(system, &about, &request)) else { break };
             let found = found?;
@@ -165,14 +157,7 @@ pub(super) fn follow_large(
         }
         out.points.push((speed, spectrum));
     }
-    let end = frequency.unwrap_or(limit);
-    for born in 0..out.branches.len() {
-        match piece(|| back(system, state, end, born, &mut out)) {
-            Some(done) => done?,
-            None => break,
-        }
-    }
-    Ok(met(out))
+    traced_back(system, state, frequency.unwrap_or(limit), out)
 }
 
 /// A root that was followed to a speed.
@@ -231,6 +216,22 @@ fn lead_all(
     }
     let ambiguous = led.len() < all;
     Ok((led, ambiguous))
+}
+
+/// A root of the backward sector as the conjugate one of the forward sector.
+fn signed(value: C64, sector: Option<Sector>) -> C64 {
+    if sector == Some(Sector::Backward) { value.conj() } else { value }
+}
+
+/// With every branch followed back to where it comes from.
+fn traced_back(system: &System, state: State, limit: f64, mut out: Sweep) -> Result<Sweep, Diagnostic> {
+    for born in 0..out.branches.len() {
+        match piece(|| back(system, state, limit, born, &mut out)) {
+            Some(done) => done?,
+            None => break,
+        }
+    }
+    Ok(met(out))
 }
 
 /// Without the branches that turned out to be the end of others.

@@ -50,7 +50,7 @@ pub struct Family {
 }
 
 /// All modes at one speed.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Spectrum {
     /// By frequency.
     pub modes: Vec<MachineMode>,
@@ -187,7 +187,7 @@ impl Linearised {
     /// # Errors
     /// When the matrices hold numbers that are not finite or leave some coordinate undetermined.
     pub fn spectrum(&self) -> Result<Spectrum, EigError> {
-        let mut out = Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0, left_out: 0 };
+        let mut out = Spectrum::default();
         if self.isotropic {
             for sector in [Sector::Forward, Sector::Axial] {
                 let (co, st) = (&self.unknowns.coordinates, &self.unknowns.states);

@@ -118,7 +118,7 @@ pub fn transcendental(system: &System) -> bool {
     system.slots().iter().any(|s| matches!(s.physics, Physics::Frequency(TimeForm::None(_))))
 }
 
-/// Modes are looked for in a region and counted: a part has no time form, or the machine has more modes than are computed.
+/// Modes are searched in a region and counted there: a part has no time form, or the machine has more modes than are computed.
 pub fn in_region(system: &System) -> bool {
     transcendental(system) || has_more_modes(system)
 }
@@ -324,14 +324,8 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         )
         .help(text!("give frequency_limit")));
     }
-    let mut out = Roots {
-        spectrum: Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0, left_out: 0 },
-        areas: Vec::new(),
-        counted: Vec::new(),
-        evaluations: 0,
-        margin: request.margin,
-        frequency,
-    };
+    let mut out =
+        Roots { spectrum: Spectrum::default(), areas: Vec::new(), counted: Vec::new(), evaluations: 0, margin: request.margin, frequency };
     for &sector in sectors {
         let mut f = Determinant::new(&mut counting, sector);
         if f.of.members.is_empty() {

@@ -68,7 +68,7 @@ pub struct Peak {
 }
 
 /// Stability along the speed.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Row {
     /// By speed.
     pub samples: Vec<Sample>,
@@ -84,8 +84,8 @@ pub struct Row {
     pub solved: u64,
     /// Evaluations of the characteristic matrix for these counts.
     pub evaluations: u64,
-    /// Frequency up to which roots were counted at every speed, rad/s; infinite where all modes were computed.
-    pub frequency: f64,
+    /// Frequency up to which roots were counted at every speed, rad/s; none where all modes were computed.
+    pub frequency: Option<f64>,
 }
 
 fn sample(speed: f64, s: &Spectrum, on_grid: bool) -> Option<Sample> {
@@ -108,21 +108,6 @@ const APART: f64 = 1e-10;
 /// Rise of the growth that makes a peak: over the eigenvalue, and over the largest of all where their rounding is larger.
 const TOP: f64 = 1e-9;
 const ROUNDING: f64 = 1e-14;
-
-impl Default for Row {
-    fn default() -> Self {
-        Row {
-            samples: Vec::new(),
-            edges: Vec::new(),
-            peaks: Vec::new(),
-            undamped: false,
-            stopped: false,
-            solved: 0,
-            evaluations: 0,
-            frequency: f64::INFINITY,
-        }
-    }
-}
 
 impl Row {
     /// The growth of a sample is above the threshold, and above rounding where nothing dissipates.

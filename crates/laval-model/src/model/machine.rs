@@ -1,4 +1,4 @@
-//! What is said of a machine as a whole.
+//! Data of a machine as a whole: name, speed, axis, drive.
 
 use super::capability::scope::Axis;
 use super::field::Extra;
@@ -16,7 +16,7 @@ pub enum Drive {
     Free,
 }
 
-/// What is said of the machine as a whole.
+/// Data of the machine as a whole.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Machine {
     /// Name.

@@ -124,7 +124,7 @@ impl Shown<'_> {
         let open = self.open();
         let evaluations: u64 = self.rows().iter().map(|r| r.evaluations).sum();
         let finding = if open == 0 {
-            let frequency = self.rows().iter().map(|r| r.frequency).fold(f64::INFINITY, f64::min);
+            let frequency = self.rows().iter().filter_map(|r| r.frequency).fold(f64::INFINITY, f64::min);
             Finding::info("all_counted", "stability-map-all-counted").arg("frequency", Arg::frequency(frequency))
         } else {
             Finding::warning("not_all_counted", "stability-map-not-all-counted").value(open as f64, "").arg("open", Arg::count(open))
