@@ -1,6 +1,6 @@
 //! Shafts of many stations: sparse results against dense ones and closed forms, and how the work grows with the number of stations.
 
-use crate::common::files::load;
+use crate::common::files::{findings, load, run_all};
 use crate::common::shaft::{DENSITY, LENGTH, MODULUS, RADIUS, SUPPORT, cubic, isotropic, shaft};
 use laval::model::blocks::Grid;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
@@ -243,4 +243,17 @@ fn jumps_converge_with_the_stations() {
             assert!((3.0..5.0).contains(&ratio), "jump {k}: {found:?}");
         }
     }
+}
+
+/// Without damping no mode grows: roots lie on the axis to rounding, and the map of a long shaft says so. A limit below all modes is no error.
+#[test]
+fn an_undamped_shaft_is_not_unstable() {
+    let text = isotropic(31).replace("cxx = 300.0\ncyy = 300.0", "cxx = 0\ncyy = 0")
+        + "[[study]]\nkind = \"stability_map\"\nspeed = { from = \"500 rpm\", to = \"3000 rpm\", points = 6 }\n\
+           [[study]]\nkind = \"modes\"\nfrequency_limit = \"0.01 Hz\"\n";
+    let outcomes = run_all(&text);
+    let [map, modes] = &outcomes[..] else { panic!("{}", outcomes.len()) };
+    assert_eq!(findings(map, "all_counted").len(), 1, "{:?}", map.findings);
+    assert!(map.findings.iter().all(|f| !f.id.starts_with("unstable") && f.id != "threshold_raised"), "{:?}", map.findings);
+    assert!(findings(modes, "stable").is_empty() && findings(modes, "all_modes").len() == 1, "{:?}", modes.findings);
 }

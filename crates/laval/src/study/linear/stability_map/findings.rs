@@ -3,6 +3,7 @@
 use super::report::{Cell, Shown};
 use crate::model::part::{Domain, Words};
 use crate::outcome::{Arg, Finding};
+use crate::solve::roots::has_more_modes;
 use crate::solve::stability::Edge;
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::growing::limit;
@@ -131,7 +132,7 @@ impl Shown<'_> {
         };
         let finding = limit(finding.arg("points", Arg::count(self.points())), self.threshold);
         out.push(finding.evidence("evaluations of the characteristic function", evaluations as f64, ""));
-        if self.threshold > self.study.threshold {
+        if self.threshold > self.study.threshold && !has_more_modes(self.system) {
             let words = self.system.domains(self.study.speed.to).into_iter().find(Domain::undamped).map_or(Words::PLAIN, |d| d.words);
             out.push(
                 Finding::warning("threshold_raised", "stability-map-threshold-raised")

@@ -201,6 +201,9 @@ pub struct StabilityMapResult {
     pub end: End,
 }
 
+/// Growth over the speed from which on roots of a machine with more modes than are computed are counted.
+const RESOLVED: f64 = 1e-6;
+
 impl StabilityMap {
     /// Values of the parameter; one that is none without a parameter.
     fn values(&self) -> Vec<Option<f64>> {
@@ -222,7 +225,12 @@ impl StabilityMap {
     /// The threshold, or, of a machine with waves that nothing inside it damps, the least growth that is distinguished from theirs at all these speeds.
     fn least(&self, system: &System, speeds: &[f64]) -> f64 {
         let fastest = speeds.iter().fold(0.0f64, |m, w| m.max(w.abs()));
-        if system.domains(fastest).iter().any(Domain::undamped) { self.threshold.max(LEAST * fastest) } else { self.threshold }
+        match system.domains(fastest).iter().any(Domain::undamped) {
+            true => self.threshold.max(LEAST * fastest),
+            // without damping roots lie on the axis to rounding, and no count can be taken along it
+            false if has_more_modes(system) => self.threshold.max(RESOLVED * fastest),
+            false => self.threshold,
+        }
     }
 }
 
