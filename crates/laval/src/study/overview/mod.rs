@@ -24,12 +24,13 @@ use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
 use crate::solve::rest::rest;
-use crate::solve::roots::{LEAST, in_region};
+use crate::solve::roots::{LEAST, has_more_modes, in_region};
 use crate::solve::stability::{Row, row};
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
 use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult};
 use crate::study::linear::modes::{Modes, ModesResult};
+use crate::study::linear::stability_map::RESOLVED;
 use crate::study::linear::stability_map::StabilityMap;
 use crate::study::shared::limits::{self, Limits};
 pub(super) use crate::study::shared::operation::MARGIN;
@@ -253,7 +254,11 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
     // slower waves of a liquid that nothing inside it damps are within rounding
     let fastest = range.1;
-    let threshold = if system.domains(fastest).iter().any(Domain::undamped) { LEAST * fastest } else { 0.0 };
+    let threshold = match system.domains(fastest).iter().any(Domain::undamped) {
+        true => LEAST * fastest,
+        false if has_more_modes(system) => RESOLVED * fastest,
+        false => 0.0,
+    };
     let forced = match criticals {
         Known::Yes(_) | Known::Studied(..) => None,
         _ => match within(&ForcedResponse { speed }, system, context)

@@ -202,7 +202,7 @@ pub struct StabilityMapResult {
 }
 
 /// Growth over the speed from which on roots of a machine with more modes than are computed are counted.
-const RESOLVED: f64 = 1e-6;
+pub(in crate::study) const RESOLVED: f64 = 1e-6;
 
 impl StabilityMap {
     /// Values of the parameter; one that is none without a parameter.
