@@ -3,6 +3,7 @@
 use super::EigError;
 use crate::complex::{C64, c};
 use crate::dense::{Field, Mat};
+use crate::lanes::cleared;
 use crate::work::spend;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::evd::{self, ComputeEigenvectors};
@@ -122,7 +123,7 @@ fn svd_with<T: Number, F: faer::traits::ComplexField>(
     let mut s = faer::diag::Diag::zeros(r.min(k));
     let all = svd::ComputeSvdVectors::Full;
     let mut buffer = MemBuffer::new(svd::svd_scratch::<F>(r, k, all, all, Par::Seq, Spec::default()));
-    svd::svd(f.as_ref(), s.as_mut(), Some(u.as_mut()), Some(v.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default())
+    cleared(|| svd::svd(f.as_ref(), s.as_mut(), Some(u.as_mut()), Some(v.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default()))
         .map_err(|_| EigError::NoConvergence)?;
     Ok(Svd {
         u: Mat::from_fn(r, r, |i, j| back(&u[(i, j)])),
@@ -141,7 +142,7 @@ pub(super) fn symmetric(a: &Mat) -> Result<(Vec<f64>, Mat), EigError> {
     let f = faer::Mat::from_fn(n, n, |i, j| a[(i, j)]);
     let (mut s, mut u) = (faer::diag::Diag::zeros(n), faer::Mat::zeros(n, n));
     let mut buffer = MemBuffer::new(evd::self_adjoint_evd_scratch::<f64>(n, YES, Par::Seq, Spec::default()));
-    evd::self_adjoint_evd(f.as_ref(), s.as_mut(), Some(u.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default())
+    cleared(|| evd::self_adjoint_evd(f.as_ref(), s.as_mut(), Some(u.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default()))
         .map_err(|_| EigError::NoConvergence)?;
     Ok(((0..n).map(|i| s[i]).collect(), Mat::from_fn(n, n, |i, j| u[(i, j)])))
 }
@@ -170,7 +171,7 @@ impl Number for f64 {
         let f = faer::Mat::from_fn(n, n, |i, j| a[(i, j)]);
         let (mut re, mut im) = (faer::diag::Diag::zeros(n), faer::diag::Diag::zeros(n));
         let mut buffer = MemBuffer::new(evd::evd_scratch::<f64>(n, NO, NO, Par::Seq, Spec::default()));
-        evd::evd_real(f.as_ref(), re.as_mut(), im.as_mut(), None, None, Par::Seq, MemStack::new(&mut buffer), Spec::default())
+        cleared(|| evd::evd_real(f.as_ref(), re.as_mut(), im.as_mut(), None, None, Par::Seq, MemStack::new(&mut buffer), Spec::default()))
             .map_err(|_| EigError::NoConvergence)?;
         Ok((0..n).map(|i| c(re[i], im[i])).collect())
     }
@@ -184,16 +185,18 @@ impl Number for f64 {
         let (mut re, mut im) = (faer::diag::Diag::zeros(n), faer::diag::Diag::zeros(n));
         let (mut l, mut r) = (faer::Mat::zeros(n, n), faer::Mat::zeros(n, n));
         let mut buffer = MemBuffer::new(evd::evd_scratch::<f64>(n, YES, YES, Par::Seq, Spec::default()));
-        evd::evd_real(
-            f.as_ref(),
-            re.as_mut(),
-            im.as_mut(),
-            Some(l.as_mut()),
-            Some(r.as_mut()),
-            Par::Seq,
-            MemStack::new(&mut buffer),
-            Spec::default(),
-        )
+        cleared(|| {
+            evd::evd_real(
+                f.as_ref(),
+                re.as_mut(),
+                im.as_mut(),
+                Some(l.as_mut()),
+                Some(r.as_mut()),
+                Par::Seq,
+                MemStack::new(&mut buffer),
+                Spec::default(),
+            )
+        })
         .map_err(|_| EigError::NoConvergence)?;
         let (re, im): (Vec<f64>, Vec<f64>) = (0..n).map(|i| (re[i], im[i])).unzip();
         Ok(real_raw(&re, &im, &r, &l))
@@ -227,7 +230,7 @@ impl Number for C64 {
         let f = faer::Mat::from_fn(n, n, |i, j| c64::new(a[(i, j)].re, a[(i, j)].im));
         let mut s = faer::diag::Diag::zeros(n);
         let mut buffer = MemBuffer::new(evd::evd_scratch::<c64>(n, NO, NO, Par::Seq, Spec::default()));
-        evd::evd_cplx(f.as_ref(), s.as_mut(), None, None, Par::Seq, MemStack::new(&mut buffer), Spec::default())
+        cleared(|| evd::evd_cplx(f.as_ref(), s.as_mut(), None, None, Par::Seq, MemStack::new(&mut buffer), Spec::default()))
             .map_err(|_| EigError::NoConvergence)?;
         Ok((0..n).map(|i| out(s[i])).collect())
     }
@@ -241,8 +244,10 @@ impl Number for C64 {
         let mut s = faer::diag::Diag::zeros(n);
         let (mut l, mut r) = (faer::Mat::zeros(n, n), faer::Mat::zeros(n, n));
         let mut buffer = MemBuffer::new(evd::evd_scratch::<c64>(n, YES, YES, Par::Seq, Spec::default()));
-        evd::evd_cplx(f.as_ref(), s.as_mut(), Some(l.as_mut()), Some(r.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default())
-            .map_err(|_| EigError::NoConvergence)?;
+        cleared(|| {
+            evd::evd_cplx(f.as_ref(), s.as_mut(), Some(l.as_mut()), Some(r.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default())
+        })
+        .map_err(|_| EigError::NoConvergence)?;
         Ok(Raw {
             alpha: (0..n).map(|i| out(s[i])).collect(),
             beta: vec![C64::ONE; n],
@@ -267,17 +272,19 @@ pub(super) fn qz(a: &Mat<C64>, e: &Mat<C64>) -> Result<Raw, EigError> {
     let (mut alpha, mut beta) = (faer::diag::Diag::<c64>::zeros(n), faer::diag::Diag::<c64>::zeros(n));
     let (mut l, mut r) = (faer::Mat::zeros(n, n), faer::Mat::zeros(n, n));
     let mut buffer = MemBuffer::new(qz_scratch::<c64>(n));
-    gevd::gevd_cplx(
-        fa.as_mut(),
-        fe.as_mut(),
-        alpha.as_mut(),
-        beta.as_mut(),
-        Some(l.as_mut()),
-        Some(r.as_mut()),
-        Par::Seq,
-        MemStack::new(&mut buffer),
-        Spec::default(),
-    )
+    cleared(|| {
+        gevd::gevd_cplx(
+            fa.as_mut(),
+            fe.as_mut(),
+            alpha.as_mut(),
+            beta.as_mut(),
+            Some(l.as_mut()),
+            Some(r.as_mut()),
+            Par::Seq,
+            MemStack::new(&mut buffer),
+            Spec::default(),
+        )
+    })
     .map_err(|_| EigError::NoConvergence)?;
     Ok(Raw {
         alpha: (0..n).map(|i| out(alpha[i])).collect(),

@@ -494,3 +494,31 @@ fn entries_of_extreme_size_come_to_an_end() {
     }
     assert!(found > 1000, "{found}");
 }
+
+/// What a decomposition leaves in the upper halves of wide registers would slow down all arithmetic after it.
+#[test]
+fn decompositions_leave_no_wide_registers_in_use() {
+    let clean = || crate::lanes::cleared(|| ());
+    clean();
+    if crate::lanes::upper_halves_in_use() != Some(false) {
+        // the processor does not say
+        return;
+    }
+    let mut r = Rng(3);
+    let (a, z, e) = (r.mat(40), r.cmat(40), r.cmat(40));
+    let both = Mat::from_fn(40, 40, |i, j| a[(i, j)] + a[(j, i)]);
+    let all: [(&str, &dyn Fn() -> bool); 7] = [
+        ("symmetric", &|| super::number::symmetric(&both).is_ok()),
+        ("real values", &|| f64::values(&a).is_ok()),
+        ("real vectors", &|| f64::evd(&a).is_ok()),
+        ("real singular values", &|| f64::svd(&a).is_ok()),
+        ("complex values", &|| C64::values(&z).is_ok()),
+        ("complex vectors", &|| C64::evd(&z).is_ok()),
+        ("pencil", &|| super::number::qz(&z, &e).is_ok()),
+    ];
+    for (name, run) in all {
+        clean();
+        assert!(run(), "{name}");
+        assert_eq!(crate::lanes::upper_halves_in_use(), Some(false), "{name}");
+    }
+}

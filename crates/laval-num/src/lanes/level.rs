@@ -106,6 +106,50 @@ fn run_avx2<K: Kernel>(kernel: K) -> K::Out {
     kernel.run::<LanesAvx2>()
 }
 
+/// Runs code of another library that uses wide registers, and clears their upper halves afterwards.
+///
+/// What is compiled for AVX does so before it returns, but not every library in every place. As long as the upper halves hold anything, instructions of the baseline
+/// wait for them on some processors: all later arithmetic of the thread then takes about three times as long.
+pub fn cleared<T>(run: impl FnOnce() -> T) -> T {
+    let out = run();
+    clear();
+    out
+}
+
+#[inline]
+fn clear() {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx") {
+        // SAFETY: the processor has the instruction
+        unsafe { zero_upper() }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx")]
+fn zero_upper() {
+    core::arch::x86_64::_mm256_zeroupper();
+}
+
+/// The processor says whether the upper halves of its registers of four hold anything, and they do; `None` where it does not say.
+#[cfg(test)]
+pub(crate) fn upper_halves_in_use() -> Option<bool> {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use core::arch::x86_64::{__cpuid_count, _xgetbv};
+        #[target_feature(enable = "xsave")]
+        fn in_use() -> bool {
+            // SAFETY: of the state in use, which the processor gives
+            unsafe { _xgetbv(1) & 4 != 0 }
+        }
+        if is_x86_feature_detected!("avx") && is_x86_feature_detected!("xsave") && __cpuid_count(0xd, 1).eax & 4 != 0 {
+            // SAFETY: the processor has the instruction
+            return Some(unsafe { in_use() });
+        }
+    }
+    None
+}
+
 /// The argument list of an erased function, for every scalar: a marker type, because a trait object cannot be generic.
 ///
 /// ```

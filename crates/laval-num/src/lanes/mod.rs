@@ -18,7 +18,9 @@ mod sparse;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use level::{Apply, Entry, Family, Kernel, Level, Routine, Slots, dispatch};
+#[cfg(test)]
+pub(crate) use level::upper_halves_in_use;
+pub use level::{Apply, Entry, Family, Kernel, Level, Routine, Slots, cleared, dispatch};
 pub use pow::pow_pos;
 pub use reg::Reg;
 pub use sparse::Sparse;
