@@ -125,6 +125,10 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Self::lift(T::cst(x))
     }
     #[inline(always)]
+    fn is_nothing(self) -> bool {
+        self.re.is_nothing() && self.eps.iter().all(|x| x.is_nothing())
+    }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.re.sin_cos();
         (self.chain(s, c), self.chain(c, -s))

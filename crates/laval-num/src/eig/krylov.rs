@@ -14,11 +14,12 @@
 //!
 //! Source: Z. Bai, J. Demmel, J. Dongarra, A. Ruhe, H. van der Vorst (eds.), Templates for the Solution of Algebraic Eigenvalue Problems, SIAM 2000, sections 7.5 and 9.2.
 
-use super::number::norm2;
-use super::{EigError, modes};
+use super::EigError;
+use super::number::{norm2, right_vectors};
 use crate::complex::{C64, c};
 use crate::dense::{Field, Mat};
 use crate::factor::{Factors, Plan};
+use crate::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
 use crate::work::spend;
 
 /// A quadratic problem by the entries of its matrices on the pattern of a plan.
@@ -57,12 +58,11 @@ impl Quadratic<'_> {
         a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| a0 + s * (a1 + s * a2)).collect()
     }
 
-    /// `A1 x + A2 y`, row by row.
-    fn product(&self, x: &[C64], y: &[C64], out: &mut [C64]) {
+    /// Entries of A1 and A2 that are not both zero: row, column, values.
+    fn rates(&self) -> Vec<(usize, usize, C64, C64)> {
         let [_, a1, a2] = self.terms;
-        for (i, o) in out.iter_mut().enumerate() {
-            *o = self.plan.pattern().row(i).fold(C64::ZERO, |sum, (e, j)| sum + a1[e] * x[j] + a2[e] * y[j]);
-        }
+        let row = |i: usize| self.plan.pattern().row(i).map(move |(e, j)| (i, j, a1[e], a2[e]));
+        (0..self.plan.n()).flat_map(row).filter(|x| x.2 != C64::ZERO || x.3 != C64::ZERO).collect()
     }
 
     /// Square roots of the diagonal of |A0| + |p| |A1| + |p|^2 |A2|: unknowns of different units count alike.
@@ -76,6 +76,87 @@ impl Quadratic<'_> {
     }
 }
 
+/// A complex vector, padded with zeros to whole lanes: real parts, then imaginary parts.
+#[derive(Clone, Debug)]
+struct Planes {
+    re: Vec<f64>,
+    im: Vec<f64>,
+}
+
+impl Planes {
+    fn from(values: impl ExactSizeIterator<Item = C64>) -> Self {
+        let length = values.len().next_multiple_of(LANES);
+        let mut out = Planes { re: vec![0.0; length], im: vec![0.0; length] };
+        values.enumerate().for_each(|(i, x)| (out.re[i], out.im[i]) = (x.re, x.im));
+        out
+    }
+    #[inline(always)]
+    fn at(&self, i: usize) -> C64 {
+        c(self.re[i], self.im[i])
+    }
+    fn norm(&self) -> f64 {
+        let m = self.re.iter().chain(&self.im).fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
+        let squares = |all: &[f64]| all.iter().map(|x| (x / m) * (x / m)).sum::<f64>();
+        if m == 0.0 || !m.is_finite() { m } else { m * (squares(&self.re) + squares(&self.im)).sqrt() }
+    }
+    /// Divides by the norm, which is returned.
+    fn normalise(&mut self) -> f64 {
+        let size = self.norm();
+        if size > 0.0 {
+            self.re.iter_mut().chain(&mut self.im).for_each(|x| *x *= 1.0 / size);
+        }
+        size
+    }
+}
+
+/// Makes a vector orthogonal to others of norm one; what of them was in it is added to `column`.
+struct Orthogonalise<'a> {
+    basis: &'a [Planes],
+    next: &'a mut Planes,
+    column: &'a mut [C64],
+}
+
+impl Kernel for Orthogonalise<'_> {
+    type Out = ();
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) {
+        let mut parts = vec![C64::ZERO; self.basis.len()];
+        // twice: what the first pass leaves is rounding of what it takes
+        for _ in 0..2 {
+            let (re, im) = (self.next.re.as_chunks::<LANES>().0, self.next.im.as_chunks::<LANES>().0);
+            for (b, part) in self.basis.iter().zip(&mut parts) {
+                let (b_re, b_im) = (b.re.as_chunks::<LANES>().0, b.im.as_chunks::<LANES>().0);
+                let (mut sum_re, mut sum_im) = (S::zero(), S::zero());
+                for k in 0..re.len() {
+                    let (x, y, u, v) = (S::load(&re[k]), S::load(&im[k]), S::load(&b_re[k]), S::load(&b_im[k]));
+                    sum_re += u * x + v * y;
+                    sum_im += u * y - v * x;
+                }
+                let (mut a, mut b) = (0.0, 0.0);
+                for (x, y) in sum_re.to_array().iter().zip(&sum_im.to_array()) {
+                    (a, b) = (a + x, b + y);
+                }
+                *part = c(a, b);
+            }
+            let (re, im) = (self.next.re.as_chunks_mut::<LANES>().0, self.next.im.as_chunks_mut::<LANES>().0);
+            for k in 0..re.len() {
+                let (mut x, mut y) = (S::load(&re[k]), S::load(&im[k]));
+                for (b, part) in self.basis.iter().zip(&parts) {
+                    let (u, v) = (S::load(&b.re.as_chunks::<LANES>().0[k]), S::load(&b.im.as_chunks::<LANES>().0[k]));
+                    let (p, q) = (S::cst(part.re), S::cst(part.im));
+                    x -= p * u - q * v;
+                    y -= p * v + q * u;
+                }
+                x.store(&mut re[k]);
+                y.store(&mut im[k]);
+            }
+            for (h, &part) in self.column.iter_mut().zip(&parts) {
+                *h += part;
+            }
+        }
+    }
+}
+
 /// The eigenvalues nearest to `shift`, at least `wanted` where so many are resolved within `most` steps. `size` is that of the eigenvalues.
 ///
 /// # Errors
@@ -86,7 +167,7 @@ pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: 
     let beside = (0..SHIFTS).map(|k| shift + C64::cis(f64::from(k)).scale(BESIDE * f64::from(k) * size));
     let factored = |p: C64| Some((p, Factors::new(problem.plan, &problem.at(p)).ok()?));
     let Some((shift, factors)) = beside.into_iter().find_map(factored) else { return Err(EigError::SingularPencil) };
-    let weights = problem.weights(size);
+    let (weights, rates, level) = (problem.weights(size), problem.rates(), Level::best());
     let most = most.min(2 * n);
     // an arbitrary start, the same every time
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
@@ -94,36 +175,31 @@ pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: 
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
-    let mut start: Vec<C64> = (0..2 * n).map(|_| c(random(), random())).collect();
-    scale(&mut start);
-    let (mut basis, mut columns): (Vec<Vec<C64>>, Vec<Vec<C64>>) = (vec![start], Vec::new());
+    let mut start = Planes::from((0..2 * n).map(|_| c(random(), random())));
+    start.normalise();
+    let (mut basis, mut columns): (Vec<Planes>, Vec<Vec<C64>>) = (vec![start], Vec::new());
     let (mut x, mut y, mut image) = (vec![C64::ZERO; n], vec![C64::ZERO; n], vec![C64::ZERO; n]);
     loop {
         let k = columns.len();
         spend((4 * (n * 30 + 8 * n * k)) as u64);
-        let (u, w) = basis[k].split_at(n);
+        let b = &basis[k];
         for i in 0..n {
-            x[i] = u[i].scale(1.0 / weights[i]);
-            y[i] = (w[i].scale(size) + shift * u[i]).scale(1.0 / weights[i]);
+            x[i] = b.at(i).scale(1.0 / weights[i]);
+            y[i] = (b.at(n + i).scale(size) + shift * b.at(i)).scale(1.0 / weights[i]);
         }
-        problem.product(&x, &y, &mut image);
+        image.fill(C64::ZERO);
+        rates.iter().for_each(|&(i, j, a1, a2)| image[i] += a1 * x[j] + a2 * y[j]);
         factors.solve(&mut image);
-        let mut next: Vec<C64> = image.iter().zip(&weights).map(|(v, &d)| -v.scale(d)).collect();
-        next.extend((0..n).map(|i| (u[i] + shift * next[i]).scale(1.0 / size)).collect::<Vec<_>>());
-        let before = norm2(&next);
+        image.iter_mut().zip(&weights).for_each(|(v, &d)| *v = -v.scale(d));
+        let second = |i: usize| (b.at(i) + shift * image[i]).scale(1.0 / size);
+        let mut next = Planes::from((0..2 * n).map(|i| if i < n { image[i] } else { second(i - n) }));
+        let before = next.norm();
         if !before.is_finite() {
             return Err(EigError::NotFinite);
         }
         let mut column = vec![C64::ZERO; k + 2];
-        // once more: what the first pass leaves is rounding of what it takes
-        for _ in 0..2 {
-            for (b, h) in basis.iter().zip(&mut column) {
-                let part = b.iter().zip(&next).fold(C64::ZERO, |sum, (b, &x)| sum + b.conj() * x);
-                b.iter().zip(&mut next).for_each(|(&b, x)| *x -= part * b);
-                *h += part;
-            }
-        }
-        let rest = scale(&mut next);
+        dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column });
+        let rest = next.normalise();
         let ended = rest <= ROUNDING * before;
         column[k + 1] = c(if ended { 0.0 } else { rest }, 0.0);
         columns.push(column);
@@ -138,28 +214,19 @@ pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: 
     }
 }
 
-/// Divides by the norm, which is returned.
-fn scale(x: &mut [C64]) -> f64 {
-    let size = norm2(x);
-    if size > 0.0 {
-        x.iter_mut().for_each(|x| *x = x.scale(1.0 / size));
-    }
-    size
-}
-
 /// What a Hessenberg matrix, column by column with the entry below its last row, says of the eigenvalues.
 fn resolved(columns: &[Vec<C64>], shift: C64) -> Result<Nearest, EigError> {
     let m = columns.len();
     let h = Mat::from_fn(m, m, |i, j| columns[j].get(i).copied().unwrap_or(C64::ZERO));
     let beyond = columns[m - 1][m].abs();
     let mut out = Nearest { values: Vec::new(), radius: f64::INFINITY };
-    let modes = modes(&h)?;
-    let largest = modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
-    for mode in modes.iter().filter(|m| m.value.abs() > INFINITE * largest) {
-        let size = mode.value.abs();
-        let error = beyond * mode.right[m - 1].abs();
+    let all = right_vectors(&h)?;
+    let largest = all.iter().map(|m| m.0.abs()).fold(0.0, f64::max);
+    for (value, right) in all.iter().filter(|m| m.0.abs() > INFINITE * largest) {
+        let size = value.abs();
+        let error = beyond * right[m - 1].abs() / norm2(right);
         if error <= RESOLVED * size {
-            out.values.push(shift + mode.value.recip());
+            out.values.push(shift + value.recip());
         } else {
             out.radius = out.radius.min(1.0 / size);
         }

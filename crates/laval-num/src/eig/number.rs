@@ -260,6 +260,21 @@ impl Number for C64 {
     }
 }
 
+/// Eigenvalues of a complex matrix, each with its right vector.
+pub(super) fn right_vectors(a: &Mat<C64>) -> Result<Vec<(C64, Vec<C64>)>, EigError> {
+    if !is_finite(a) {
+        return Err(EigError::NotFinite);
+    }
+    let n = a.rows();
+    decompose::<C64>(20, n);
+    let f = faer::Mat::from_fn(n, n, |i, j| c64::new(a[(i, j)].re, a[(i, j)].im));
+    let (mut s, mut r) = (faer::diag::Diag::zeros(n), faer::Mat::zeros(n, n));
+    let mut buffer = MemBuffer::new(evd::evd_scratch::<c64>(n, NO, YES, Par::Seq, Spec::default()));
+    cleared(|| evd::evd_cplx(f.as_ref(), s.as_mut(), None, Some(r.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default()))
+        .map_err(|_| EigError::NoConvergence)?;
+    Ok((0..n).map(|j| (out(s[j]), column(&r, j))).collect())
+}
+
 /// QZ algorithm. Complex also for real pencils: the library's real back substitution gives wrong left vectors for complex pairs.
 pub(super) fn qz(a: &Mat<C64>, e: &Mat<C64>) -> Result<Raw, EigError> {
     if !is_finite(a) || !is_finite(e) {

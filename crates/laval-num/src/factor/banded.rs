@@ -1,42 +1,114 @@
 //! LU factors of a band with row exchanges, column by column (the layout of LAPACK's `gbtrf`).
 
+use super::Number;
 use super::plan::{stored, width};
-use crate::dense::{Field, Singular};
+use crate::dense::Singular;
+use crate::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
+use std::marker::PhantomData;
 
 /// Factors of a band; reusable.
 #[derive(Clone, Debug)]
 pub(super) struct Banded<T> {
     n: usize,
     half: usize,
-    /// Columns of `width(half)` numbers: U on and above the diagonal, the multipliers below.
-    pub data: Vec<T>,
+    /// Columns of `width(half)` numbers by their parts: U on and above the diagonal, the multipliers below; [`LANES`] more at the end.
+    data: Vec<f64>,
+    /// The multipliers of one column times each unit of a number.
+    multipliers: Vec<f64>,
     /// Row exchanged with each.
     rows: Vec<usize>,
     pub odd: bool,
     /// Pivots that were replaced: row and column of the matrix, and what was added there.
     pub replaced: Vec<(usize, usize, T)>,
+    number: PhantomData<T>,
 }
 
 impl<T> Default for Banded<T> {
     fn default() -> Self {
-        Banded { n: 0, half: 0, data: Vec::new(), rows: Vec::new(), odd: false, replaced: Vec::new() }
+        let none = Vec::new;
+        Banded { n: 0, half: 0, data: none(), multipliers: none(), rows: vec![], odd: false, replaced: vec![], number: PhantomData }
     }
 }
 
-impl<T: Field> Banded<T> {
+/// `x -= l u` over the columns right of a pivot, l the multipliers, u the number of each column in the row of the pivot:
+///
+/// ```text
+/// l u = sum over the parts of u (part) (l times the unit of the part)
+/// ```
+///
+/// Multipliers are padded with zeros to whole lanes, so that numbers behind those of a column keep their values.
+struct Eliminate<'a, T> {
+    /// From the first number u on.
+    columns: &'a mut [f64],
+    /// Of one column.
+    multipliers: &'a [f64],
+    /// From one number u to the next.
+    stride: usize,
+    count: usize,
+    number: PhantomData<T>,
+}
+
+impl<T: Number> Kernel for Eliminate<'_, T> {
+    type Out = ();
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) {
+        let padded = self.multipliers.len() / T::PARTS;
+        for j in 0..self.count {
+            let (u, below) = self.columns[j * self.stride..][..T::PARTS + padded].split_at_mut(T::PARTS);
+            let mut all_zero = true;
+            for c in 0..T::PARTS {
+                all_zero &= u[c] == 0.0;
+            }
+            if all_zero {
+                continue;
+            }
+            let below = below.as_chunks_mut::<LANES>().0;
+            for (k, x) in below.iter_mut().enumerate() {
+                let of_unit = |c: usize| &self.multipliers[c * padded + k * LANES..].as_chunks::<LANES>().0[0];
+                let mut product = S::load(of_unit(0)) * S::cst(u[0]);
+                for c in 1..T::PARTS {
+                    product += S::load(of_unit(c)) * S::cst(u[c]);
+                }
+                (S::load(x) - product).store(x);
+            }
+        }
+    }
+}
+
+impl<T: Number> Banded<T> {
     /// Zeros.
     pub fn reset(&mut self, n: usize, half: usize) {
         (self.n, self.half) = (n, half);
-        crate::refill::refill(&mut self.data, n * width(half), T::ZERO);
+        let padded = (half * T::PARTS).next_multiple_of(LANES);
+        crate::refill::refill(&mut self.data, n * width(half) * T::PARTS + padded, 0.0);
+        crate::refill::refill(&mut self.multipliers, padded * T::PARTS, 0.0);
     }
 
-    /// Factors what `data` holds. A pivot below `least` is replaced where that is positive; otherwise a column without a pivot is an error.
-    pub fn factor(&mut self, least: f64, real: impl Fn(f64) -> T) -> Result<(), Singular> {
+    #[inline(always)]
+    fn get(&self, at: usize) -> T {
+        T::read(&self.data[at * T::PARTS..(at + 1) * T::PARTS])
+    }
+
+    /// Writes a number to a place of the storage.
+    #[inline(always)]
+    pub fn set(&mut self, at: usize, x: T) {
+        x.write(&mut self.data[at * T::PARTS..(at + 1) * T::PARTS]);
+    }
+
+    /// Some numbers that follow each other in the storage.
+    #[inline(always)]
+    fn some(&self, from: usize, count: usize) -> impl Iterator<Item = T> {
+        self.data[from * T::PARTS..(from + count) * T::PARTS].chunks_exact(T::PARTS).map(T::read)
+    }
+
+    /// Factors what the storage holds. A pivot below `least` is replaced where that is positive; otherwise a column without a pivot is an error.
+    pub fn factor(&mut self, least: f64) -> Result<(), Singular> {
         let (n, half, w) = (self.n, self.half, width(self.half));
-        let diagonal = 2 * half;
+        let (diagonal, padded) = (2 * half, self.multipliers.len() / T::PARTS);
         self.rows.clear();
         self.odd = false;
         self.replaced.clear();
+        let level = Level::best();
         let mut order: Vec<usize> = (0..n).collect();
         // the last column that row exchanges have reached
         let mut reach = 0;
@@ -44,9 +116,10 @@ impl<T: Field> Banded<T> {
             let below = half.min(n - 1 - k);
             let base = k * w + diagonal;
             let (mut p, mut best) = (0, -1.0);
-            for (i, x) in self.data[base..=base + below].iter().enumerate() {
-                if x.size() > best {
-                    (p, best) = (i, x.size());
+            for (i, x) in self.some(base, below + 1).enumerate() {
+                let size = x.size();
+                if size > best {
+                    (p, best) = (i, size);
                 }
             }
             if !best.is_finite() || (best <= 0.0 && !(least > 0.0)) {
@@ -54,8 +127,8 @@ impl<T: Field> Banded<T> {
             }
             if best < least {
                 p = 0;
-                self.replaced.push((order[k], k, real(least) - self.data[base]));
-                self.data[base] = real(least);
+                self.replaced.push((order[k], k, T::real(least) - self.get(base)));
+                self.set(base, T::real(least));
             }
             self.rows.push(k + p);
             order.swap(k, k + p);
@@ -64,21 +137,24 @@ impl<T: Field> Banded<T> {
                 self.odd = !self.odd;
                 for j in k..=reach {
                     let at = j * w + diagonal + k - j;
-                    self.data.swap(at, at + p);
+                    let (a, b) = (self.get(at), self.get(at + p));
+                    self.set(at, b);
+                    self.set(at + p, a);
                 }
             }
-            let inverse = T::ONE / self.data[base];
-            let (left, right) = self.data.split_at_mut((k + 1) * w);
-            let factors = &mut left[base + 1..=base + below];
-            factors.iter_mut().for_each(|l| *l = *l * inverse);
-            for j in k + 1..=reach {
-                let at = (j - k - 1) * w + diagonal + k - j;
-                let u = right[at];
-                if u != T::ZERO {
-                    for (x, &l) in right[at + 1..=at + below].iter_mut().zip(&*factors) {
-                        *x -= l * u;
-                    }
+            let inverse = T::ONE / self.get(base);
+            self.multipliers.fill(0.0);
+            for i in 0..below {
+                let l = self.get(base + 1 + i) * inverse;
+                self.set(base + 1 + i, l);
+                for c in 0..T::PARTS {
+                    (l * T::unit(c)).write(&mut self.multipliers[c * padded + i * T::PARTS..][..T::PARTS]);
                 }
+            }
+            if reach > k {
+                let columns = &mut self.data[((k + 1) * w + diagonal - 1) * T::PARTS..];
+                let (stride, count, multipliers) = ((w - 1) * T::PARTS, reach - k, &self.multipliers[..]);
+                dispatch(level, Eliminate::<T> { columns, multipliers, stride, count, number: PhantomData });
             }
         }
         Ok(())
@@ -86,7 +162,7 @@ impl<T: Field> Banded<T> {
 
     /// Pivots in order.
     pub fn pivots(&self) -> impl Iterator<Item = T> {
-        (0..self.n).map(|k| self.data[stored(self.half, k, k)])
+        (0..self.n).map(|k| self.get(stored(self.half, k, k)))
     }
 
     /// Solves in place.
@@ -96,10 +172,9 @@ impl<T: Field> Banded<T> {
         for k in 0..n {
             b.swap(k, self.rows[k]);
             let below = half.min(n - 1 - k);
-            let base = k * w + diagonal;
             let x = b[k];
             if x != T::ZERO {
-                for (r, &l) in b[k + 1..=k + below].iter_mut().zip(&self.data[base + 1..=base + below]) {
+                for (r, l) in b[k + 1..=k + below].iter_mut().zip(self.some(k * w + diagonal + 1, below)) {
                     *r -= l * x;
                 }
             }
@@ -107,10 +182,10 @@ impl<T: Field> Banded<T> {
         for k in (0..n).rev() {
             let base = k * w + diagonal;
             let above = (2 * half).min(k);
-            let x = b[k] / self.data[base];
+            let x = b[k] / self.get(base);
             b[k] = x;
             if x != T::ZERO {
-                for (r, &u) in b[k - above..k].iter_mut().zip(&self.data[base - above..base]) {
+                for (r, u) in b[k - above..k].iter_mut().zip(self.some(base - above, above)) {
                     *r -= u * x;
                 }
             }
@@ -125,16 +200,15 @@ impl<T: Field> Banded<T> {
             let base = k * w + diagonal;
             let above = (2 * half).min(k);
             let mut x = b[k];
-            for (&r, &u) in b[k - above..k].iter().zip(&self.data[base - above..base]) {
+            for (&r, u) in b[k - above..k].iter().zip(self.some(base - above, above)) {
                 x -= u * r;
             }
-            b[k] = x / self.data[base];
+            b[k] = x / self.get(base);
         }
         for k in (0..n).rev() {
             let below = half.min(n - 1 - k);
-            let base = k * w + diagonal;
             let mut x = b[k];
-            for (&r, &l) in b[k + 1..=k + below].iter().zip(&self.data[base + 1..=base + below]) {
+            for (&r, l) in b[k + 1..=k + below].iter().zip(self.some(k * w + diagonal + 1, below)) {
                 x -= l * r;
             }
             b[k] = x;

@@ -49,8 +49,18 @@ const CORRECTIONS: usize = 5;
 
 /// A number that [`Factors`] can be made of.
 pub trait Number: Field {
+    /// Real numbers that it is made of, its parts: it is the sum of its parts times their [units](Number::unit).
+    const PARTS: usize;
+    /// From its parts.
+    fn read(parts: &[f64]) -> Self;
+    /// To its parts.
+    fn write(self, parts: &mut [f64]);
+    /// What a part is multiplied by.
+    fn unit(part: usize) -> Self;
     /// A real number.
     fn real(x: f64) -> Self;
+    /// Multiplied by a real number.
+    fn times(self, k: f64) -> Self;
     /// Logarithm of the modulus, and phase.
     fn polar(self) -> (f64, f64);
     /// Derivative over the value, for dual numbers; 0 for others.
@@ -60,8 +70,25 @@ pub trait Number: Field {
 }
 
 impl Number for f64 {
+    const PARTS: usize = 1;
+    #[inline(always)]
+    fn read(parts: &[f64]) -> Self {
+        parts[0]
+    }
+    #[inline(always)]
+    fn write(self, parts: &mut [f64]) {
+        parts[0] = self;
+    }
+    #[inline(always)]
+    fn unit(_: usize) -> Self {
+        1.0
+    }
     fn real(x: f64) -> Self {
         x
+    }
+    #[inline(always)]
+    fn times(self, k: f64) -> Self {
+        self * k
     }
     fn polar(self) -> (f64, f64) {
         (self.abs().ln(), if self < 0.0 { std::f64::consts::PI } else { 0.0 })
@@ -69,8 +96,25 @@ impl Number for f64 {
 }
 
 impl Number for C64 {
+    const PARTS: usize = 2;
+    #[inline(always)]
+    fn read(parts: &[f64]) -> Self {
+        c(parts[0], parts[1])
+    }
+    #[inline(always)]
+    fn write(self, parts: &mut [f64]) {
+        (parts[0], parts[1]) = (self.re, self.im);
+    }
+    #[inline(always)]
+    fn unit(part: usize) -> Self {
+        if part == 0 { C64::ONE } else { c(0.0, 1.0) }
+    }
     fn real(x: f64) -> Self {
         c(x, 0.0)
+    }
+    #[inline(always)]
+    fn times(self, k: f64) -> Self {
+        self.scale(k)
     }
     fn polar(self) -> (f64, f64) {
         (self.abs().ln(), self.arg())
@@ -95,8 +139,27 @@ impl Field for Directed {
 }
 
 impl Number for Directed {
+    const PARTS: usize = 4;
+    #[inline(always)]
+    fn read(parts: &[f64]) -> Self {
+        c(Dual { re: parts[0], eps: [parts[2]] }, Dual { re: parts[1], eps: [parts[3]] })
+    }
+    #[inline(always)]
+    fn write(self, parts: &mut [f64]) {
+        (parts[0], parts[1], parts[2], parts[3]) = (self.re.re, self.im.re, self.re.eps[0], self.im.eps[0]);
+    }
+    /// One, i, and both times the derivative.
+    #[inline(always)]
+    fn unit(part: usize) -> Self {
+        let of = |k: usize| if part == k { 1.0 } else { 0.0 };
+        Self::read(&[of(0), of(1), of(2), of(3)])
+    }
     fn real(x: f64) -> Self {
         directed(x)
+    }
+    #[inline(always)]
+    fn times(self, k: f64) -> Self {
+        self.scale(Dual { re: k, eps: [0.0] })
     }
     fn polar(self) -> (f64, f64) {
         c(self.re.re, self.im.re).polar()
@@ -126,6 +189,15 @@ impl LogDet {
             rate: self.rate + factor.log_rate().scale(power),
         }
     }
+}
+
+/// The power of two nearest to `x^-1/2`, or its neighbour; 1 where x is no size.
+fn inverse_root(x: f64) -> f64 {
+    if !(x > 0.0 && x.is_finite()) {
+        return 1.0;
+    }
+    let exponent = (x.to_bits() >> 52) as i64 - 1023;
+    f64::from_bits(((1023 - (exponent + 1).div_euclid(2)) as u64) << 52)
 }
 
 /// One factorisation. Reusable: [`Factors::factor`] keeps its allocations.
@@ -207,9 +279,9 @@ impl<T: Number> Factors<T> {
         self.scale(&plan.pattern, values);
         for i in 0..n {
             for (e, j) in plan.pattern.row(i) {
-                let x = values[e] * T::real(self.rows[i] * self.columns[j]);
+                let x = values[e].times(self.rows[i] * self.columns[j]);
                 match band.targets[e] {
-                    Target::Band(at) => self.band.data[at] = x,
+                    Target::Band(at) => self.band.set(at, x),
                     Target::Right(r, c) => self.right[c * inner + r] = x,
                     Target::Below(r, c) => self.below[r * inner + c] = x,
                     Target::Corner(r, c) => corner[(r, c)] = x,
@@ -218,7 +290,7 @@ impl<T: Number> Factors<T> {
         }
         let least = if border > 0 { REPLACED } else { 0.0 };
         let unknown = |s: Singular| Singular { column: band.order[s.column] };
-        self.band.factor(least, T::real).map_err(unknown)?;
+        self.band.factor(least).map_err(unknown)?;
         if border == 0 {
             return Ok(());
         }
@@ -241,17 +313,19 @@ impl<T: Number> Factors<T> {
         let n = pattern.n();
         crate::refill::refill(&mut self.rows, n, 1.0);
         crate::refill::refill(&mut self.columns, n, 1.0);
-        let factor = |x: f64| if x > 0.0 && x.is_finite() { (-0.5 * x.log2()).round().exp2() } else { 1.0 };
+        let sizes: Vec<f64> = values.iter().map(|x| x.size()).collect();
+        let (mut by_row, mut by_column) = (vec![0.0f64; n], vec![0.0f64; n]);
         for _ in 0..SCALINGS {
-            let (mut by_row, mut by_column) = (vec![0.0f64; n], vec![0.0f64; n]);
-            for i in 0..n {
+            by_column.fill(0.0);
+            for (i, largest) in by_row.iter_mut().enumerate() {
+                *largest = 0.0;
                 for (e, j) in pattern.row(i) {
-                    let x = values[e].size() * self.rows[i] * self.columns[j];
-                    (by_row[i], by_column[j]) = (by_row[i].max(x), by_column[j].max(x));
+                    let x = sizes[e] * self.rows[i] * self.columns[j];
+                    (*largest, by_column[j]) = (largest.max(x), by_column[j].max(x));
                 }
             }
-            self.rows.iter_mut().zip(by_row).for_each(|(r, x)| *r *= factor(x));
-            self.columns.iter_mut().zip(by_column).for_each(|(c, x)| *c *= factor(x));
+            self.rows.iter_mut().zip(&by_row).for_each(|(r, &x)| *r *= inverse_root(x));
+            self.columns.iter_mut().zip(&by_column).for_each(|(c, &x)| *c *= inverse_root(x));
         }
     }
 
@@ -265,17 +339,27 @@ impl<T: Number> Factors<T> {
         self.with_correction(b, true, |x| self.solve_transposed_once(x));
     }
 
+    /// The same without corrections: of a matrix with a border digits may be lost.
+    pub fn solve_roughly(&self, b: &mut [T]) {
+        self.solve_once(b);
+    }
+
+    /// Solves `A^T x = b` in place, without corrections.
+    pub fn solve_transposed_roughly(&self, b: &mut [T]) {
+        self.solve_transposed_once(b);
+    }
+
     /// Solves and, of a matrix with a border, corrects with the original entries: elimination of the band before the border may lose digits.
     fn with_correction(&self, b: &mut [T], transposed: bool, solve: impl Fn(&mut [T])) {
         let (Some(values), Some(plan)) = (&self.original, &self.plan) else { return solve(b) };
         let right = b.to_vec();
         solve(b);
-        let mut last = f64::INFINITY;
+        let (mut last, mut rest, mut size) = (f64::INFINITY, right.clone(), vec![0.0; right.len()]);
         for _ in 0..CORRECTIONS {
-            let mut rest = right.clone();
-            let mut size: Vec<f64> = right.iter().map(|x| x.size()).collect();
+            rest.copy_from_slice(&right);
+            size.iter_mut().zip(&right).for_each(|(s, x)| *s = x.size());
             for i in 0..plan.n() {
-                for (e, j) in plan.pattern.row(i) {
+                for (e, j) in plan.pattern.row(i).filter(|x| values[x.0] != T::ZERO) {
                     let (row, column) = if transposed { (j, i) } else { (i, j) };
                     rest[row] -= values[e] * b[column];
                     size[row] += values[e].size() * b[column].size();
@@ -295,7 +379,7 @@ impl<T: Number> Factors<T> {
     fn solve_once(&self, b: &mut [T]) {
         let Some(band) = self.plan.as_ref().and_then(|p| p.band.as_ref()) else { return self.dense_solve(b, false) };
         let inner = band.inner;
-        let mut x: Vec<T> = band.order.iter().map(|&i| b[i] * T::real(self.rows[i])).collect();
+        let mut x: Vec<T> = band.order.iter().map(|&i| b[i].times(self.rows[i])).collect();
         let (top, end) = x.split_at_mut(inner);
         self.band.solve(top);
         if !end.is_empty() {
@@ -307,13 +391,13 @@ impl<T: Number> Factors<T> {
                 top.iter_mut().zip(column).for_each(|(t, &w)| *t -= w * e);
             }
         }
-        band.order.iter().zip(x).for_each(|(&i, x)| b[i] = x * T::real(self.columns[i]));
+        band.order.iter().zip(x).for_each(|(&i, x)| b[i] = x.times(self.columns[i]));
     }
 
     fn solve_transposed_once(&self, b: &mut [T]) {
         let Some(band) = self.plan.as_ref().and_then(|p| p.band.as_ref()) else { return self.dense_solve(b, true) };
         let inner = band.inner;
-        let mut x: Vec<T> = band.order.iter().map(|&i| b[i] * T::real(self.columns[i])).collect();
+        let mut x: Vec<T> = band.order.iter().map(|&i| b[i].times(self.columns[i])).collect();
         let (top, end) = x.split_at_mut(inner);
         if !end.is_empty() {
             // S^T e = end - W^T top, then B^T t = top - F^T e
@@ -326,7 +410,7 @@ impl<T: Number> Factors<T> {
             }
         }
         self.band.solve_transposed(top);
-        band.order.iter().zip(x).for_each(|(&i, x)| b[i] = x * T::real(self.rows[i]));
+        band.order.iter().zip(x).for_each(|(&i, x)| b[i] = x.times(self.rows[i]));
     }
 
     fn dense_solve(&self, b: &mut [T], transposed: bool) {
