@@ -277,6 +277,34 @@ mod tests {
     }
 
     #[test]
+    fn orthogonal_at_every_level_with_the_same_bits() {
+        let vector =
+            |k: usize| Planes::from((0..37).map(|i| C64::cis((i * i + 3 * k * i) as f64 + k as f64).scale(1.0 + 0.1 * (i + k) as f64)));
+        let mut basis = vec![vector(0)];
+        basis[0].normalise();
+        for k in 1..4 {
+            let mut next = vector(k);
+            dispatch(Level::best(), Orthogonalise { basis: &basis, next: &mut next, column: &mut [C64::ZERO; 4] });
+            next.normalise();
+            basis.push(next);
+        }
+        let inner = |a: &Planes, b: &Planes| (0..37).fold(C64::ZERO, |sum, i| sum + a.at(i).conj() * b.at(i));
+        let all: Vec<(Planes, [C64; 4])> = Level::supported()
+            .map(|level| {
+                let (mut next, mut column) = (vector(7), [C64::ZERO; 4]);
+                dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column });
+                (next, column)
+            })
+            .collect();
+        for (next, column) in &all {
+            assert!(next.re == all[0].0.re && next.im == all[0].0.im && *column == all[0].1);
+            for (b, h) in basis.iter().zip(column) {
+                assert!(inner(b, next).abs() <= 1e-14 * next.norm() && (inner(b, &vector(7)) - *h).abs() <= 1e-13 * next.norm());
+            }
+        }
+    }
+
+    #[test]
     fn those_nearest_to_a_shift() {
         let (plan, terms, exact) = chain(600, 4e8, 1e-6);
         let problem = Quadratic { plan: &plan, terms: terms.each_ref().map(Vec::as_slice) };

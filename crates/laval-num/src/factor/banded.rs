@@ -216,3 +216,60 @@ impl<T: Number> Banded<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Directed;
+    use super::*;
+    use crate::complex::{C64, c};
+    use crate::dual::Dual;
+
+    /// At every level the bits of each level, and `x - l u` of the numbers; what follows a column stays.
+    fn eliminated<T: Number>(exact: bool, mut value: impl FnMut() -> T) {
+        let (half, count) = (7, 9);
+        let stride = (width(half) - 1) * T::PARTS;
+        let padded = (half * T::PARTS).next_multiple_of(LANES);
+        let mut columns = vec![0.0; count * stride + padded + T::PARTS];
+        columns.chunks_exact_mut(T::PARTS).for_each(|x| value().write(x));
+        columns[3 * stride..][..T::PARTS].fill(0.0);
+        let l: Vec<T> = (0..half).map(|_| value()).collect();
+        let mut multipliers = vec![0.0; padded * T::PARTS];
+        for (i, &l) in l.iter().enumerate() {
+            (0..T::PARTS).for_each(|c| (l * T::unit(c)).write(&mut multipliers[c * padded + i * T::PARTS..][..T::PARTS]));
+        }
+        let mut expected = columns.clone();
+        for j in 0..count {
+            let of = |i: usize| j * stride + i * T::PARTS;
+            let u = T::read(&columns[of(0)..of(1)]);
+            for (i, &l) in l.iter().enumerate() {
+                (T::read(&columns[of(i + 1)..of(i + 2)]) - l * u).write(&mut expected[of(i + 1)..of(i + 2)]);
+            }
+        }
+        let all: Vec<Vec<f64>> = Level::supported()
+            .map(|level| {
+                let mut own = columns.clone();
+                let kernel = Eliminate::<T> { columns: &mut own, multipliers: &multipliers, stride, count, number: PhantomData };
+                dispatch(level, kernel);
+                own
+            })
+            .collect();
+        for own in &all {
+            assert_eq!(own, &all[0]);
+            for (x, e) in own.iter().zip(&expected) {
+                assert!(if exact { x == e } else { (x - e).abs() <= 4.0 * f64::EPSILON }, "{x} {e}");
+            }
+        }
+    }
+
+    #[test]
+    fn elimination_in_lanes_is_that_of_the_numbers() {
+        let mut seed = 3u64;
+        let mut random = move || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        eliminated::<f64>(true, &mut random);
+        eliminated::<C64>(true, || c(random(), random()));
+        eliminated::<Directed>(false, || c(Dual { re: random(), eps: [random()] }, Dual { re: random(), eps: [random()] }));
+    }
+}

@@ -192,6 +192,7 @@ impl LogDet {
 }
 
 /// The power of two nearest to `x^-1/2`, or its neighbour; 1 where x is no size.
+#[inline]
 fn inverse_root(x: f64) -> f64 {
     if !(x > 0.0 && x.is_finite()) {
         return 1.0;
@@ -215,8 +216,8 @@ pub struct Factors<T> {
     /// Powers of two that rows and columns were multiplied by.
     rows: Vec<f64>,
     columns: Vec<f64>,
-    /// Original entries, of a matrix with a border.
-    original: Option<Vec<T>>,
+    /// Entries that are not zero, in rows: row, column, place in the pattern, value.
+    entries: Vec<(usize, usize, usize, T)>,
 }
 
 impl<T: Number> Default for Factors<T> {
@@ -231,7 +232,7 @@ impl<T: Number> Default for Factors<T> {
             corner: Lu::default(),
             rows: Vec::new(),
             columns: Vec::new(),
-            original: None,
+            entries: Vec::new(),
         }
     }
 }
@@ -256,7 +257,6 @@ impl<T: Number> Factors<T> {
         if self.plan.as_ref().is_none_or(|p| !std::sync::Arc::ptr_eq(&p.pattern, &plan.pattern)) {
             self.plan = Some(plan.clone());
         }
-        self.original = None;
         self.band.replaced.clear();
         self.rows.clear();
         self.columns.clear();
@@ -276,16 +276,19 @@ impl<T: Number> Factors<T> {
         crate::refill::refill(&mut self.right, border * inner, T::ZERO);
         crate::refill::refill(&mut self.below, border * inner, T::ZERO);
         let mut corner = Mat::zeros(border, border);
-        self.scale(&plan.pattern, values);
+        self.entries.clear();
         for i in 0..n {
-            for (e, j) in plan.pattern.row(i) {
-                let x = values[e].times(self.rows[i] * self.columns[j]);
-                match band.targets[e] {
-                    Target::Band(at) => self.band.set(at, x),
-                    Target::Right(r, c) => self.right[c * inner + r] = x,
-                    Target::Below(r, c) => self.below[r * inner + c] = x,
-                    Target::Corner(r, c) => corner[(r, c)] = x,
-                }
+            let row = plan.pattern.row(i).filter(|x| values[x.0] != T::ZERO);
+            self.entries.extend(row.map(|(e, j)| (i, j, e, values[e])));
+        }
+        self.scale(n);
+        for &(i, j, e, x) in &self.entries {
+            let x = x.times(self.rows[i] * self.columns[j]);
+            match band.targets[e] {
+                Target::Band(at) => self.band.set(at, x),
+                Target::Right(r, c) => self.right[c * inner + r] = x,
+                Target::Below(r, c) => self.below[r * inner + c] = x,
+                Target::Corner(r, c) => corner[(r, c)] = x,
             }
         }
         let least = if border > 0 { REPLACED } else { 0.0 };
@@ -294,7 +297,6 @@ impl<T: Number> Factors<T> {
         if border == 0 {
             return Ok(());
         }
-        self.original = Some(values.to_vec());
         for column in self.right.chunks_exact_mut(inner) {
             self.band.solve(column);
         }
@@ -309,20 +311,17 @@ impl<T: Number> Factors<T> {
     }
 
     /// Powers of two that bring the largest entries of rows and columns near one.
-    fn scale(&mut self, pattern: &Pattern, values: &[T]) {
-        let n = pattern.n();
+    fn scale(&mut self, n: usize) {
         crate::refill::refill(&mut self.rows, n, 1.0);
         crate::refill::refill(&mut self.columns, n, 1.0);
-        let sizes: Vec<f64> = values.iter().map(|x| x.size()).collect();
+        let sizes: Vec<f64> = self.entries.iter().map(|x| x.3.size()).collect();
         let (mut by_row, mut by_column) = (vec![0.0f64; n], vec![0.0f64; n]);
         for _ in 0..SCALINGS {
+            by_row.fill(0.0);
             by_column.fill(0.0);
-            for (i, largest) in by_row.iter_mut().enumerate() {
-                *largest = 0.0;
-                for (e, j) in pattern.row(i) {
-                    let x = sizes[e] * self.rows[i] * self.columns[j];
-                    (*largest, by_column[j]) = (largest.max(x), by_column[j].max(x));
-                }
+            for (&(i, j, ..), size) in self.entries.iter().zip(&sizes) {
+                let x = size * self.rows[i] * self.columns[j];
+                (by_row[i], by_column[j]) = (by_row[i].max(x), by_column[j].max(x));
             }
             self.rows.iter_mut().zip(&by_row).for_each(|(r, &x)| *r *= inverse_root(x));
             self.columns.iter_mut().zip(&by_column).for_each(|(c, &x)| *c *= inverse_root(x));
@@ -351,19 +350,19 @@ impl<T: Number> Factors<T> {
 
     /// Solves and, of a matrix with a border, corrects with the original entries: elimination of the band before the border may lose digits.
     fn with_correction(&self, b: &mut [T], transposed: bool, solve: impl Fn(&mut [T])) {
-        let (Some(values), Some(plan)) = (&self.original, &self.plan) else { return solve(b) };
+        if !self.plan.as_ref().is_some_and(Plan::has_border) {
+            return solve(b);
+        }
         let right = b.to_vec();
         solve(b);
         let (mut last, mut rest, mut size) = (f64::INFINITY, right.clone(), vec![0.0; right.len()]);
         for _ in 0..CORRECTIONS {
             rest.copy_from_slice(&right);
             size.iter_mut().zip(&right).for_each(|(s, x)| *s = x.size());
-            for i in 0..plan.n() {
-                for (e, j) in plan.pattern.row(i).filter(|x| values[x.0] != T::ZERO) {
-                    let (row, column) = if transposed { (j, i) } else { (i, j) };
-                    rest[row] -= values[e] * b[column];
-                    size[row] += values[e].size() * b[column].size();
-                }
+            for &(i, j, _, x) in &self.entries {
+                let (row, column) = if transposed { (j, i) } else { (i, j) };
+                rest[row] -= x * b[column];
+                size[row] += x.size() * b[column].size();
             }
             // rounding of each equation
             let worst = rest.iter().zip(&size).map(|(r, s)| if *s > 0.0 { r.size() / s } else { 0.0 }).fold(0.0, f64::max);

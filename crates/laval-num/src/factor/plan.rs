@@ -109,6 +109,10 @@ impl Plan {
     pub fn is_dense(&self) -> bool {
         self.band.is_none()
     }
+    /// Some unknowns stand in a border.
+    pub(super) fn has_border(&self) -> bool {
+        self.band.as_ref().is_some_and(|b| b.order.len() > b.inner)
+    }
     /// Multiplications of one factorisation, about.
     pub fn multiplications(&self) -> u64 {
         match &self.band {

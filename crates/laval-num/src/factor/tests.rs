@@ -254,3 +254,13 @@ fn badly_scaled_rows() {
     Lu::new(&a).unwrap().solve(&mut y);
     assert!(error(&x) <= 100.0 * error(&y).max(1e-14), "{:e} {:e}", error(&x), error(&y));
 }
+
+/// Powers of two bring any size between a quarter and four.
+#[test]
+fn powers_of_two_for_scaling() {
+    for x in [1.0, 1.99, 2.0, 3.0, 4.0, 7.9, 8.0, 0.5, 0.24, 1e-300, 1e300, f64::MIN_POSITIVE] {
+        let p = inverse_root(x);
+        assert!(p.to_bits() << 12 == 0 && (0.25..4.0).contains(&(x * p * p)), "{x:e} {p:e}");
+    }
+    assert!([0.0, -1.0, f64::NAN, f64::INFINITY].iter().all(|x| inverse_root(*x) == 1.0));
+}
