@@ -6,6 +6,8 @@
 //!
 //! Theory: `docs/theory/linear-vibration.md#characteristic-matrix`.
 
+pub use super::border::{Border, Test};
+use super::border::{equilibrate, singular_directions};
 use super::sectors::{Sector, Sectors, imaginary};
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
@@ -19,6 +21,13 @@ use laval_num::factor::{Directed, Factors, LogDet, Pattern, Plan, Selection, Ter
 use laval_num::work::spend;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+
+/// Most steps of Newton's method to a root.
+const MOST_STEPS: usize = 25;
+/// Step over the step before from which on the vectors of a test are exact enough for the root that it leads to.
+const SHRUNK: f64 = 1e-4;
+/// Step over the root from which on what is left is rounding once steps no longer shrink.
+const NEAR: f64 = 1e-9;
 
 /// Axes in which a state is at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -214,19 +223,18 @@ impl<'a> Characteristic<'a> {
         [value, slope]
     }
 
-    /// Phase and logarithmic derivative of `det T(s)` over some unknowns. Rows are divided by their largest entries, so that its size says nothing. `None` where T is singular
+    /// Phase and logarithmic derivative of `det T(s)` over some unknowns. Rows may be divided by their largest entries, so that its size says nothing. `None` where T is singular
     /// or not finite.
     pub fn determinant(&mut self, s: C64, of: &Selection, factors: &mut Factors<Directed>) -> Option<LogDet> {
         let [value, slope] = self.entries(s).map(|all| of.taken(&all));
         let pattern = of.inner.pattern();
-        let mut entries = Vec::with_capacity(value.len());
-        for i in 0..pattern.n() {
+        let both = |v: C64, d: C64| c(Dual { re: v.re, eps: [d.re] }, Dual { re: v.im, eps: [d.im] });
+        let mut entries: Vec<Directed> = value.iter().zip(&slope).map(|(&v, &d)| both(v, d)).collect();
+        // bands are scaled where they are factored
+        for i in (0..pattern.n()).filter(|_| of.inner.is_dense()) {
             let size = pattern.row(i).map(|(e, _)| value[e].size()).fold(0.0, f64::max);
             let scale = if size > 0.0 { size.recip() } else { 1.0 };
-            entries.extend(pattern.row(i).map(|(e, _)| {
-                let (v, d) = (value[e].scale(scale), slope[e].scale(scale));
-                c(Dual { re: v.re, eps: [d.re] }, Dual { re: v.im, eps: [d.im] })
-            }));
+            pattern.row(i).for_each(|(e, _)| entries[e] = both(value[e].scale(scale), slope[e].scale(scale)));
         }
         factors.factor(&of.inner, &entries).ok()?;
         Some(factors.log_det())
@@ -417,30 +425,47 @@ impl<'a> Characteristic<'a> {
     pub fn test(&mut self, s: C64, border: &Border) -> Option<Test> {
         let [t, d] = self.entries(s);
         let mut test = border.test(&t, &d)?;
-        if let Some([a0, a1, a2]) = self.polynomial.as_ref().filter(|_| !border.of.bordered.is_dense()) {
-            // g = -y^H T x does not change with small errors of x and y, and the entries of T are not rounded
-            let (x, y) = (border.spread(&test.right, &border.cols, self.size()), border.spread(&test.left, &border.rows, self.size()));
-            let terms = [(C64::ONE, &a0[..]), (s, &a1[..]), (s * s, &a2[..])];
-            test.g = -Terms { pattern: &self.pattern, terms: &terms }.form(&y, &x);
+        if let Some(g) = self.form(s, border, &test) {
+            test.g = g;
         }
         test.g.is_finite().then_some(test)
     }
 
+    /// `g = -y^H T(s) x` of the vectors of a test, where T is a polynomial with many unknowns: small errors of x and y do not change it, and the entries of T are not rounded.
+    fn form(&self, s: C64, border: &Border, test: &Test) -> Option<C64> {
+        let [a0, a1, a2] = self.polynomial.as_ref().filter(|_| !border.of.bordered.is_dense())?;
+        let (x, y) = (border.spread(&test.right, &border.cols, self.size()), border.spread(&test.left, &border.rows, self.size()));
+        let terms = [(C64::ONE, &a0[..]), (s, &a1[..]), (s * s, &a2[..])];
+        Some(-Terms { pattern: &self.pattern, terms: &terms }.form(&y, &x))
+    }
+
     /// Newton's method on `g(s) = 0` from a nearby start, over the members of a sector or all unknowns (`None`).
     pub fn polish(&mut self, start: C64, sector: Option<Sector>) -> Option<Polished> {
-        self.polished(start, sector, f64::INFINITY, |_, test| test.g / test.slope)
+        self.polish_within(start, sector, f64::INFINITY)
     }
 
     /// The same, given up where an iterate is farther than `reach` from the start.
     pub fn polish_within(&mut self, start: C64, sector: Option<Sector>, reach: f64) -> Option<Polished> {
-        self.polished(start, sector, reach, |_, test| test.g / test.slope)
+        let border = self.border_at(start, sector)?;
+        self.polished(start, border, reach, |_, test| test.g / test.slope)
+    }
+
+    /// The same with the border of a root of the same unknowns nearby, at this speed or at one beside.
+    pub fn polish_with(&mut self, start: C64, border: Border) -> Option<Polished> {
+        self.polished(start, border, f64::INFINITY, |_, test| test.g / test.slope)
+    }
+
+    fn border_at(&mut self, s: C64, sector: Option<Sector>) -> Option<Border> {
+        let members: Vec<usize> = (0..self.size()).filter(|&i| sector.is_none_or(|k| self.sectors.of(i) == k)).collect();
+        self.border(s, &members)
     }
 
     /// The same beside a pole so close that Newton's method does not see the root from the start: steps to the zero of `a (s - z)/(s - p)` with the value and the slope here and the
     /// value at the place before.
     pub fn polish_beside_pole(&mut self, start: C64, sector: Option<Sector>) -> Option<Polished> {
         let mut before: Option<(C64, C64)> = None;
-        self.polished(start, sector, f64::INFINITY, |s, test| {
+        let border = self.border_at(start, sector)?;
+        self.polished(start, border, f64::INFINITY, |s, test| {
             let rate = test.slope / test.g;
             let pole = before.map_or(C64::ZERO, |(place, g)| {
                 let (way, ratio) = (place - s, g / test.g);
@@ -451,30 +476,47 @@ impl<'a> Characteristic<'a> {
         })
     }
 
-    /// A root by steps, which are subtracted, no farther than `reach` from the start.
-    fn polished(&mut self, start: C64, sector: Option<Sector>, reach: f64, mut step: impl FnMut(C64, &Test) -> C64) -> Option<Polished> {
-        let members: Vec<usize> = (0..self.size()).filter(|&i| sector.is_none_or(|k| self.sectors.of(i) == k)).collect();
-        let border = self.border(start, &members)?;
+    /// A root by steps, which are subtracted, no farther than `reach` from the start. The last one says what the root may be off by; it is so small that the vectors before it serve.
+    fn polished(&mut self, start: C64, border: Border, reach: f64, mut step: impl FnMut(C64, &Test) -> C64) -> Option<Polished> {
         let (mut s, mut last) = (start, f64::INFINITY);
-        for iterations in 1..=25 {
-            let test = self.test(s, &border)?;
-            let step = step(s, &test);
-            let length = step.abs();
-            if !step.is_finite() {
-                return None;
-            }
-            s -= step;
-            if (s - start).abs() > reach {
-                return None;
-            }
+        for iterations in 1..=MOST_STEPS {
             let size = s.abs();
+            let mut test = self.test(s, &border)?;
+            let mut change = step(s, &test);
+            let mut length = change.abs();
+            // Errors of the vectors are about the square of how steps shrink, those of g the square of that: where it is rounding the vectors serve once more.
+            if length <= SHRUNK * last
+                && length <= NEAR * size
+                && let Some(g) = self.form(s - change, &border, &test)
+            {
+                (s, last, test.g) = (s - change, length, g);
+                change = step(s, &test);
+                length = change.abs();
+            }
+            if !change.is_finite() {
+                return None;
+            }
             // in turning axes T is evaluated at s + i W, and its rounding is that of the sum
             let resolved = 1e-14 * (size + self.shift(Sector::Forward).abs());
-            if length <= 1e-15 * size || (length >= 0.5 * last && (length <= 1e-9 * size || length <= resolved)) || (length == 0.0) {
-                let end = self.test(s, &border)?;
-                let (right, left) =
-                    (border.spread(&end.right, &border.cols, self.size()), border.spread(&end.left, &border.rows, self.size()));
-                return Some(Polished { value: s, right, left, defect: end.g.abs(), step: length, iterations, by_s: -end.slope });
+            let small = length <= 1e-15 * size || (length >= 0.5 * last && (length <= NEAR * size || length <= resolved));
+            if small {
+                let right = border.spread(&test.right, &border.cols, self.size());
+                let left = border.spread(&test.left, &border.rows, self.size());
+                let (defect, by_s) = (test.g.abs(), -test.slope);
+                return Some(Polished {
+                    value: s - change,
+                    right,
+                    left,
+                    defect,
+                    step: length,
+                    iterations,
+                    by_s,
+                    border: border.towards(test)?,
+                });
+            }
+            s -= change;
+            if (s - start).abs() > reach {
+                return None;
             }
             last = length;
         }
@@ -544,146 +586,6 @@ pub struct Polished {
     pub iterations: usize,
     /// `y^H dT/ds x` of the null vectors.
     pub by_s: C64,
-}
-
-/// Scaling and bordering vectors, kept while `s` and the speed move a little.
-#[derive(Clone, Debug)]
-pub struct Border {
-    of: Arc<Selection>,
-    rows: Vec<f64>,
-    cols: Vec<f64>,
-    b: Vec<C64>,
-    c: Vec<C64>,
-}
-
-/// Value of the test function.
-#[derive(Clone, Debug)]
-pub struct Test {
-    /// g: relative distance from singularity.
-    pub g: C64,
-    /// dg/ds.
-    pub slope: C64,
-    /// Right vector (scaled, over the members).
-    pub right: Vec<C64>,
-    /// Left vector.
-    pub left: Vec<C64>,
-}
-
-impl Border {
-    /// `y^H M x` for the vectors of a test and the entries of a matrix over all unknowns.
-    pub fn product(&self, test: &Test, m: &[C64]) -> C64 {
-        let (pattern, from) = (self.of.inner.pattern(), &self.of.inner_from);
-        self.products(test, |i| pattern.row(i).filter_map(|(e, j)| Some((j, m[from[e]?]))))
-    }
-
-    /// The same of a matrix by the entries of its rows.
-    fn products<I: Iterator<Item = (usize, C64)>>(&self, test: &Test, row: impl Fn(usize) -> I) -> C64 {
-        let mut sum = C64::ZERO;
-        for (i, y) in test.left.iter().enumerate() {
-            let row = row(i).fold(C64::ZERO, |s, (j, m)| s + m * test.right[j].scale(self.cols[j]));
-            sum += y.conj() * row.scale(self.rows[i]);
-        }
-        sum
-    }
-
-    fn test(&self, t: &[C64], d: &[C64]) -> Option<Test> {
-        let of = &self.of;
-        let k = of.members.len();
-        let (pattern, from) = (of.bordered.pattern(), &of.bordered_from);
-        let mut m = vec![C64::ZERO; from.len()];
-        for i in 0..=k {
-            for (e, j) in pattern.row(i) {
-                m[e] = match (from[e], i < k, j < k) {
-                    (Some(whole), ..) => t[whole].scale(self.rows[i] * self.cols[j]),
-                    (_, true, false) => self.b[i],
-                    (_, false, true) => self.c[j].conj(),
-                    _ => C64::ZERO,
-                };
-            }
-        }
-        let factors = Factors::new(&of.bordered, &m).ok()?;
-        let mut right = vec![C64::ZERO; k + 1];
-        right[k] = C64::ONE;
-        let mut left = right.clone();
-        factors.solve(&mut right);
-        // of the adjoint: the right side is real
-        factors.solve_transposed(&mut left);
-        left.iter_mut().for_each(|x| *x = x.conj());
-        // T x + b g = 0, so that g is minus the usual sign; it vanishes with the determinant.
-        let g = right[k];
-        right.truncate(k);
-        left.truncate(k);
-        let mut test = Test { g, slope: C64::ZERO, right, left };
-        let row = |i: usize| pattern.row(i).filter_map(|(e, j)| Some((j, d[from[e]?])));
-        test.slope = -self.products(&test, row);
-        (test.g.is_finite() && test.slope.is_finite()).then_some(test)
-    }
-
-    fn spread(&self, x: &[C64], scale: &[f64], size: usize) -> Vec<C64> {
-        let mut out = vec![C64::ZERO; size];
-        for ((&m, &x), &k) in self.of.members.iter().zip(x).zip(scale) {
-            out[m] = x.scale(k);
-        }
-        out
-    }
-}
-
-/// Row and column factors that bring the largest entries of rows and columns near one. Sizes come from T and s dT/ds together: T alone may be
-/// small only because its terms cancel, which is what the test function is to see.
-fn equilibrate(of: &Selection, t: &[C64], slope: &[C64], s: f64) -> (Vec<f64>, Vec<f64>) {
-    let (pattern, k) = (of.inner.pattern(), of.members.len());
-    let (mut rows, mut cols) = (vec![1.0; k], vec![1.0; k]);
-    let sizes: Vec<f64> = t.iter().zip(slope).map(|(t, d)| t.size() + s * d.size()).collect();
-    let factor = |x: f64| if x > 0.0 && x.is_finite() { x.sqrt().recip() } else { 1.0 };
-    let mut largest = vec![0.0f64; k];
-    for _ in 0..6 {
-        for (i, r) in rows.iter_mut().enumerate() {
-            *r *= factor(pattern.row(i).map(|(e, j)| sizes[e] * *r * cols[j]).fold(0.0, f64::max));
-        }
-        largest.fill(0.0);
-        for (i, r) in rows.iter().enumerate() {
-            pattern.row(i).for_each(|(e, j)| largest[j] = largest[j].max(sizes[e] * r * cols[j]));
-        }
-        cols.iter_mut().zip(&largest).for_each(|(c, &x)| *c *= factor(x));
-    }
-    let power = |x: &f64| x.log2().round().exp2();
-    (rows.iter().map(power).collect(), cols.iter().map(power).collect())
-}
-
-/// Left and right singular directions of the smallest singular value, roughly, by inverse iteration.
-fn singular_directions(of: &Selection, t: &[C64]) -> Option<(Vec<C64>, Vec<C64>)> {
-    let (pattern, k) = (of.inner.pattern(), of.members.len());
-    // A change by a few roundings keeps an exactly singular matrix factorable and moves the directions no further.
-    // One equation alone is zero where it is singular, and has no size.
-    let size = t.iter().fold(0.0, |m: f64, x| if x.size() > m || x.size().is_nan() { x.size() } else { m });
-    let eps = 8.0 * f64::EPSILON * if size > 0.0 { size } else { 1.0 };
-    let mut shifted = t.to_vec();
-    for i in 0..k {
-        pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| shifted[e] += c(eps, 0.5 * eps));
-    }
-    let factors = Factors::new(&of.inner, &shifted).ok()?;
-    let mut x: Vec<C64> = (0..k).map(|i| C64::cis(1.0 + 2.4 * i as f64).scale(1.0 + 0.3 * (i as f64).sin())).collect();
-    let mut y = x.clone();
-    for _ in 0..3 {
-        // with the adjoint
-        y = x.iter().map(|x| x.conj()).collect();
-        factors.solve_transposed(&mut y);
-        y.iter_mut().for_each(|y| *y = y.conj());
-        normalise(&mut y)?;
-        x = y.clone();
-        factors.solve(&mut x);
-        normalise(&mut x)?;
-    }
-    Some((y, x))
-}
-
-fn normalise(x: &mut [C64]) -> Option<()> {
-    let m = x.iter().fold(0.0, |m: f64, z| if z.size() > m || z.size().is_nan() { z.size() } else { m });
-    if !(m > 0.0 && m.is_finite()) {
-        return None;
-    }
-    x.iter_mut().for_each(|z| *z = z.scale(1.0 / m));
-    let n = x.iter().map(|z| z.norm_sqr()).sum::<f64>().sqrt();
-    x.iter_mut().for_each(|z| *z = z.scale(1.0 / n));
-    Some(())
+    /// For roots nearby.
+    pub border: Border,
 }

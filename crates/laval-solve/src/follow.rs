@@ -1,6 +1,6 @@
 //! Roots along the spin speed, each followed by its tangent and Newton's method: of machines with parts that have no time form, and of machines too large for all their modes.
 
-use super::characteristic::{Characteristic, Polished};
+use super::characteristic::{Border, Characteristic, Polished};
 use super::locate::{Beside, State, slope};
 use super::machine_mode::{MachineMode, Unknowns};
 use super::pencil::Spectrum;
@@ -108,8 +108,8 @@ pub(super) fn follow_large(
     let unknowns = Unknowns::of(system);
     let mut out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
     let mut frequency = limit.is_finite().then_some(limit);
-    // the roots of the speed before: branch, mode and tangent
-    let mut before: Vec<(usize, MachineMode, Option<C64>)> = Vec::new();
+    // the roots of the speed before
+    let mut before: Vec<Before> = Vec::new();
     for (k, &speed) in speeds.iter().enumerate() {
         if !each(k, out.solved) {
             break;
@@ -141,7 +141,7 @@ pub(super) fn follow_large(
         out.strongest.extend(Strongest::of(speed, &spectrum));
         out.solved += 1;
         let mut beside = Beside::new(system, state, speed);
-        before = Vec::new();
+        let earlier = std::mem::take(&mut before);
         for m in &spectrum.modes {
             let own = led.iter().position(|l| l.sector == m.sector && same(m.value, l.root.value));
             let (id, root) = match own.map(|at| led.swap_remove(at)) {
@@ -152,12 +152,40 @@ pub(super) fn follow_large(
                 }
             };
             out.branches[id].points.push((speed, m.clone()));
-            let tangent = beside.as_mut().zip(root).and_then(|(beside, root)| slope(&mut t, beside, &root));
-            before.push((id, m.clone(), tangent));
+            let tangent = beside.as_mut().zip(root.as_ref()).and_then(|(beside, root)| slope(&mut t, beside, root));
+            let old = earlier.iter().find(|b| b.branch == id && b.mode.sector == m.sector);
+            let old = old.and_then(|b| Some((speeds[k - 1], b.mode.value, b.tangent?)));
+            before.push(Before { branch: id, mode: m.clone(), tangent, old, border: root.map(|r| r.border) });
         }
         out.points.push((speed, spectrum));
     }
     traced_back(system, state, frequency.unwrap_or(limit), out)
+}
+
+/// A root at the speed before.
+struct Before {
+    branch: usize,
+    mode: MachineMode,
+    tangent: Option<C64>,
+    /// Speed, root and tangent one more speed before.
+    old: Option<(f64, C64, C64)>,
+    border: Option<Border>,
+}
+
+impl Before {
+    /// Where the tangent leads, and what is expected: by the cubic through both speeds where there are two and it does not bend far from the tangent.
+    fn ahead(&self, from: f64, to: f64) -> Option<(C64, C64)> {
+        let (tangent, value, step) = (self.tangent?, self.mode.value, to - from);
+        let along = tangent.scale(step);
+        let expected = self.old.map_or(along, |(speed, old, slope)| {
+            let chord = (value - old).scale(1.0 / (from - speed));
+            let (second, third) = (tangent.scale(2.0) + slope - chord.scale(3.0), tangent + slope - chord.scale(2.0));
+            let share = step / (from - speed);
+            (tangent + (second + third.scale(share)).scale(share)).scale(step)
+        });
+        let bends = !((expected - along).abs() <= BEND * along.abs());
+        Some((along, if bends { along } else { expected }))
+    }
 }
 
 /// A root that was followed to a speed.
@@ -173,24 +201,28 @@ fn lead_all(
     state: State,
     (from, to): (f64, f64),
     t: &mut Characteristic,
-    before: &[(usize, MachineMode, Option<C64>)],
+    before: &[Before],
 ) -> Result<(Vec<Led>, bool), Diagnostic> {
     let mut led: Vec<Led> = Vec::new();
     let in_pieces = |t: &mut Characteristic, m: &MachineMode, pieces: usize| -> Result<Option<Polished>, Diagnostic> {
         let value = lead_in_pieces(system, state, (from, to), m, pieces)?;
         Ok(value.and_then(|value| t.polish(value, m.sector)))
     };
-    for (branch, m, tangent) in before {
-        let near = tangent.and_then(|tangent| {
-            let ahead = tangent.scale(to - from);
-            let root = t.polish(m.value + ahead, m.sector)?;
-            ((root.value - m.value - ahead).abs() <= BEND * ahead.abs() + STILL * m.value.abs()).then_some(root)
+    for b in before {
+        let m = &b.mode;
+        let near = b.ahead(from, to).and_then(|(along, expected)| {
+            let start = m.value + expected;
+            let root = match &b.border {
+                Some(border) => t.polish_with(start, border.clone()),
+                None => t.polish(start, m.sector),
+            }?;
+            ((root.value - m.value - along).abs() <= BEND * along.abs() + STILL * m.value.abs()).then_some(root)
         });
         let root = match near {
             Some(root) => Some(root),
             None => in_pieces(t, m, PIECES[1])?,
         };
-        led.extend(root.map(|root| Led { branch: *branch, sector: m.sector, root }));
+        led.extend(root.map(|root| Led { branch: b.branch, sector: m.sector, root }));
     }
     let again = |led: &[Led], k: usize| {
         let alike = |(j, l): (usize, &Led)| j != k && l.sector == led[k].sector && same(l.root.value, led[k].root.value);
@@ -199,8 +231,8 @@ fn lead_all(
     for pieces in &PIECES[1..] {
         let twice: Vec<usize> = (0..led.len()).filter(|&k| again(&led, k)).collect();
         for k in twice {
-            let Some((_, m, _)) = before.iter().find(|b| b.0 == led[k].branch) else { continue };
-            if let Some(root) = in_pieces(t, m, *pieces)? {
+            let Some(b) = before.iter().find(|b| b.branch == led[k].branch) else { continue };
+            if let Some(root) = in_pieces(t, &b.mode, *pieces)? {
                 led[k].root = root;
             }
         }
@@ -330,5 +362,38 @@ fn lead(
     match lead(system, state, (from, middle), value, sector, depth - 1)? {
         Some(between) => lead(system, state, (middle, to), between, sector, depth - 1),
         None => Ok(None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use laval_num::complex::c;
+
+    /// Of a root that is a cubic over the speed both speeds before say where it goes; where that bends far from the tangent the tangent does.
+    #[test]
+    fn a_cubic_is_led_exactly() {
+        let root = |w: f64| c(1.0 + 0.2 * w, 40.0 + 3.0 * w - 0.02 * w * w + 0.001 * w * w * w);
+        let slope = |w: f64| c(0.2, 3.0 - 0.04 * w + 0.003 * w * w);
+        let mut mode = MachineMode {
+            value: root(10.0),
+            q: vec![],
+            z: vec![],
+            sector: None,
+            whirl: super::super::machine_mode::Whirl::None,
+            forward_share: 0.5,
+            residual: 0.0,
+            error: 0.0,
+            polished: true,
+            place: (0, 0),
+        };
+        let old = Some((7.0, root(7.0), slope(7.0)));
+        let before = |mode: MachineMode, old| Before { branch: 0, mode, tangent: Some(slope(10.0)), old, border: None };
+        let (along, expected) = before(mode.clone(), old).ahead(10.0, 14.0).unwrap();
+        assert!((along - slope(10.0).scale(4.0)).abs() < 1e-13);
+        assert!((expected + root(10.0) - root(14.0)).abs() < 1e-12, "{expected:?}");
+        assert_eq!(before(mode.clone(), None).ahead(10.0, 14.0).unwrap().1, along);
+        mode.value = mode.value + c(0.0, 100.0);
+        assert_eq!(before(mode, old).ahead(10.0, 14.0).unwrap().1, along);
     }
 }

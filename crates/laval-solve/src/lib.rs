@@ -3,6 +3,7 @@
 
 use laval_model::{diagnostic, model};
 
+mod border;
 pub mod centring;
 pub mod characteristic;
 pub mod co_rotating;

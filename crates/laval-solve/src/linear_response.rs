@@ -12,6 +12,7 @@ use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Field;
 use laval_num::factor::{Factors, Plan, Terms};
+use laval_num::work::spend;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -130,10 +131,20 @@ pub fn of_linear_parts(system: &System, speed: f64) -> Option<Response> {
 /// T(i W) and the load in x and y, without derivatives: all that a response about a state at rest takes. Without a state nonlinear parts are left out.
 fn fixed<'a>(system: &'a System, speed: f64, about: Option<&Equilibrium>) -> Equations<'a> {
     let (n, s) = (system.n(), c(0.0, speed));
-    let (mut model, mut scratch, mut entries) = (LinearModel::default(), LinearScratch::default(), Vec::new());
+    let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(system.params(), speed, Form::Frequency, &mut model, &mut scratch);
-    system.dynamic_stiffness_entries(system.params(), &model, Form::Frequency, s, &mut entries, &mut scratch);
     let mut polynomial = (is_polynomial(system) && !model.plan().is_dense()).then(|| model.polynomial());
+    let mut entries = match &polynomial {
+        Some([a0, a1, a2]) => {
+            spend(4 * a0.len() as u64);
+            a0.iter().zip(a1).zip(a2).map(|((a0, a1), a2)| c(a0 - speed * speed * a2, speed * a1)).collect()
+        }
+        None => {
+            let mut entries = Vec::new();
+            system.dynamic_stiffness_entries(system.params(), &model, Form::Frequency, s, &mut entries, &mut scratch);
+            entries
+        }
+    };
     if let Some(about) = about.filter(|_| system.slots().iter().any(|s| !s.is_linear())) {
         let zero = vec![0.0; n];
         let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };

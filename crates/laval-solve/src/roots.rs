@@ -352,7 +352,8 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let mut known: Vec<Polished> = Vec::new();
         let keep = |p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
-            if mirrored && p.value.im.abs() <= 4.0 * f64::EPSILON * p.value.re.abs() {
+            // also where the axes turn, whose rounding is that of the speed
+            if mirrored && p.value.im.abs() <= 4.0 * (f64::EPSILON * p.value.re.abs() + p.step) {
                 p.value.im = 0.0;
             }
             // of a real function the upper half is enough

@@ -254,7 +254,8 @@ impl<S: Scalar> LinearModel<S> {
 }
 
 fn add_at<S: Scalar>(places: &Places, local: &Grid<S>, global: &mut [S]) {
-    for (list, &x) in places.lists().zip(local.data()) {
+    // most of what a part may hold is zero
+    for (list, &x) in places.lists().zip(local.data()).filter(|(_, x)| !x.is_nothing()) {
         for &(e, factor) in list {
             global[e] += if factor == 1.0 { x } else { x.scale(factor) };
         }

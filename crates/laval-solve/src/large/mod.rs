@@ -9,7 +9,7 @@ use crate::characteristic::{Characteristic, Equilibrium};
 use crate::model::system::System;
 use crate::sectors::Sector;
 use laval_num::complex::{C64, c};
-use laval_num::eig::{Quadratic, nearest};
+use laval_num::eig::{Nearest, Quadratic, nearest};
 use laval_num::factor::Selection;
 use laval_num::order::ascending;
 use std::sync::Arc;
@@ -68,9 +68,14 @@ impl Block {
     fn mirrored(&self) -> bool {
         self.sector != Some(Sector::Forward)
     }
-    /// Eigenvalues whose neighbourhoods cover the axis from `a` to `b`.
-    fn cover(&self, (a, b): (f64, f64)) -> Vec<C64> {
+    /// Eigenvalues whose neighbourhoods cover the axis from `a` to `b`, with those already found about a place on it.
+    fn cover(&self, (a, b): (f64, f64), first: Option<(f64, Nearest)>) -> Vec<C64> {
         let (mut open, mut out, mut places) = (vec![(a, b)], Vec::new(), 0);
+        if let Some((place, found)) = first {
+            let radius = COVERED * found.radius;
+            out = found.values;
+            open = [(a, b.min(place - radius)), (a.max(place + radius), b)].into_iter().filter(|(a, b)| b > a).collect();
+        }
         while let Some((a, b)) = open.pop()
             && places < PLACES
         {
@@ -111,11 +116,15 @@ fn blocks(t: &Characteristic, sectors: &[Option<Sector>]) -> Vec<Block> {
 /// Starts for the roots of a machine in some of its sectors.
 pub(super) fn starts(t: &Characteristic, sectors: &[Option<Sector>], frequency: Option<f64>) -> Starts {
     let blocks = blocks(t, sectors);
-    let frequency = frequency.unwrap_or_else(|| lowest(&blocks, t.speed().abs()));
+    let (frequency, mut slowest) = match frequency {
+        Some(frequency) => (frequency, Vec::new()),
+        None => lowest(&blocks, t.speed().abs()),
+    };
+    slowest.resize_with(blocks.len(), || None);
     let mut values: Vec<(Option<Sector>, C64)> = Vec::new();
-    for block in &blocks {
+    for (block, first) in blocks.iter().zip(slowest) {
         let low = if block.mirrored() { 0.0 } else { -frequency };
-        for mut s in block.cover((low, frequency)) {
+        for mut s in block.cover((low, frequency), first) {
             if block.mirrored() && s.im < 0.0 {
                 s = s.conj();
             }
@@ -130,23 +139,26 @@ pub(super) fn starts(t: &Characteristic, sectors: &[Option<Sector>], frequency: 
 
 /// The frequency up to which the modes of a large machine are computed where none is given: at least three times the speed, and so high that twelve modes lie below.
 pub fn usual_frequency(system: &System, about: &Equilibrium) -> f64 {
-    lowest(&blocks(&Characteristic::new(system, about), &[None]), about.speed.abs())
+    lowest(&blocks(&Characteristic::new(system, about), &[None]), about.speed.abs()).0
 }
 
-/// A frequency that at least [`LEAST_MODES`] modes lie below, in a wide gap between two of them.
-fn lowest(blocks: &[Block], speed: f64) -> f64 {
-    let mut all: Vec<f64> = Vec::new();
+/// A frequency that at least [`LEAST_MODES`] modes lie below, in a wide gap between two of them; and for each block the place on the axis that this was seen from,
+/// with what was found about it.
+fn lowest(blocks: &[Block], speed: f64) -> (f64, Vec<Option<(f64, Nearest)>>) {
+    let (mut all, mut about): (Vec<f64>, _) = (Vec::new(), Vec::new());
     for block in blocks {
         let size = if speed > 0.0 { speed } else { slow(block) };
-        let found = nearest(&block.problem(), c(0.0, LOW * size), size, 2 * (LEAST_MODES + GAPS) + 2, STEPS).unwrap_or_default();
-        all.extend(found.values.iter().map(|s| s.im).filter(|f| !(block.mirrored() && *f < 0.0)).map(f64::abs));
+        let found = nearest(&block.problem(), c(0.0, LOW * size), size, 2 * (LEAST_MODES + GAPS) + 2, STEPS).ok();
+        let values = found.iter().flat_map(|f| &f.values);
+        all.extend(values.map(|s| s.im).filter(|f| !(block.mirrored() && *f < 0.0)).map(f64::abs));
+        about.push(found.map(|found| (LOW * size, found)));
     }
     ascending(&mut all);
     let last = all.last().map_or(0.0, |f| 1.05 * f);
     let above = all.get(LEAST_MODES - 1..).unwrap_or_default();
     let gaps = above.windows(2).take(GAPS).map(|w| (w[1] - w[0], 0.5 * (w[0] + w[1])));
     let limit = gaps.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(last, |g| g.1);
-    limit.max(OF_SPEED * speed)
+    (limit.max(OF_SPEED * speed), about)
 }
 
 /// The size of the lowest frequencies of a block, roughly: the usual one of an unknown by itself, over the number of unknowns.

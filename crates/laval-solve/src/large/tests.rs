@@ -228,6 +228,26 @@ fn a_stiff_rod_on_soft_springs() {
     assert!(root.step <= 1e-12 * rigid.abs(), "{:e}", root.step);
 }
 
+/// The border of a root at another speed leads to the same root as one of its own.
+#[test]
+fn borders_serve_at_speeds_beside() {
+    for system in machines() {
+        let [mut here, mut there] = [300.0, 310.0].map(|w| Characteristic::new(&system, &rest(&system, w).unwrap()));
+        for m in modes_about(&system, &rest(&system, 300.0).unwrap(), false).unwrap().modes.iter().step_by(3) {
+            let first = here.polish(m.value, m.sector).unwrap();
+            let (own, led) = (there.polish(first.value, m.sector).unwrap(), there.polish_with(first.value, first.border).unwrap());
+            assert!((own.value - led.value).abs() <= 1e-12 * own.value.abs(), "{:?} {:?}", own.value, led.value);
+            assert!(own.step <= 1e-12 * own.value.abs() && led.step <= 1e-12 * led.value.abs() && led.defect <= 1e-12);
+            // both vectors, up to a factor
+            let size = |x: &[C64]| x.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
+            for (a, b) in [(&own.right, &led.right), (&own.left, &led.left)] {
+                let inner = a.iter().zip(b).fold(C64::zero(), |sum, (a, b)| sum + a.conj() * *b);
+                assert!(inner.abs() >= (1.0 - 1e-10) * size(a) * size(b), "{inner:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn modes_are_followed_over_the_speed() {
     for system in machines() {
