@@ -393,7 +393,7 @@ mod tests {
         assert!((along - slope(10.0).scale(4.0)).abs() < 1e-13);
         assert!((expected + root(10.0) - root(14.0)).abs() < 1e-12, "{expected:?}");
         assert_eq!(before(mode.clone(), None).ahead(10.0, 14.0).unwrap().1, along);
-        mode.value = mode.value + c(0.0, 100.0);
+        mode.value += c(0.0, 100.0);
         assert_eq!(before(mode, old).ahead(10.0, 14.0).unwrap().1, along);
     }
 }
