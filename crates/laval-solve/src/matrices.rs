@@ -58,7 +58,7 @@ pub fn matrices(system: &System, about: &Equilibrium) -> Result<Matrices, Diagno
     let (mut gyroscopic, mut circulatory) = (Mat::zeros(n, n), Mat::zeros(n, n));
     let mut blocks = Blocks::default();
     for slot in system.slots().iter().filter(|s| s.is_linear()) {
-        blocks.reset(slot.map.len(), slot.states.len() - slot.memory, about.speed);
+        blocks.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, about.speed);
         slot.part.linear_f64(&system.params()[slot.params.clone()], about.speed, &mut blocks);
         spread(slot, &blocks.gyroscopic, &mut gyroscopic);
         spread(slot, &blocks.circulatory, &mut circulatory);
@@ -78,7 +78,8 @@ pub fn matrices(system: &System, about: &Equilibrium) -> Result<Matrices, Diagno
 /// Adds `B^T block B` of a part.
 fn spread(slot: &Slot, block: &Grid<f64>, out: &mut Mat) {
     for (i, rows) in slot.map.iter().enumerate() {
-        for (j, cols) in slot.map.iter().enumerate() {
+        for j in block.columns(i) {
+            let cols = &slot.map[j];
             for &(gi, ci) in rows {
                 for &(gj, cj) in cols {
                     out[(gi, gj)] += ci * block[(i, j)] * cj;

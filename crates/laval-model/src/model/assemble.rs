@@ -4,12 +4,30 @@ use super::field::Attach;
 use super::inertia;
 use super::machine::{GRAVITY, Machine};
 use super::params::{ParamSlot, inadmissible};
-use super::part::{Dof, DofKind, Link, PortKind};
+use super::part::{Dof, DofKind, ErasedPart, Layout, Link, PortKind};
 use super::slot::{GlobalDof, PartInput, Slot};
 use super::system::{Axis, System};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::text;
 use std::sync::OnceLock;
+
+/// Whether the map of a part is known.
+#[derive(Clone, Copy)]
+enum Stand {
+    Unknown,
+    Sought,
+    Placed,
+}
+
+/// The part of an input; a body that bends with nodes wherever something is attached to it.
+fn divided(input: &PartInput, all: &[PartInput], points: &[(String, f64)]) -> ErasedPart {
+    let Some(body) = input.part.body().filter(|b| b.nodes().is_some()) else { return input.part.clone() };
+    let layouts: Vec<Layout> = all.iter().map(|p| p.part.layout()).collect();
+    let attached = layouts.iter().flat_map(|l| &l.ports).flat_map(|p| p.link.ends());
+    let here = attached.filter(|a| a.body.as_deref() == Some(&input.name)).map(|a| a.position);
+    let positions: Vec<f64> = here.chain(points.iter().filter(|p| p.0 == input.name).map(|p| p.1)).collect();
+    body.divided(&positions).unwrap_or_else(|| input.part.clone())
+}
 
 impl System {
     /// Assembles a machine. All mistakes are reported together.
@@ -22,20 +40,16 @@ impl System {
             states: vec![],
             params: vec![],
             param_slots: vec![],
+            stations: OnceLock::new(),
             probes: OnceLock::new(),
             assemblies: Default::default(),
         };
         for input in &inputs {
-            system.add(input, &mut diagnostics);
+            system.add(input, divided(input, &inputs, &system.machine.points), &mut diagnostics);
         }
+        let mut stand = vec![Stand::Unknown; system.slots.len()];
         for k in 0..system.slots.len() {
-            match system.local_map(k) {
-                Ok(map) => {
-                    system.slots[k].weight = system.local_weight(&map);
-                    system.slots[k].map = map;
-                }
-                Err(d) => diagnostics.push(*d),
-            }
+            system.place(k, &mut stand, &mut diagnostics);
         }
         if system.coordinates.is_empty() {
             diagnostics.push(
@@ -49,8 +63,8 @@ impl System {
         if diagnostics.has_errors() { Err(diagnostics) } else { Ok(system) }
     }
 
-    fn add(&mut self, input: &PartInput, diagnostics: &mut Diagnostics) {
-        let (part, k) = (&input.part, self.slots.len());
+    fn add(&mut self, input: &PartInput, part: ErasedPart, diagnostics: &mut Diagnostics) {
+        let k = self.slots.len();
         if let Some(other) = self.slots.iter().find(|s| s.name == input.name) {
             diagnostics.push(
                 Diagnostic::error("part.duplicate", text!("two parts are named \"{name}\"", name = other.name))
@@ -86,23 +100,25 @@ impl System {
                 );
             }
         }
-        let (p0, s0) = (self.params.len(), self.states.len());
+        let (p0, q0, s0) = (self.params.len(), self.coordinates.len(), self.states.len());
         self.params.extend(&input.params);
         self.param_slots.extend(slots.into_iter().map(|s| ParamSlot { name: format!("{}.{}", input.name, s.name), ..s }));
         self.coordinates.extend(own(&layout.own));
         self.states.extend(own(&layout.states));
         self.slots.push(Slot {
             name: input.name.clone(),
-            part: part.clone(),
             physics: part.physics(),
             uses: part.uses(),
             params: p0..self.params.len(),
             map: vec![],
             weight: vec![],
+            own: q0..self.coordinates.len(),
             states: s0..self.states.len(),
             memory: part.memory(),
+            reach: part.reach(),
             span: input.span.clone(),
             layout,
+            part,
         });
     }
 
@@ -132,16 +148,49 @@ impl System {
                 .help(text!("\"{name}\" is a {kind}; attach to a disc or a foundation", name, kind = b.part.kind())),
             ));
         }
-        let first = self.coordinates.iter().position(|c| c.slot == body).unwrap_or(0);
         let shape = b.part.body().map_or_else(Vec::new, |body| body.shape(&self.params[b.params.clone()], attach.position));
-        for (j, column) in shape.iter().enumerate() {
-            for (row, &x) in rows.iter_mut().zip(column) {
-                if x != 0.0 {
-                    row.push((first + j, x));
+        for (local, column) in b.map.iter().zip(&shape) {
+            for (row, &x) in rows.iter_mut().zip(column).filter(|(_, x)| **x != 0.0) {
+                for &(g, c) in local {
+                    match row.iter_mut().find(|e| e.0 == g) {
+                        Some(entry) => entry.1 += c * x,
+                        None => row.push((g, c * x)),
+                    }
                 }
             }
         }
+        rows.iter_mut().for_each(|row| row.retain(|e| e.1 != 0.0));
         Ok(rows)
+    }
+
+    /// Sets the map of a part, after those of the bodies that it is attached to.
+    fn place(&mut self, k: usize, stand: &mut [Stand], diagnostics: &mut Diagnostics) {
+        match stand[k] {
+            Stand::Placed => return,
+            Stand::Unknown => {}
+            Stand::Sought => {
+                let slot = &self.slots[k];
+                let message = text!("\"{name}\" is attached to itself by way of other bodies", name = slot.name);
+                return diagnostics.push(Diagnostic::error("body.circle", message).at(slot.span.clone()));
+            }
+        }
+        stand[k] = Stand::Sought;
+        for port in self.slots[k].layout.ports.clone() {
+            for name in port.link.bodies() {
+                // a body that is missing is reported where the map is made
+                if let Some(body) = self.slots.iter().position(|s| s.name == name) {
+                    self.place(body, stand, diagnostics);
+                }
+            }
+        }
+        match self.local_map(k) {
+            Ok(map) => {
+                self.slots[k].weight = self.local_weight(&map);
+                self.slots[k].map = map;
+            }
+            Err(d) => diagnostics.push(*d),
+        }
+        stand[k] = Stand::Placed;
     }
 
     fn local_map(&self, k: usize) -> Result<Vec<Vec<(usize, f64)>>, Box<Diagnostic>> {
@@ -170,7 +219,7 @@ impl System {
             };
             map.extend(rows.into_iter().take(wanted));
         }
-        map.extend(self.coordinates.iter().enumerate().filter(|(_, c)| c.slot == k).map(|(g, _)| vec![(g, 1.0)]));
+        map.extend(slot.own.clone().map(|g| vec![(g, 1.0)]));
         Ok(map)
     }
 

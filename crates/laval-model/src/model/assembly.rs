@@ -3,6 +3,7 @@
 use super::part::{DofKind, Physics};
 use super::slot::{GlobalDof, Slot};
 use laval_num::factor::{Pattern, Plan, Selection};
+use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Which parts enter a linear model through blocks.
@@ -42,7 +43,7 @@ pub struct Stamp {
     pub first_state: usize,
     /// Number of its states in the blocks.
     pub states: usize,
-    /// By local row and column.
+    /// By local row and column, as far as its coordinates are coupled.
     pub coordinates: Places,
     /// By local coordinate and state: the column of a state in the force rows.
     pub state_columns: Places,
@@ -83,6 +84,12 @@ pub(super) fn in_blocks(slot: &Slot, form: Form) -> bool {
     }
 }
 
+/// Ranges of local coordinates all of which are coupled, that hold every coupled pair.
+fn groups(slot: &Slot) -> impl Iterator<Item = Range<usize>> {
+    let (n, width) = (slot.map.len(), slot.reach.saturating_add(1));
+    (0..=n.saturating_sub(width)).map(move |first| first..n.min(first.saturating_add(width)))
+}
+
 impl Assembly {
     pub(super) fn new(slots: &[Slot], coordinates: &[GlobalDof], own_states: &[GlobalDof], form: Form) -> Self {
         let n = coordinates.len();
@@ -110,11 +117,13 @@ impl Assembly {
             } else {
                 row..row
             };
-            let mut members: Vec<usize> = slot.map.iter().flatten().map(|x| x.0).chain(rows).collect();
-            members.extend(members.clone().into_iter().filter_map(|i| first[i]).flat_map(|i| [i, i + 1]));
-            members.sort_unstable();
-            members.dedup();
-            pairs.extend(members.iter().flat_map(|&i| members.iter().map(move |&j| (i, j))));
+            for local in groups(slot) {
+                let mut members: Vec<usize> = slot.map[local].iter().flatten().map(|x| x.0).chain(rows.clone()).collect();
+                members.extend(members.clone().into_iter().filter_map(|i| first[i]).flat_map(|i| [i, i + 1]));
+                members.sort_unstable();
+                members.dedup();
+                pairs.extend(members.iter().flat_map(|&i| members.iter().map(move |&j| (i, j))));
+            }
         }
         // a pair by itself, which no part touches
         pairs.extend(first.iter().flatten().map(|&i| (i, i + 1)));
@@ -135,7 +144,7 @@ impl Assembly {
                 slot: k,
                 first_state,
                 states: m,
-                coordinates: Places::collect(map.iter().flat_map(|r| map.iter().map(|c| pair(r, c)))),
+                coordinates: Places::collect(map.iter().enumerate().flat_map(|(i, r)| slot.neighbours(i).map(move |j| pair(r, &map[j])))),
                 state_columns: Places::collect(map.iter().flat_map(|r| (0..m).map(|j| pair(r, &state(j))))),
                 state_rows: Places::collect((0..m).flat_map(|i| map.iter().map(move |c| pair(&state(i), c)))),
                 state_block: Places::collect((0..m).flat_map(|i| (0..m).map(move |j| pair(&state(i), &state(j))))),

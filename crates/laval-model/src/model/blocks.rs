@@ -2,32 +2,46 @@
 
 use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
-use std::ops::{Index, IndexMut};
+use std::ops::{Index, IndexMut, Range};
 
-/// Row-major table of scalars.
+/// Row-major table of scalars, of which a band about the diagonal may be all there is.
+///
+/// Entry `(i, j)` stands at `i step + j + shift`: in a full table of n columns step = n and shift = 0, in one of entries with |i - j| <= r step = 2 r and shift = r.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid<S> {
     rows: usize,
     cols: usize,
+    reach: usize,
+    step: usize,
+    shift: usize,
     data: Vec<S>,
 }
 
 impl<S: Scalar> Grid<S> {
     /// Zeros.
     pub fn new(rows: usize, cols: usize) -> Self {
-        Grid { rows, cols, data: vec![S::zero(); rows * cols] }
+        let mut out = Grid::empty();
+        out.reset(rows, cols);
+        out
     }
     /// Sets the shape and all entries to zero, keeping the allocation.
     pub fn reset(&mut self, rows: usize, cols: usize) {
-        self.rows = rows;
-        self.cols = cols;
+        (self.rows, self.cols, self.reach, self.step, self.shift) = (rows, cols, usize::MAX, cols, 0);
         refill(&mut self.data, rows * cols, S::zero());
+    }
+    /// Square with entries at most `reach` beside the diagonal, all zero, keeping the allocation.
+    pub fn reset_band(&mut self, n: usize, reach: usize) {
+        if reach.saturating_mul(2).saturating_add(1) >= n {
+            return self.reset(n, n);
+        }
+        (self.rows, self.cols, self.reach, self.step, self.shift) = (n, n, reach, 2 * reach, reach);
+        refill(&mut self.data, n * (2 * reach + 1), S::zero());
     }
     /// `sum_j self[i][j] x[j]`.
     #[inline(always)]
     pub fn row_dot(&self, i: usize, x: &[S]) -> S {
         let mut s = S::zero();
-        for (&a, &x) in self.row(i).iter().zip(x) {
+        for (&a, &x) in self.row(i).iter().zip(&x[self.first(i)..]) {
             s += a * x;
         }
         s
@@ -45,8 +59,7 @@ impl<S: Scalar> Grid<S> {
 impl<S: Scalar> Grid<laval_num::complex::Complex<S>> {
     /// Square, all zero, keeping the allocation.
     pub fn reset_complex(&mut self, n: usize) {
-        self.rows = n;
-        self.cols = n;
+        (self.rows, self.cols, self.reach, self.step, self.shift) = (n, n, usize::MAX, n, 0);
         refill(&mut self.data, n * n, laval_num::complex::Complex::zero());
     }
 }
@@ -54,7 +67,7 @@ impl<S: Scalar> Grid<laval_num::complex::Complex<S>> {
 impl<S> Grid<S> {
     /// No rows, no columns.
     pub fn empty() -> Self {
-        Grid { rows: 0, cols: 0, data: Vec::new() }
+        Grid { rows: 0, cols: 0, reach: usize::MAX, step: 0, shift: 0, data: Vec::new() }
     }
     /// Rows.
     pub fn rows(&self) -> usize {
@@ -64,14 +77,31 @@ impl<S> Grid<S> {
     pub fn cols(&self) -> usize {
         self.cols
     }
-    /// One row.
+    #[inline(always)]
+    fn first(&self, i: usize) -> usize {
+        i.saturating_sub(self.reach)
+    }
+    /// Columns in which a row has entries.
+    #[inline(always)]
+    pub fn columns(&self, i: usize) -> Range<usize> {
+        self.first(i)..self.cols.min(i.saturating_add(self.reach).saturating_add(1))
+    }
+    /// The entries of a row in its [`columns`](Self::columns).
     #[inline(always)]
     pub fn row(&self, i: usize) -> &[S] {
-        &self.data[i * self.cols..(i + 1) * self.cols]
+        let columns = self.columns(i);
+        let start = i * self.step + columns.start + self.shift;
+        &self.data[start..start + columns.len()]
     }
     /// All entries, row by row.
-    pub fn data(&self) -> &[S] {
-        &self.data
+    pub fn entries(&self) -> impl Iterator<Item = &S> {
+        (0..self.rows).flat_map(|i| self.row(i))
+    }
+    #[inline(always)]
+    fn place(&self, i: usize, j: usize) -> usize {
+        assert!(i.abs_diff(j) <= self.reach, "the layout of the part says that its coordinates {i} and {j} are not coupled");
+        debug_assert!(j < self.cols);
+        i * self.step + j + self.shift
     }
 }
 
@@ -79,15 +109,14 @@ impl<S> Index<(usize, usize)> for Grid<S> {
     type Output = S;
     #[inline(always)]
     fn index(&self, (i, j): (usize, usize)) -> &S {
-        debug_assert!(j < self.cols);
-        &self.data[i * self.cols + j]
+        &self.data[self.place(i, j)]
     }
 }
 impl<S> IndexMut<(usize, usize)> for Grid<S> {
     #[inline(always)]
     fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut S {
-        debug_assert!(j < self.cols);
-        &mut self.data[i * self.cols + j]
+        let at = self.place(i, j);
+        &mut self.data[at]
     }
 }
 
@@ -212,6 +241,11 @@ impl<S: Scalar> Blocks<S> {
     /// All zero for `n` coordinates and `m` internal states other than memory, at `speed`; keeps its allocations.
     #[inline(always)]
     pub fn reset(&mut self, n: usize, m: usize, speed: S) {
+        self.reset_band(n, m, usize::MAX, speed);
+    }
+    /// The same of a part whose coordinates are coupled over this distance in their order ([`Part::reach`](super::part::Part::reach)).
+    #[inline(always)]
+    pub fn reset_band(&mut self, n: usize, m: usize, reach: usize, speed: S) {
         self.speed = speed;
         for g in [
             &mut self.mass,
@@ -221,7 +255,7 @@ impl<S: Scalar> Blocks<S> {
             &mut self.circulatory,
             &mut self.spin_accel_stiffness,
         ] {
-            g.reset(n, n);
+            g.reset_band(n, reach);
         }
         self.state_force.reset(n, m);
         self.spin_accel_state_force.reset(n, m);
@@ -265,9 +299,7 @@ impl<S: Scalar> Blocks<S> {
     #[inline(always)]
     pub fn spin_accel_row(&self, i: usize, at: &super::context::At<S>, (sin, cos): (S, S)) -> S {
         let mut r = -(self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
-        for (j, &q) in at.q.iter().enumerate() {
-            r += self.spin_accel_stiffness[(i, j)] * q;
-        }
+        r += self.spin_accel_stiffness.row_dot(i, at.q);
         for j in 0..self.state.rows() {
             r += self.spin_accel_state_force[(i, j)] * at.z[j];
         }
@@ -281,7 +313,7 @@ impl<S: Scalar> Blocks<S> {
         let (sin, cos) = at.phase.sin_cos();
         for i in 0..n {
             let mut r = S::zero();
-            for j in 0..n {
+            for j in self.mass.columns(i) {
                 let damping = self.damping[(i, j)] + self.speed * self.gyroscopic[(i, j)];
                 let stiffness =
                     self.stiffness[(i, j)] + self.speed * self.circulatory[(i, j)] + at.spin_accel * self.spin_accel_stiffness[(i, j)];

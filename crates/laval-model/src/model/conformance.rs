@@ -278,8 +278,8 @@ impl<'a, P: Part> Bench<'a, P> {
             self.fail(Promise::Layout, "more memory states than states".into());
         }
         let shape = Part::body(self.part).map_or_else(Vec::new, |b| b.shape(&self.params, 0.1));
-        if shape.len() != if layout.body { layout.own.len() } else { 0 } {
-            self.fail(Promise::Layout, format!("shape has {} rows for {} own coordinates", shape.len(), layout.own.len()));
+        if shape.len() != if layout.body { self.n } else { 0 } {
+            self.fail(Promise::Layout, format!("shape has {} rows for {} local coordinates", shape.len(), self.n));
         }
         let complaints = Erased::check(self.part, &self.params);
         if !complaints.is_empty() {

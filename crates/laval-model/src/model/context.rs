@@ -93,6 +93,21 @@ pub enum Link {
     Between(Attach, Attach),
 }
 
+impl Link {
+    /// The points.
+    pub fn ends(&self) -> impl Iterator<Item = &Attach> {
+        let (first, second) = match self {
+            Link::On(a) => (a, None),
+            Link::Between(a, b) => (a, Some(b)),
+        };
+        std::iter::once(first).chain(second)
+    }
+    /// Names of the bodies.
+    pub fn bodies(&self) -> impl Iterator<Item = &str> {
+        self.ends().filter_map(|a| a.body.as_deref())
+    }
+}
+
 /// A port: where a part meets bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Port {

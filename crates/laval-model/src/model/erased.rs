@@ -49,6 +49,7 @@ macro_rules! faces {
             fn layout(&self) -> Layout;
             fn physics(&self) -> Physics;
             fn uses(&self) -> Uses;
+            fn reach(&self) -> usize;
             fn memory(&self) -> usize;
             fn slots(&self) -> Vec<ParamSlot>;
             fn fields(&self) -> &'static [Field];

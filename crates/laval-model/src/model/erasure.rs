@@ -30,6 +30,9 @@ macro_rules! parts {
             fn uses(&self) -> Uses {
                 Part::uses(self)
             }
+            fn reach(&self) -> usize {
+                Part::reach(self)
+            }
             fn memory(&self) -> usize {
                 Part::memory(self)
             }
@@ -159,7 +162,7 @@ fn residual<T: Part, S: Scalar>(part: &T, p: &[S], at: &At<S>, out: &mut Rows<S>
     match Part::physics(part) {
         Physics::Nonlinear => part.residual(&p, at, out),
         Physics::Linear | Physics::Frequency(_) => {
-            blocks.reset(at.q.len(), at.z.len() - part.memory(), at.speed);
+            blocks.reset_band(at.q.len(), at.z.len() - part.memory(), Part::reach(part), at.speed);
             part.linear(&p, at.speed, blocks);
             blocks.residual(at, out.force, out.rate);
             *out.spin += part.spin_row(&p, at);

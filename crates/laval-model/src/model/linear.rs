@@ -255,7 +255,7 @@ impl<S: Scalar> LinearModel<S> {
 
 fn add_at<S: Scalar>(places: &Places, local: &Grid<S>, global: &mut [S]) {
     // most of what a part may hold is zero
-    for (list, &x) in places.lists().zip(local.data()).filter(|(_, x)| !x.is_nothing()) {
+    for (list, &x) in places.lists().zip(local.entries()).filter(|(_, x)| !x.is_nothing()) {
         for &(e, factor) in list {
             global[e] += if factor == 1.0 { x } else { x.scale(factor) };
         }
@@ -284,10 +284,10 @@ impl System {
             let slot = &self.slots()[stamp.slot];
             let m = stamp.states;
             let b = &mut scratch.local;
-            b.reset(slot.map.len(), m, speed);
+            b.reset_band(slot.map.len(), m, slot.reach, speed);
             S::linear(&*slot.part, &params[slot.params.clone()], speed, b);
             for (i, &w) in slot.weight.iter().enumerate() {
-                for j in 0..slot.map.len() {
+                for j in b.mass.columns(i) {
                     b.force[j] -= b.mass[(j, i)].scale(w);
                 }
                 for j in 0..m {

@@ -18,6 +18,7 @@ pub mod part;
 pub mod probe;
 mod probes;
 pub mod slot;
+pub mod station;
 pub mod system;
 pub mod tangent;
 pub mod timed;

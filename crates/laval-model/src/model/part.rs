@@ -53,6 +53,10 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn uses(&self) -> Uses {
         Uses { velocity: true, acceleration: true, spin: true }
     }
+    /// Local coordinates farther apart than this in their order are not coupled: in a part of many coordinates, as a shaft, only neighbours are.
+    fn reach(&self) -> usize {
+        usize::MAX
+    }
     /// How many of its states, the last ones, are memory states ([`Blocks::memory`]).
     fn memory(&self) -> usize {
         0

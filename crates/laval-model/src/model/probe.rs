@@ -1,5 +1,6 @@
 //! What of the motion of bodies counts as motion: the displacement of every point where something is attached or that is named, and the tilt.
 
+use super::station::Pair;
 use laval_num::complex::C64;
 use laval_num::scalar::Scalar;
 use serde::{Deserialize, Serialize};
@@ -16,22 +17,34 @@ pub enum Sight {
 /// A pair of components that is measured of a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Probe {
-    /// Index in [`bodies`](super::system::System::bodies).
-    pub body: usize,
+    /// Index in [`stations`](super::system::System::stations).
+    pub station: usize,
     /// Name of the body.
     pub name: String,
     /// What it measures.
     pub sight: Sight,
-    /// Significant digits of the height that tell the points of this body apart.
+    /// Significant digits of the height that distinguish the points of this body.
     pub digits: usize,
+    /// The body bends: no point of it is its reference.
+    pub flexible: bool,
     /// Both components over the coordinates.
-    pub rows: [Vec<(usize, f64)>; 2],
+    pub rows: Pair,
 }
 
 impl Probe {
-    /// The displacement of the reference point of a body.
+    /// The displacement of a [station](super::station::Station).
     pub fn is_reference(&self) -> bool {
-        self.sight == Sight::Displacement(0.0)
+        match self.sight {
+            Sight::Displacement(z) => self.flexible || z == 0.0,
+            Sight::Tilt => false,
+        }
+    }
+    /// Height of the point, where its name holds it: not of the reference point of a rigid body.
+    pub fn height(&self) -> Option<f64> {
+        match self.sight {
+            Sight::Displacement(z) if self.flexible || z != 0.0 => Some(z),
+            _ => None,
+        }
     }
     /// The displacement of the point at this height.
     pub fn is_at(&self, height: f64) -> bool {
@@ -51,15 +64,15 @@ impl Probe {
     }
     /// Both components at these coordinates.
     pub fn of(&self, q: &[f64]) -> [f64; 2] {
-        [0, 1].map(|k| self.rows[k].iter().map(|&(g, x)| x * q[g]).sum())
+        self.rows.of(q)
     }
     /// The same in scalars.
     pub fn scaled<S: Scalar>(&self, q: &[S]) -> [S; 2] {
-        [0, 1].map(|k| self.rows[k].iter().fold(S::zero(), |s, &(g, x)| s + q[g].scale(x)))
+        self.rows.scaled(q)
     }
     /// Both components of amplitudes.
     pub fn amplitudes(&self, q: &[C64]) -> [C64; 2] {
-        [0, 1].map(|k| self.rows[k].iter().fold(C64::zero(), |s, &(g, x)| s + q[g].scale(x)))
+        self.rows.amplitudes(q)
     }
 }
 

@@ -1,14 +1,14 @@
 //! The probes of a machine.
 
 use super::field::Attach;
-use super::part::Link;
 use super::probe::{Probe, Sight, distinct_digits, same_height};
+use super::station::{Pair, attached};
 use super::system::System;
 use laval_num::order::ascending;
 
 impl System {
-    /// All that is measured of the bodies' motion, by body: the reference point, the points where parts are attached or that a block names, where their
-    /// displacement differs from it, the tilt.
+    /// All that is measured of the bodies' motion, by [station](super::station::Station): its displacement; of a rigid body also the points where parts are
+    /// attached or that a block names, where their displacement differs from it, and the tilt.
     pub fn probes(&self) -> &[Probe] {
         self.probes.get_or_init(|| all(self))
     }
@@ -16,42 +16,38 @@ impl System {
 
 fn all(system: &System) -> Vec<Probe> {
     let mut out = Vec::new();
-    for (k, body) in system.bodies().into_iter().enumerate() {
-        let reference = [0, 1].map(|i| vec![(body.x + i, 1.0)]);
-        let named = system.machine.points.iter().filter(|p| p.0 == body.name).map(|p| p.1);
-        let mut heights: Vec<f64> = attached(system, &body.name).chain(named).filter(|z| *z != 0.0).collect();
+    for (k, station) in system.stations().iter().enumerate() {
+        let name = &system.slots()[station.slot].name;
+        let probe = |sight, digits, rows| Probe { station: k, name: name.clone(), sight, digits, flexible: station.flexible, rows };
+        if station.flexible {
+            out.push(probe(Sight::Displacement(station.position), station.digits, station.lateral.clone()));
+            continue;
+        }
+        let named = system.machine.points.iter().filter(|p| &p.0 == name).map(|p| p.1);
+        let mut heights: Vec<f64> = attached(system, name, true).chain(named).filter(|z| *z != 0.0).collect();
         ascending(&mut heights);
         heights.dedup_by(|a, b| same_height(*a, *b));
         let digits = distinct_digits(&heights);
-        let probe = |sight, rows| Probe { body: k, name: body.name.clone(), sight, digits, rows };
-        out.push(probe(Sight::Displacement(0.0), reference.clone()));
+        out.push(probe(Sight::Displacement(0.0), digits, station.lateral.clone()));
         for z in heights {
-            if let Ok([x, y, ..]) = system.point_rows(body.slot, &Attach::at(body.name.clone(), z))
-                && [&x, &y] != [&reference[0], &reference[1]]
+            if let Ok([x, y, ..]) = system.point_rows(station.slot, &Attach::at(name.clone(), z))
+                && [&x, &y] != [&station.lateral.0[0], &station.lateral.0[1]]
             {
-                out.push(probe(Sight::Displacement(z), [x, y]));
+                out.push(probe(Sight::Displacement(z), digits, Pair([x, y])));
             }
         }
-        if let Some(t) = body.tilt {
-            out.push(probe(Sight::Tilt, [0, 1].map(|i| vec![(t + i, 1.0)])));
+        if let Some(tilt) = &station.tilt {
+            out.push(probe(Sight::Tilt, digits, tilt.clone()));
         }
     }
     out
-}
-
-/// Heights on a body at which parts are attached to it.
-fn attached<'a>(system: &'a System, body: &'a str) -> impl Iterator<Item = f64> + 'a {
-    let links = system.slots().iter().flat_map(|s| &s.layout.ports).flat_map(|p| match &p.link {
-        Link::On(a) => [Some(a), None],
-        Link::Between(a, b) => [Some(a), Some(b)],
-    });
-    links.flatten().filter(move |a| a.body.as_deref() == Some(body)).map(|a| a.position)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::builder::Builder;
+    use crate::model::part::Link;
     use crate::parts::{bearing_cubic::*, disc::*};
 
     /// A tilt moves the points above and below the reference point to opposite sides, and not the point itself.

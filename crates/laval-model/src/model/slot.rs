@@ -38,10 +38,14 @@ pub struct Slot {
     pub map: Vec<Vec<(usize, f64)>>,
     /// What the weight adds to the local accelerations the part sees (a body at rest in a field g moves like one accelerated by -g), m/s^2.
     pub weight: Vec<f64>,
+    /// Its own coordinates among the machine's.
+    pub own: Range<usize>,
     /// Its internal states among the machine's.
     pub states: Range<usize>,
     /// How many of them, at the end, are memory states.
     pub memory: usize,
+    /// Distance in their order over which its local coordinates are coupled.
+    pub reach: usize,
     /// Place in the file.
     pub span: Option<Span>,
 }
@@ -50,6 +54,10 @@ impl Slot {
     /// A linear (or time-fitted) part, given by its blocks in time.
     pub fn is_linear(&self) -> bool {
         self.physics != Physics::Nonlinear
+    }
+    /// Local coordinates that are coupled with one of them.
+    pub fn neighbours(&self, i: usize) -> Range<usize> {
+        i.saturating_sub(self.reach)..self.map.len().min(i.saturating_add(self.reach).saturating_add(1))
     }
 }
 
@@ -62,19 +70,6 @@ pub struct GlobalDof {
     pub slot: usize,
     /// Kind, unit and typical size.
     pub dof: Dof,
-}
-
-/// A body (or any part whose first two own coordinates are a lateral pair) that results speak of.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Body {
-    /// Name of the part.
-    pub name: String,
-    /// Its slot.
-    pub slot: usize,
-    /// Global index of its x; y follows.
-    pub x: usize,
-    /// Global index of the first component of its tilt, where it tilts; the other follows.
-    pub tilt: Option<usize>,
 }
 
 /// Fills `local` with the local coordinates of a map.

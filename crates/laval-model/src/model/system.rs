@@ -18,7 +18,8 @@ use std::sync::{Arc, OnceLock};
 
 pub use super::capability::scope::Axis;
 pub use super::machine::{Drive, GRAVITY, Machine};
-pub use super::slot::{Body, GlobalDof, PartInput, Slot};
+pub use super::slot::{GlobalDof, PartInput, Slot};
+pub use super::station::{Pair, Station};
 
 /// The machine.
 pub struct System {
@@ -29,6 +30,7 @@ pub struct System {
     pub(super) states: Vec<GlobalDof>,
     pub(super) params: Vec<f64>,
     pub(super) param_slots: Vec<ParamSlot>,
+    pub(super) stations: OnceLock<Vec<Station>>,
     pub(super) probes: OnceLock<Vec<Probe>>,
     pub(super) assemblies: [OnceLock<Arc<Assembly>>; 2],
 }
@@ -77,17 +79,6 @@ impl System {
     /// Index of a coordinate by name (`drum.x`).
     pub fn coordinate(&self, name: &str) -> Option<usize> {
         self.coordinates.iter().position(|c| c.name == name)
-    }
-    /// Bodies with a lateral displacement, in file order.
-    pub fn bodies(&self) -> Vec<Body> {
-        let mut out = Vec::new();
-        for (i, c) in self.coordinates.iter().enumerate() {
-            if c.dof.kind == DofKind::VectorX && self.slots[c.slot].layout.body && !out.iter().any(|b: &Body| b.slot == c.slot) {
-                let tilt = self.coordinates.iter().position(|t| t.slot == c.slot && t.dof.kind == DofKind::TiltX);
-                out.push(Body { name: self.slots[c.slot].name.clone(), slot: c.slot, x: i, tilt });
-            }
-        }
-        out
     }
     /// Where the entries of parts stand in the linear model of a form.
     pub fn assembly(&self, form: Form) -> &Arc<Assembly> {

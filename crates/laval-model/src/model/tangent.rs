@@ -151,7 +151,7 @@ impl System {
         let p = slot.params.clone();
         w.seeds.clear();
         if slot.is_linear() {
-            w.blocks.reset(n, m - slot.memory, at.speed);
+            w.blocks.reset_band(n, m - slot.memory, slot.reach, at.speed);
             slot.part.linear_f64(&self.params()[p.clone()], at.speed, &mut w.blocks);
             self.add_block_tangent(slot, at.spin_accel, &w.blocks, out);
             if spin {
@@ -248,7 +248,8 @@ impl System {
         let m = b.state.rows();
         let z0 = slot.states.start;
         for (i, rows) in slot.map.iter().enumerate() {
-            for (j, cols) in slot.map.iter().enumerate() {
+            for j in b.mass.columns(i) {
+                let cols = &slot.map[j];
                 let d = b.damping[(i, j)] + b.speed * b.gyroscopic[(i, j)];
                 let k = b.stiffness[(i, j)] + b.speed * b.circulatory[(i, j)] + spin_accel * b.spin_accel_stiffness[(i, j)];
                 for &(gi, ci) in rows {

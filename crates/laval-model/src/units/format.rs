@@ -82,6 +82,17 @@ pub fn format_number(x: f64, significant: usize) -> String {
     plain(n, &d, e)
 }
 
+/// A length for people, in m, mm or µm: "120 mm".
+pub fn format_length(x: f64, significant: usize) -> String {
+    // what rounds up to the next unit takes it
+    let (factor, unit) = match x.abs() {
+        size if size >= 0.99995 || size == 0.0 => (1.0, "m"),
+        size if size >= 0.99995e-3 => (1e-3, "mm"),
+        _ => (1e-6, "µm"),
+    };
+    format!("{} {unit}", format_number(x / factor, significant))
+}
+
 /// A number as short as it reads back exactly.
 pub fn write_number(x: f64) -> String {
     if !x.is_finite() {

@@ -204,12 +204,12 @@ impl<'a, S: LaneScalar> General<'a, S> {
             let states = place.states.len();
             let first = place.states.start - 2 * n;
             if place.linear {
-                place.blocks.reset(local, place.own, at.speed);
+                place.blocks.reset_band(local, place.own, place.part.reach(), at.speed);
                 S::enter::<Linear, _>(place.part, &mut LinearArgs { p: &place.params, speed: at.speed, blocks: &mut place.blocks });
                 for j in 0..local {
                     for k in place.map.span(j) {
                         let (gj, cj) = place.map.at(k);
-                        for i in 0..local {
+                        for i in place.blocks.mass.columns(j) {
                             let x = place.blocks.mass[(i, j)] * cj;
                             for k in place.map.span(i) {
                                 let (gi, ci) = place.map.at(k);

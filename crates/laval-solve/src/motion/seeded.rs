@@ -8,6 +8,7 @@ use crate::model::erased::{D8, Evaluate};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System};
 use laval_num::dense::Mat;
+use std::ops::Range;
 
 /// What the rows of all parts are added to. With a free spin the rows and columns of `mass`, and the entries of `force`, end with those of the spin.
 pub(super) struct Targets<'t> {
@@ -77,7 +78,7 @@ impl Seeded {
     fn add_blocks(&mut self, system: &System, slot: &Slot, at: &At<f64>, free: bool, out: &mut Targets) {
         let (n, states) = (slot.map.len(), slot.states.len() - slot.memory);
         let blocks = &mut self.blocks;
-        blocks.reset(n, states, at.speed);
+        blocks.reset_band(n, states, slot.reach, at.speed);
         f64::linear(&*slot.part, &system.params()[slot.params.clone()], at.speed, blocks);
         let [q, v, a] = &self.local;
         let local = At { q, v, a, z: &at.z[slot.states.clone()], ..*at };
@@ -92,9 +93,9 @@ impl Seeded {
         for (r, x) in out.rate[slot.states.clone()].iter_mut().zip(&self.rate) {
             *r += x;
         }
-        let mut column = |col: usize, weight: f64, force: &dyn Fn(usize) -> f64, rate: &dyn Fn(usize) -> f64| {
-            for (i, row) in slot.map.iter().enumerate() {
-                for &(g, c) in row {
+        let mut column = |col: usize, weight: f64, rows: Range<usize>, force: &dyn Fn(usize) -> f64, rate: &dyn Fn(usize) -> f64| {
+            for i in rows {
+                for &(g, c) in &slot.map[i] {
                     out.mass[(g, col)] += c * weight * force(i);
                 }
             }
@@ -104,13 +105,13 @@ impl Seeded {
         };
         for (j, columns) in slot.map.iter().enumerate() {
             for &(col, weight) in columns {
-                column(col, weight, &|i| blocks.mass[(i, j)], &|i| blocks.state_a[(i, j)]);
+                column(col, weight, blocks.mass.columns(j), &|i| blocks.mass[(i, j)], &|i| blocks.state_a[(i, j)]);
             }
         }
         if free {
             let turn @ (sin, cos) = at.phase.sin_cos();
             let rate = |i: usize| blocks.spin_accel_rate_cos[i] * cos + blocks.spin_accel_rate_sin[i] * sin;
-            column(spin_row(system), 1.0, &|i| blocks.spin_accel_row(i, &local, turn), &rate);
+            column(spin_row(system), 1.0, 0..n, &|i| blocks.spin_accel_row(i, &local, turn), &rate);
         }
     }
 

@@ -198,7 +198,7 @@ fn by_body(tracks: Vec<Track>) -> (Vec<Peak>, Vec<Vec<Window>>, Vec<Tilting>) {
     };
     let (mut peaks, mut windows) = (Vec::<Peak>::new(), Vec::<Vec<Window>>::new());
     for track in points {
-        let body = track.probe.body;
+        let body = track.probe.station;
         if body == peaks.len() {
             peaks.push(track.peak);
             windows.push(track.windows);
@@ -214,7 +214,7 @@ fn by_body(tracks: Vec<Track>) -> (Vec<Peak>, Vec<Vec<Window>>, Vec<Tilting>) {
             }
         }
     }
-    let tilts = tilts.into_iter().map(|t| Tilting { body: t.probe.body, peak: t.peak, windows: t.windows });
+    let tilts = tilts.into_iter().map(|t| Tilting { body: t.probe.station, peak: t.peak, windows: t.windows });
     (peaks, windows, tilts.collect())
 }
 
@@ -608,7 +608,7 @@ impl Observer for Watch<'_> {
             let away = |t: &Track| t.last[0].hypot(t.last[1]);
             // a displacement that is no number is past every bound, but has no place: the step size control ends there
             let far = self.tracks.iter().find(|t| !t.probe.is_tilt() && away(t) > self.bound);
-            self.left.set(far.map(|track| Left { body: track.probe.body, displacement: away(track), t: step.t1 }));
+            self.left.set(far.map(|track| Left { body: track.probe.station, displacement: away(track), t: step.t1 }));
         }
         self.y = y;
         if self.switching {

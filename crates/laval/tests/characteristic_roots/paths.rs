@@ -11,7 +11,7 @@ use laval::model::erased;
 use laval::model::field::{Attach, Field, ParamValues, Values};
 use laval::model::params::NoParams;
 use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
-use laval::model::system::System;
+use laval::model::system::{Pair, System};
 use laval::solve::harmonic::balance::orbit::Orbit;
 use laval::solve::harmonic::balance::problem::Balance;
 use laval::solve::harmonic::branches::branch::State;
@@ -156,7 +156,7 @@ fn spatial_and_viscous_liquids_at_small_amplitude() {
         let orbit = Orbit::of(&mut balance, &state.x, speed).unwrap();
         let linear = response(&system, &|w| rest(&system, w), speed).unwrap().unwrap();
         for i in 0..3 {
-            let ((f, b), (lf, lb)) = (orbit.whirl(2 * i, 1), linear.circles(2 * i));
+            let ((f, b), (lf, lb)) = (orbit.whirl(&Pair::coordinates(2 * i), 1), linear.circles(2 * i));
             let off = (f - lf).abs() + (b.conj() - lb).abs().min((b - lb).abs());
             assert!(off < 1e-8 * (lf.abs() + lb.abs()), "{name} {i}: {f:?} {lf:?} {b:?} {lb:?}");
         }

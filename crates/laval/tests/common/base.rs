@@ -3,7 +3,7 @@
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::part::Link;
-use laval::model::system::System;
+use laval::model::system::{Pair, System};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
 use laval::solve::harmonic::balance::orbit::Orbit;
 use laval::solve::harmonic::balance::problem::Balance;
@@ -116,8 +116,8 @@ pub struct Found {
 
 /// Moduli of a motion.
 pub fn moduli(orbit: &Orbit) -> ([f64; 2], f64, f64) {
-    let (a, b) = (orbit.whirl(0, 1).0, orbit.whirl(2, 1).0);
-    ([a.abs(), b.abs()], (a - b).abs(), orbit.whirl(0, 3).1.abs())
+    let (a, b) = (orbit.whirl(&Pair::coordinates(0), 1).0, orbit.whirl(&Pair::coordinates(2), 1).0);
+    ([a.abs(), b.abs()], (a - b).abs(), orbit.whirl(&Pair::coordinates(0), 3).1.abs())
 }
 
 /// All states of the response at a speed.
@@ -139,7 +139,7 @@ pub fn states_at(system: &System, response: &Response, range: (f64, f64), speed:
         balance.eval(&x, speed, &mut r, Some(&mut jac), None).unwrap();
         let growth = if stability { assess.exponents(&mut balance, &x, speed).unwrap().growth() } else { f64::NAN };
         let orbit = Orbit::of(&mut balance, &x, speed).unwrap();
-        let alone = || (orbit.whirl(0, 1).0.abs(), orbit.whirl(0, 3).1.abs());
+        let alone = || (orbit.whirl(&Pair::coordinates(0), 1).0.abs(), orbit.whirl(&Pair::coordinates(0), 3).1.abs());
         let (z, deflection, minus3) = if system.n() > 2 { moduli(&orbit) } else { ([alone().0, 0.0], alone().0, alone().1) };
         if !out.iter().any(|f| (f.z[0] - z[0]).abs() < 1e-9 * z[0]) {
             out.push(Found { x, z, deflection, minus3, growth });

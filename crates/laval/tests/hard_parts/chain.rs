@@ -10,7 +10,7 @@ use laval::model::capability::BodyPart;
 use laval::model::erased;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Values};
 use laval::model::part::{At, Dof, DofKind, Layout, Link, Params, Part, Physics, Rows, Uses};
-use laval::model::system::System;
+use laval::model::system::{Pair, System};
 use laval::params;
 use laval::parts::{bearing_cubic::*, damper::*};
 use laval::solve::harmonic::balance::problem::Balance;
@@ -194,7 +194,7 @@ fn linear_response_is_the_modal_sum() {
         let force = UNBALANCE * o.speed * o.speed;
         for link in [0, 30, 59] {
             let exact = receptance(link, N / 2, c(0.0, o.speed)).scale(force);
-            let got = o.whirl(2 * link, 1).0;
+            let got = o.whirl(&Pair::coordinates(2 * link), 1).0;
             assert!((got - exact).abs() < 1e-9 * exact.abs().max(1e-9), "link {link} at {}: {got:?} {exact:?}", o.speed);
         }
     }
@@ -223,7 +223,7 @@ fn a_bearing_at_the_end_condenses_to_two_unknowns() {
     assert_eq!((balance.terms.unknowns, balance.nonlinear.basis.rows.len()), (2, 2));
     for o in orbits(&system, &found, range) {
         let s = c(0.0, o.speed);
-        let d = o.whirl(2 * (N - 1), 1).0;
+        let d = o.whirl(&Pair::coordinates(2 * (N - 1)), 1).0;
         let free = receptance(N - 1, N / 2, s).scale(UNBALANCE * o.speed * o.speed);
         let held = receptance(N - 1, N - 1, s) * d.scale(linear + cubic * d.norm_sqr());
         let size = d.abs() + free.abs() + held.abs();
@@ -246,7 +246,7 @@ fn ports_along_the_chain() {
     let found = response(&system, range);
     assert_eq!(found.discretisation.symmetry, Symmetry::Circular, "{:?}", found.broken);
     let all = orbits(&system, &found, range);
-    let largest = all.iter().map(|o| o.whirl(0, 1).0.abs()).fold(0.0, f64::max);
+    let largest = all.iter().map(|o| o.whirl(&Pair::coordinates(0), 1).0.abs()).fold(0.0, f64::max);
     assert!(largest > 1e-6);
     for o in all {
         let d = defect(&system, &o, 1);

@@ -9,7 +9,7 @@ use laval::model::erased;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Value, Values};
 use laval::model::params::Family;
 use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
-use laval::model::system::System;
+use laval::model::system::{Pair, System};
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
 use laval::solve::harmonic::stability::floquet::Unassessed;
@@ -186,7 +186,7 @@ fn nonlinear_circle_is_exact() {
     let found = response(&system, range);
     assert_eq!(found.discretisation.symmetry, Symmetry::Circular);
     for orbit in orbits(&system, &found, range) {
-        let (w, d) = (orbit.speed, orbit.whirl(0, 1).0);
+        let (w, d) = (orbit.speed, orbit.whirl(&Pair::coordinates(0), 1).0);
         let z = C64::cis(0.5 * std::f64::consts::PI * ORDER).scale(STRENGTH * w.powf(ORDER));
         let rest = d * (z + c(SPRING - MASS * w * w + cubic * d.norm_sqr(), 0.0)) - c(LOAD * w * w, 0.0);
         assert!(rest.abs() < 1e-10 * SPRING * d.abs(), "{w}: {rest:?}");

@@ -6,7 +6,7 @@ use laval::model::blocks::{Axes, Blocks, Memory};
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Values};
 use laval::model::part::{Dof, DofKind, Layout, Link, Params, Part, Physics};
-use laval::model::system::System;
+use laval::model::system::{Pair, System};
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
 use laval::solve::ensemble::{self, Ended, EnsembleTask, Form, Leg, LegEnd, Method, Next, Settings, Start};
@@ -127,7 +127,7 @@ fn response_has_its_closed_form() {
             assert!(all.len() > 50);
             for orbit in all {
                 let (forward, backward, condition) = closed_form(rotor, spring.unwrap_or([0.0; 2]), orbit.speed);
-                let (f, b) = orbit.whirl(0, 1);
+                let (f, b) = orbit.whirl(&Pair::coordinates(0), 1);
                 let size = (forward.abs() + backward.abs()) * (1.0 + condition);
                 assert!(
                     (f - forward).abs() < 1e-12 * size,
@@ -147,7 +147,7 @@ fn response_does_not_step_over_the_peak() {
     let (system, range) = (machine(false, None), (100.0, 3000.0));
     let all = orbits(&system, &response(&system, range), range);
     let highest = (1000..30_000).map(|k| closed_form(false, [0.0; 2], 0.1 * f64::from(k)).0.abs()).fold(0.0, f64::max);
-    let met = all.iter().map(|o| o.whirl(0, 1).0.abs()).fold(0.0, f64::max);
+    let met = all.iter().map(|o| o.whirl(&Pair::coordinates(0), 1).0.abs()).fold(0.0, f64::max);
     assert!(met > 0.98 * highest && met < 1.0001 * highest, "{met} of {highest}");
 }
 

@@ -7,7 +7,7 @@ use common::{number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::part::Link;
-use laval::model::system::System;
+use laval::model::system::{Pair, System};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
 use laval::solve::harmonic::balance::motion::Motion;
 use laval::solve::harmonic::balance::orbit::Orbit;
@@ -136,9 +136,9 @@ fn subharmonic_of_order_one_third() {
         let speed = number(row[0]) * unit;
         let (_, found) = states(&system, family[0], speed);
         assert_eq!(found.len(), 2);
-        let near = |s: &&At| (s.orbit.whirl(0, 1).1.abs() / number(row[1]) - 1.0).abs() < 1e-6;
+        let near = |s: &&At| (s.orbit.whirl(&Pair::coordinates(0), 1).1.abs() / number(row[1]) - 1.0).abs() < 1e-6;
         let s = found.iter().find(near).unwrap_or_else(|| panic!("{row:?}"));
-        assert!((s.orbit.whirl(0, 3).0.abs() / number(row[2]) - 1.0).abs() < 1e-6, "{row:?}");
+        assert!((s.orbit.whirl(&Pair::coordinates(0), 3).0.abs() / number(row[2]) - 1.0).abs() < 1e-6, "{row:?}");
         assert_eq!(s.stable, row[5] == "1", "{row:?}");
     }
 }

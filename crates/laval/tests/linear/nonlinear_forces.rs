@@ -1,6 +1,7 @@
 //! Forces, self-centring and tuned foundations as the study of the nonlinear response tells them: against the reference tables and closed forms.
 
 use crate::common;
+use laval::model::system::Pair;
 
 use common::base::Base;
 use common::{number, rows};
@@ -87,8 +88,8 @@ fn self_centring_agrees_with_the_table() {
         near(c0 * d + 0.75 * c1 * d.powi(3), n("bearing_force_N"), 1e-8);
         let system = base.builder().build().unwrap();
         let found = limit(&system, top).unwrap();
-        near(found.orbit.whirl(0, 1).0.abs(), n("limit_z1_m"), 1e-9);
-        assert!(found.orbit.whirl(2, 1).0.abs() < 1e-9 * n("limit_z1_m"));
+        near(found.orbit.whirl(&Pair::coordinates(0), 1).0.abs(), n("limit_z1_m"), 1e-9);
+        assert!(found.orbit.whirl(&Pair::coordinates(2), 1).0.abs() < 1e-9 * n("limit_z1_m"));
         let a = n("limit_z1_m");
         near(Measure::Force(2).largest(&system, &found.orbit, 1).0, c0 * a + c1 * a.powi(3), 1e-9);
         near(c0 * a + 0.75 * c1 * a.powi(3), n("limit_bearing_force_N"), 1e-9);

@@ -366,8 +366,11 @@ fn the_major_axis_of_an_orbit_points_to_its_farthest_point() {
     let turn = |a: f64| (a - std::f64::consts::PI * (a / std::f64::consts::PI).round()).abs();
     for speed in [90.0, 110.0, 250.0, 300.0, 420.0, 800.0] {
         let r = at_speed(&system, speed).unwrap().unwrap();
-        for b in system.bodies() {
-            let (x, y) = (r.x[b.x], r.x[b.x + 1]);
+        for b in system.stations() {
+            let (x, y) = {
+                let [x, y] = b.lateral.amplitudes(&r.x);
+                (x, y)
+            };
             let count = 7200;
             let orbit = (0..count).map(|k| {
                 let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(count)).sin_cos();
@@ -377,7 +380,7 @@ fn the_major_axis_of_an_orbit_points_to_its_farthest_point() {
             let of = |f: &dyn Fn([f64; 2]) -> f64| orbit.clone().map(f).sum::<f64>();
             let (xx, yy, xy) = (of(&|p| p[0] * p[0]), of(&|p| p[1] * p[1]), of(&|p| p[0] * p[1]));
             let principal = 0.5 * (2.0 * xy).atan2(xx - yy);
-            let reported = r.direction(b.x);
+            let reported = r.direction(b.lateral.first().unwrap());
             assert!(reported > -std::f64::consts::FRAC_PI_2 && reported <= std::f64::consts::FRAC_PI_2, "{reported}");
             assert!(turn(reported - principal) < 1e-9, "{speed} {}: {reported} {principal}", b.name);
             assert!(turn(reported - far[1].atan2(far[0])) < 0.02, "{speed} {}: {reported} {far:?}", b.name);
@@ -386,10 +389,10 @@ fn the_major_axis_of_an_orbit_points_to_its_farthest_point() {
         // the study hands on the same
         let out = run(&system, speed, speed + 2.0);
         let column = out.find_table("response").unwrap().column("direction.base").unwrap().number(0).unwrap();
-        assert_eq!(column, r.direction(system.bodies()[1].x));
+        assert_eq!(column, r.direction(system.stations()[1].lateral.first().unwrap()));
         // another machine has another axis
         let o = at_speed(&other, speed).unwrap().unwrap();
-        assert!(turn(o.direction(other.bodies()[1].x) - column) > 1e-4);
+        assert!(turn(o.direction(other.stations()[1].lateral.first().unwrap()) - column) > 1e-4);
     }
     // a circle has none, a line along y has one
     let system = Planar::default().build();

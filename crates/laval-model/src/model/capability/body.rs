@@ -1,6 +1,7 @@
 //! Bodies: parts that other parts attach to.
 
 use super::super::params::{Parametric, Params};
+use super::super::part::ErasedPart;
 
 /// Names of parameters of a body, where it has them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,8 +16,21 @@ pub struct BodyParameters {
 
 /// A part that other parts attach to; its layout says so too ([`Layout::body`](super::super::part::Layout::body)).
 pub trait BodyPart: Parametric {
-    /// Rows of the map from the own coordinates to x, y, tilt_x, tilt_y of the point at `position` (m): 4 entries for each own coordinate.
+    /// Rows of the map from the local coordinates to x, y, tilt_x, tilt_y of the point at `position` (m): 4 entries for each local coordinate, those of the
+    /// ports first.
     fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 4]>;
+    /// Positions of the nodes of a body that bends, m, rising; `None` of a rigid body.
+    fn nodes(&self) -> Option<Vec<f64>> {
+        None
+    }
+    /// A body that bends with nodes at these positions as well; `None` where nothing changes.
+    fn divided(&self, _positions: &[f64]) -> Option<ErasedPart> {
+        None
+    }
+    /// It turns with the rotor.
+    fn turns(&self) -> bool {
+        self.parameters().unbalance.is_some()
+    }
     /// Of a body that spins with the rotor and has mass: the parameter for its inertia about the axis, while that is 0.
     fn lacks_spin_inertia(&self, _p: &Params<Self, f64>) -> Option<&'static str> {
         None
@@ -34,12 +48,16 @@ pub trait BodyPart: Parametric {
 /// The object-safe face.
 pub mod erased {
     use super::super::super::params::Family;
+    use super::super::super::part::ErasedPart;
     use super::BodyParameters;
 
     /// See the [trait of the author](super::BodyPart).
     #[allow(missing_docs)]
     pub trait BodyPart {
         fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]>;
+        fn nodes(&self) -> Option<Vec<f64>>;
+        fn turns(&self) -> bool;
+        fn divided(&self, positions: &[f64]) -> Option<ErasedPart>;
         fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str>;
         fn without_tilt(&self) -> Option<&'static str>;
         fn parameters(&self) -> BodyParameters;
@@ -48,6 +66,15 @@ pub mod erased {
     impl<T: super::BodyPart> BodyPart for T {
         fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]> {
             super::BodyPart::shape(self, &T::Family::from_slice(p), position)
+        }
+        fn nodes(&self) -> Option<Vec<f64>> {
+            super::BodyPart::nodes(self)
+        }
+        fn turns(&self) -> bool {
+            super::BodyPart::turns(self)
+        }
+        fn divided(&self, positions: &[f64]) -> Option<ErasedPart> {
+            super::BodyPart::divided(self, positions)
         }
         fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str> {
             super::BodyPart::lacks_spin_inertia(self, &T::Family::from_slice(p))

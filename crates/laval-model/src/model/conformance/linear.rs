@@ -47,7 +47,7 @@ impl<P: Part> Bench<'_, P> {
             let size: Vec<f64> = size.iter().zip(&g).map(|(s, g)| 2.0 * (s + g.abs())).collect();
             self.compare(Promise::Blocks, "sum of two states", &both[..self.n + self.m], &split, &size, 1e-12);
             for (grid, sign, name) in [(&b.0.mass, 1.0, "M"), (&b.0.gyroscopic, -1.0, "G"), (&b.0.circulatory, -1.0, "N")] {
-                for (i, j) in (0..self.n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+                for (i, j) in (0..self.n).flat_map(|i| (grid.columns(i).start..=i).map(move |j| (i, j))) {
                     if !within(grid[(i, j)] - sign * grid[(j, i)], 1e-14, grid[(i, j)].abs()) {
                         self.fail(Promise::Blocks, format!("{name}[{i},{j}] breaks its symmetry"));
                     }
@@ -57,7 +57,7 @@ impl<P: Part> Bench<'_, P> {
     }
     fn blocks_at(&self, speed: f64) -> Local {
         let mut b = Blocks::default();
-        b.reset(self.n, self.m - Part::memory(self.part), speed);
+        b.reset_band(self.n, self.m - Part::memory(self.part), Part::reach(self.part), speed);
         Part::linear(self.part, &P::Family::from_slice(&self.params), speed, &mut b);
         Local(b)
     }

@@ -2,6 +2,7 @@
 
 use crate::harmonic::balance::problem::Balance;
 use crate::model::probe::Probe;
+use crate::model::station::Pair;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero};
 use serde::{Deserialize, Serialize};
@@ -75,8 +76,8 @@ impl Orbit {
     }
 
     /// Place of rest of the pair that starts at coordinate `x`.
-    pub fn rest_of(&self, x: usize) -> [f64; 2] {
-        [x, x + 1].map(|i| self.rest.get(i).copied().unwrap_or(0.0))
+    pub fn rest_of(&self, pair: &Pair) -> [f64; 2] {
+        if self.rest.is_empty() { [0.0; 2] } else { pair.of(&self.rest) }
     }
 
     /// What a probe measures, from rest, with its first and second derivative in the base phase, at base phase `tau`.
@@ -101,12 +102,12 @@ impl Orbit {
         if self.rest.is_empty() { [0.0; 2] } else { probe.of(&self.rest) }
     }
 
-    /// Forward and backward amplitude of the pair that starts at coordinate `x`, at order `k`: `x + i y = forward e^(i k tau) + backward e^(-i k tau)`.
-    pub fn whirl(&self, x: usize, k: usize) -> (C64, C64) {
+    /// Forward and backward amplitude of a pair, at order `k`: `x + i y = forward e^(i k tau) + backward e^(-i k tau)`.
+    pub fn whirl(&self, pair: &Pair, k: usize) -> (C64, C64) {
         match self.orders.iter().position(|&o| o == k) {
             None => (C64::zero(), C64::zero()),
             Some(i) => {
-                let (a, b) = (self.coordinates[i][x], self.coordinates[i][x + 1]);
+                let [a, b] = pair.amplitudes(&self.coordinates[i]);
                 ((a + b.mul_i()).scale(0.5), (a.conj() + b.conj().mul_i()).scale(0.5))
             }
         }

@@ -21,7 +21,7 @@ use crate::harmonic::balance::refused::refused;
 use crate::harmonic::balance::sizes::{reference_stiffness, resonances};
 use crate::harmonic::balance::switching::Switching;
 use crate::harmonic::balance::terms::{Term, Terms};
-use crate::model::system::{Axis, System};
+use crate::model::system::{Axis, Pair, Station, System};
 use crate::rest::rest;
 use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
@@ -89,8 +89,8 @@ pub struct Balance<'a> {
     pub(super) load_speed: Vec<f64>,
     scale: Vec<f64>,
     speed_scale: f64,
-    /// Pairs of the bodies that are monitored, displacements and tilts, with their weights.
-    bodies: Vec<(usize, f64)>,
+    /// Displacements and tilts of the stations, with their weights.
+    monitored: Vec<(Pair, f64)>,
     /// Resonances of the machine linearised at rest, met by the base order: speed and half width, rad/s.
     resonances: Vec<(f64, f64)>,
     pub(in crate::harmonic) cancel: Option<&'a AtomicBool>,
@@ -171,7 +171,7 @@ impl<'a> Balance<'a> {
             load_speed: vec![0.0; unknowns],
             scale: vec![1.0; unknowns],
             speed_scale: 1.0,
-            bodies: system.bodies().iter().flat_map(|b| [Some((b.x, 1.0)), b.tilt.map(|t| (t, LEVER))]).flatten().collect(),
+            monitored: monitored(system),
             resonances: Vec::new(),
             cancel,
             amplitudes: vec![C64::zero(); m],
@@ -434,6 +434,12 @@ impl<'a> Balance<'a> {
     }
 }
 
+/// What is monitored of the motion: displacements and tilts of the stations, with their weights.
+fn monitored(system: &System) -> Vec<(Pair, f64)> {
+    let of = |s: &Station| [Some((s.lateral.clone(), 1.0)), s.tilt.clone().map(|t| (t, LEVER))];
+    system.stations().iter().flat_map(of).flatten().collect()
+}
+
 /// Adds the real operator of a complex matrix at order `k` on the terms.
 fn add_operator(terms: &Terms, k: usize, mu: usize, matrix: &Mat<C64>, force: &mut [C64], out: &mut Mat) {
     let mut column = vec![0.0; terms.unknowns];
@@ -502,7 +508,7 @@ impl Zero for Balance<'_> {
         Ok(())
     }
     fn monitors(&self) -> usize {
-        2 * self.bodies.len()
+        2 * self.monitored.len()
     }
     fn monitor_width(&self) -> usize {
         2
@@ -530,8 +536,9 @@ impl Zero for Balance<'_> {
             self.measured = order;
             condensed.map_err(|_| Failure::Undefined(NO_RESPONSE))?;
         }
-        for (i, &(g, lever)) in self.bodies.iter().enumerate() {
-            let forward = (motion[g] + motion[g + 1].mul_i()).scale(0.5 * lever);
+        for (i, (pair, lever)) in self.monitored.iter().enumerate() {
+            let [x, y] = pair.amplitudes(&motion);
+            let forward = (x + y.mul_i()).scale(0.5 * *lever);
             out[2 * i] = forward.re;
             out[2 * i + 1] = forward.im;
         }

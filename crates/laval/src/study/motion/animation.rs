@@ -50,7 +50,7 @@ fn turned(x: [f64; 2], phase: f64) -> [f64; 2] {
 /// The motion of a machine with movable masses; `None` of others.
 pub(in crate::study) fn played(motion: &mut Motion, trajectory: &Trajectory) -> Option<RotorMotion> {
     let system = motion.system();
-    let bodies = system.bodies();
+    let bodies = system.stations();
     let dim = trajectory.state.len().max(1);
     let stride = trajectory.times.len().div_ceil(MOST_FRAMES).max(1);
     let mut ws = Workspace::default();
@@ -72,8 +72,8 @@ pub(in crate::study) fn played(motion: &mut Motion, trajectory: &Trajectory) -> 
             circle.displacements.push(turned(o.displacement, phase));
             circle.places.push(turned(o.place, phase));
         }
-        for (own, b) in out.bodies.iter_mut().zip(&bodies) {
-            own.push(turned([y[b.x], y[b.x + 1]], phase));
+        for (own, b) in out.bodies.iter_mut().zip(bodies) {
+            own.push(turned(b.lateral.of(y), phase));
         }
         out.times.push(t);
         out.phases.push(phase);
@@ -107,7 +107,7 @@ pub(in crate::study) fn report(system: &System, rotor: &RotorMotion, outcome: Ou
     };
     let mut circles = Vec::new();
     let mut largest = (0.0f64, 0.0f64);
-    for (body, points) in system.bodies().iter().zip(&rotor.bodies) {
+    for (body, points) in system.stations().iter().zip(&rotor.bodies) {
         let displacement = pair(&body.name, "displacement in axes that turn with the rotor", points);
         circles.push(Circle { name: Arg::name(&body.name), displacement, place: None, radius: 0.0, movable: false });
     }

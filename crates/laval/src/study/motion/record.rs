@@ -13,7 +13,7 @@ use super::start::Start;
 use super::{animation, balance};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Physics, TimeForm};
-use crate::model::system::{GlobalDof, Slot, System, Workspace};
+use crate::model::system::{GlobalDof, Slot, Station, System, Workspace};
 use crate::solve::motion::Motion;
 use crate::solve::motion::envelope::{Peak, Window};
 use crate::solve::motion::trajectory::{Left, Tilting, Trajectory, Use};
@@ -227,6 +227,15 @@ impl MotionRecord {
         let series =
             |name: &str, unit: &str, i: usize| Series { name: name.into(), unit: unit.into(), values: rows().map(|y| y[i]).collect() };
         let coordinates = system.coordinates();
+        // displacements of stations that are no coordinates
+        let combined = system.stations().iter().filter(|s| s.lateral.first().is_none());
+        let point = |s: &Station| {
+            let names = s.columns(system).into_iter().enumerate();
+            names
+                .map(|(k, name)| Series { name, unit: "m".into(), values: rows().map(|y| s.lateral.of(y)[k]).collect() })
+                .collect::<Vec<_>>()
+        };
+        let points = combined.flat_map(point);
         let rate = |(i, c): (usize, &GlobalDof)| series(&format!("{}'", c.name), &per_second(c.dof.unit), n + i);
         // memory states are many and mean nothing one by one
         let own = system.slots().iter().flat_map(|slot| slot.states.start..slot.states.end - slot.memory);
@@ -235,7 +244,7 @@ impl MotionRecord {
         MotionRecord {
             times: trajectory.times.clone(),
             spin: trajectory.times.iter().zip(rows()).map(|(&t, y)| motion.spin(t, y)).collect(),
-            coordinates: coordinates.iter().enumerate().map(|(i, c)| series(&c.name, c.dof.unit, i)).collect(),
+            coordinates: coordinates.iter().enumerate().map(|(i, c)| series(&c.name, c.dof.unit, i)).chain(points).collect(),
             rates: if beside.velocities { coordinates.iter().enumerate().map(rate).collect() } else { Vec::new() },
             states,
             observed: if beside.observables { observed(motion, trajectory) } else { Vec::new() },

@@ -359,9 +359,9 @@ impl Transient {
             };
             out.extend(finding.map(|f| f.evidence("reached at", s.peak.t, "s")));
         }
-        for b in system.bodies() {
-            let (x, y) = (last_state.coordinates[b.x], last_state.coordinates[b.x + 1]);
-            let away = (x - record.rest[b.x]).hypot(y - record.rest[b.x + 1]);
+        for b in system.stations() {
+            let ([x, y], rest) = (b.lateral.of(&last_state.coordinates), b.lateral.of(&record.rest));
+            let away = (x - rest[0]).hypot(y - rest[1]);
             if away <= still {
                 continue;
             }

@@ -44,21 +44,17 @@ impl Turns {
 
     /// Takes the samples out of a trajectory, which keeps the outputs requested besides: the path, if the trajectory came so far.
     pub fn taken(&self, motion: &Motion, trajectory: &mut Trajectory, outputs: &[f64]) -> Option<LastTurns> {
-        let coordinates = motion.system().coordinates();
-        let places: Vec<usize> = motion.system().bodies().iter().flat_map(|b| [b.x, b.x + 1]).collect();
-        let (mut times, mut path) = (Vec::new(), vec![Vec::new(); places.len()]);
+        let stations = motion.system().stations();
+        let (mut times, mut path) = (Vec::new(), vec![Vec::new(); 2 * stations.len()]);
         separated(trajectory, self.0.iter().copied(), outputs, |t, y| {
             times.push(t);
-            path.iter_mut().zip(&places).for_each(|(p, &i)| p.push(y[i]));
+            path.iter_mut().zip(stations.iter().flat_map(|s| s.lateral.of(y))).for_each(|(p, x)| p.push(x));
         });
-        if times.len() != self.0.len() || places.is_empty() {
+        if times.len() != self.0.len() || stations.is_empty() {
             return None;
         }
-        let series = |(&i, values): (&usize, Vec<f64>)| {
-            let c = &coordinates[i];
-            Series { name: c.name.clone(), unit: c.dof.unit.into(), values }
-        };
-        Some(LastTurns { times, coordinates: places.iter().zip(path).map(series).collect() })
+        let names = stations.iter().flat_map(|s| s.columns(motion.system()));
+        Some(LastTurns { times, coordinates: names.zip(path).map(|(name, values)| Series { name, unit: "m".into(), values }).collect() })
     }
 }
 

@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::part::At;
 use crate::model::probe::Probe;
-use crate::model::system::{System, Workspace};
+use crate::model::system::{Pair, System, Workspace};
 use crate::outcome::{self, Arg, Finding, Message, TableBuilder};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::pace::Pace;
@@ -70,8 +70,8 @@ const SAMPLES: usize = 16;
 pub(in crate::study) struct Measure<'a> {
     system: &'a System,
     balance: Balance<'a>,
-    /// First coordinates of the bodies.
-    bodies: Vec<usize>,
+    /// Displacements of the stations.
+    bodies: Vec<Pair>,
     /// Probes that are measured, by index: the reference points of the bodies first.
     which: Vec<usize>,
 }
@@ -95,7 +95,7 @@ impl<'a> Measure<'a> {
     pub fn new(system: &'a System, d: Discretisation, frequency: f64) -> Result<Self, Diagnostic> {
         let w = frequency.abs().max(1e-3);
         let balance = Balance::new(system, d, (0.9 * w, 1.1 * w), None)?;
-        let bodies = system.bodies().into_iter().map(|b| b.x).collect();
+        let bodies = system.stations().iter().map(|s| s.lateral.clone()).collect();
         Ok(Measure { system, balance, bodies, which: probes::ordered(system) })
     }
 
@@ -108,7 +108,7 @@ impl<'a> Measure<'a> {
         };
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let first = |&x: &usize| {
+        let first = |x: &Pair| {
             let (forward, backward) = orbit.whirl(x, 1);
             forward.abs().max(backward.abs())
         };

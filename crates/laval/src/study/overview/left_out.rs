@@ -16,7 +16,7 @@ pub(super) fn left_out(facts: &Facts) -> Vec<Message> {
         let key = if kept { "left-linear-modes" } else { "left-linear" };
         out.push(Message::new(key).arg("parts", Arg::names(nonlinear)));
     }
-    let tilts = system.bodies().iter().any(|b| b.tilt.is_some());
+    let tilts = system.stations().iter().any(|b| b.tilt.is_some());
     out.push(Message::new("left-motions").arg("tilt", Arg::word(if tilts { "yes" } else { "no" })));
     out.push(Message::new("left-excitation"));
     if system.machine.drive == Drive::Prescribed {

@@ -1,7 +1,7 @@
 //! Bodies and what joins them, for the drawing of the machine.
 
 use crate::model::part::{At, Link, Physics};
-use crate::model::system::{Body, Slot, System, Workspace};
+use crate::model::system::{Slot, System, Workspace};
 use crate::model::tangent::{SparseTangent, TangentScratch, Triplets};
 use crate::outcome::{Arg, Block, Joint};
 use crate::study::shared::stations::Stations;
@@ -11,31 +11,27 @@ const MOST_LABELS: usize = 2;
 
 /// Bodies first, then what joins them, in the order of the file.
 pub(super) fn blocks(system: &System) -> Vec<Block> {
-    let bodies = system.bodies();
+    let mut bodies: Vec<usize> = system.stations().iter().map(|s| s.slot).collect();
+    bodies.dedup();
     let stations = Stations::of(system);
-    let is_body = |k: usize| bodies.iter().any(|b| b.slot == k);
-    let place = |b: &Body| stations.all.iter().find(|s| s.body == b.name).map_or(0.0, |s| s.place - s.height);
-    let body = |b: &Body| {
-        let slot = &system.slots()[b.slot];
+    let is_body = |k: usize| bodies.contains(&k);
+    let place = |name: &str| stations.all.iter().find(|s| s.body == name).map_or(0.0, |s| s.place - s.height);
+    let body = |&k: &usize| {
+        let slot = &system.slots()[k];
         let own = slot.part.body().is_some_and(|b| b.parameters().stiffness.is_some());
         Block::Body {
             name: slot.name.clone(),
-            rotor: turns(system, b.slot),
+            rotor: slot.part.body().is_some_and(|b| b.turns()),
             labels: labels(system, slot),
             grounded: if own { joint(system, slot) } else { Joint::default() },
             cavity: cavity(system, &slot.name),
-            place: place(b),
+            place: place(&slot.name),
         }
     };
     let others = system.slots().iter().enumerate().filter(|(k, _)| !is_body(*k));
     let others: Vec<Block> =
         others.filter_map(|(_, s)| balls(system, s).or_else(|| liquid(system, s)).or_else(|| link(system, s))).collect();
     bodies.iter().map(body).chain(others).collect()
-}
-
-/// The body spins with the rotor: it can carry an unbalance.
-fn turns(system: &System, slot: usize) -> bool {
-    system.slots()[slot].part.body().is_some_and(|b| b.parameters().unbalance.is_some())
 }
 
 /// The first values of a part that are not 0; what is the same in x and y stands once.

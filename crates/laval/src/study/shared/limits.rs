@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
 use crate::model::probe::Probe;
-use crate::model::system::System;
+use crate::model::system::{Station, System};
 use crate::text;
 use crate::units::read_quantity;
 
@@ -106,10 +106,17 @@ fn point(name: &str) -> Option<(&str, f64)> {
 /// Height of a point, m, at most.
 const FARTHEST: f64 = 100.0;
 
+/// Names of the bodies that have such stations.
+fn names(system: &System, such: impl Fn(&Station) -> bool) -> Vec<String> {
+    let mut out: Vec<String> = system.stations().iter().filter(|s| such(s)).map(|s| system.slots()[s.slot].name.clone()).collect();
+    out.dedup();
+    out
+}
+
 /// The points of bodies that limits name.
 pub fn points(extra: &Extra, system: &System) -> Vec<(String, f64)> {
-    let bodies = system.bodies();
-    let is_body = |n: &str| bodies.iter().any(|b| b.name == n);
+    let bodies = names(system, |_| true);
+    let is_body = |n: &str| bodies.iter().any(|b| b == n);
     let named = ON_POINTS.into_iter().flat_map(|field| extra.values.named(field)).filter_map(|(name, _)| name);
     let found = named.filter(|n| !is_body(n)).filter_map(point).filter(|p| is_body(p.0));
     found.map(|(body, at)| (body.to_string(), at)).collect()
@@ -168,7 +175,7 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
 
 /// Reads the limits; says all that is wrong.
 pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
-    let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
+    let bodies = names(system, |_| true);
     let parts: Vec<String> = system.slots().iter().map(|s| s.name.clone()).collect();
     let mut list = |field: &str, known: &[String], of: Limited| -> Vec<Limit> {
         let mut found = Vec::new();
@@ -201,7 +208,7 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
         found
     };
     let (displacement, velocity) = (list("displacement", &bodies, Limited::Body), list("velocity", &bodies, Limited::Body));
-    let tilting: Vec<String> = system.bodies().into_iter().filter(|b| b.tilt.is_some()).map(|b| b.name).collect();
+    let tilting = names(system, |s| s.tilt.is_some());
     let (tilt, moment) = (list("tilt", &tilting, Limited::Tilting), list("moment", &parts, Limited::Part));
     let (force, passage) = (list("force", &parts, Limited::Part), list("passage_displacement", &bodies, Limited::Body));
     if v.number("rated_density").is_some() && v.number("speed").is_none() {

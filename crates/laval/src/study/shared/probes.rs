@@ -3,7 +3,7 @@
 
 use super::speed_range::SpinSpeeds;
 use super::support::probe_name;
-use crate::model::probe::{Probe, Sight};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Message};
 use crate::solve::characteristic::Characteristic;
@@ -53,10 +53,10 @@ pub fn owner(probe: &Probe) -> String {
 /// The body, point of a body or tilt of a body, as an argument of a sentence.
 pub fn arg(probe: &Probe) -> Arg {
     let body = |key: &str| Message::new(key).arg("body", Arg::name(&probe.name));
-    match probe.sight {
-        Sight::Displacement(0.0) => body("body").into(),
-        Sight::Displacement(z) => body("point").arg("height", Arg::quantity(z, "m").digits(probe.digits as u8)).into(),
-        Sight::Tilt => body("tilt-of").into(),
+    match probe.height() {
+        Some(z) => body("point").arg("height", Arg::quantity(z, "m").digits(probe.digits as u8)).into(),
+        None if probe.is_tilt() => body("tilt-of").into(),
+        None => body("body").into(),
     }
 }
 
@@ -71,12 +71,12 @@ pub fn named(probe: &Probe) -> Arg {
 }
 
 fn point(probe: &Probe, key: &str) -> Arg {
-    match probe.sight {
-        Sight::Displacement(z) if z != 0.0 => {
+    match probe.height() {
+        Some(z) => {
             let height = Arg::quantity(z, "m").digits(probe.digits as u8);
             Message::new(key).arg("body", Arg::name(&probe.name)).arg("height", height).into()
         }
-        _ => Arg::name(&probe.name),
+        None => Arg::name(&probe.name),
     }
 }
 
@@ -115,8 +115,8 @@ pub const UNRESOLVED: f64 = 10.0;
 pub fn resolved(sizes: Vec<(Probe, Vec<f64>)>, tolerance: f64) -> Vec<(Probe, Vec<f64>)> {
     let most = |x: &[f64]| x.iter().copied().fold(0.0, f64::max);
     let loud = loudest(sizes.iter().map(|(p, x)| (p, most(x))));
-    let tilting: Vec<usize> = sizes.iter().filter(|s| s.0.is_tilt()).map(|s| s.0.body).collect();
-    let nothing = |p: &Probe, x: &[f64]| !p.is_tilt() && tilting.contains(&p.body) && still(p, most(x), loud, UNRESOLVED * tolerance);
+    let tilting: Vec<usize> = sizes.iter().filter(|s| s.0.is_tilt()).map(|s| s.0.station).collect();
+    let nothing = |p: &Probe, x: &[f64]| !p.is_tilt() && tilting.contains(&p.station) && still(p, most(x), loud, UNRESOLVED * tolerance);
     sizes.into_iter().filter(|(p, x)| !nothing(p, x)).collect()
 }
 
@@ -133,7 +133,7 @@ const FARTHER: f64 = 1.001;
 pub fn farthest(system: &System, size: impl Fn(&Probe) -> f64) -> Vec<(&Probe, f64)> {
     let mut out: Vec<(&Probe, f64)> = Vec::new();
     for reference in system.probes().iter().filter(|p| p.is_reference()) {
-        let others = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference() && p.body == reference.body);
+        let others = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference() && p.station == reference.station);
         let farther = |a: (&'_ Probe, f64), x: f64| !(a.1.is_nan() || x <= FARTHER * a.1);
         out.push(others.map(|p| (p, size(p))).fold((reference, size(reference)), |a, b| if farther(a, b.1) { b } else { a }));
     }

@@ -4,7 +4,7 @@ use crate::model::capability::scope::Axis;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::Link;
 use crate::model::probe::Sight;
-use crate::model::system::{Body, System};
+use crate::model::system::{Pair, System};
 use crate::outcome::{TableBuilder, Tiles};
 use crate::solve::sectors::circular;
 use laval_num::complex::C64;
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 /// A point of a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Station {
+pub struct Point {
     /// Name of the body.
     pub body: String,
     /// Height above its reference point, m.
@@ -21,17 +21,17 @@ pub struct Station {
     pub place: f64,
     /// Stations of one line are joined: those of the shaft, and of every body beside it.
     pub line: usize,
-    /// Something is attached there, or names it; else an end of a body, which shows its tilt.
+    /// Something is attached there, or names it; else an end of a body, which shows its tilt, or a node of one that bends.
     pub named: bool,
     /// Both components of the displacement over the coordinates.
-    pub rows: [Vec<(usize, f64)>; 2],
+    pub rows: Pair,
 }
 
 /// All stations, bodies in the order of the machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stations {
     /// In the order of bodies, each from its lowest to its highest.
-    pub all: Vec<Station>,
+    pub all: Vec<Point>,
     /// Places are distances; else bodies stand one below the other in equal steps.
     pub to_scale: bool,
 }
@@ -42,22 +42,18 @@ const SAME: f64 = 1e-9;
 impl Stations {
     /// The stations of a machine.
     pub fn of(system: &System) -> Stations {
-        let bodies = system.bodies();
-        let masses = masses(system);
+        let bodies = bodies(system);
         let mut all = Vec::new();
         for (k, body) in bodies.iter().enumerate() {
-            let mut own: Vec<Station> = system.probes().iter().filter(|p| p.body == k).filter_map(|p| named(body, p)).collect();
-            own.extend(ends(body, &own, masses[k]));
+            let probes = system.probes().iter().filter(|p| body.stations.contains(&p.station));
+            let mut own: Vec<Point> = probes.filter_map(|p| named(body, p)).collect();
+            own.extend(if body.flexible { nodes(system, body, &own) } else { ends(system, body, &own) });
             own.sort_by(|a, b| a.height.total_cmp(&b.height));
-            all.extend(own);
+            all.extend(own.into_iter().map(|s| (k, s)));
         }
         let (lines, offsets) = (lines(system, &bodies), offsets(system, &bodies));
-        let number = |name: &str| bodies.iter().position(|b| b.name == name).unwrap_or_default();
-        for s in &mut all {
-            let k = number(&s.body);
-            (s.line, s.place) = (lines[k], offsets[k] + s.height);
-        }
-        let mut out = Stations { all, to_scale: true };
+        let placed = |(k, s): (usize, Point)| Point { line: lines[k], place: offsets[k] + s.height, ..s };
+        let mut out = Stations { all: all.into_iter().map(placed).collect(), to_scale: true };
         if out.coincide(&bodies, &lines) {
             out.stack(system, &bodies);
         }
@@ -92,7 +88,7 @@ impl Stations {
             let own = self.all.iter().filter(|s| s.body == name).map(|s| s.height);
             own.fold((0.0f64, 0.0f64), |(a, b), x| (a.min(x), b.max(x)))
         };
-        let extents: Vec<(f64, f64)> = order.iter().map(|b| extent(&b.name)).collect();
+        let extents: Vec<(f64, f64)> = order.iter().map(|b| extent(b.name)).collect();
         let largest = extents.iter().map(|(a, b)| b - a).fold(0.0, f64::max);
         let gap = if largest > 0.0 { 0.6 * largest } else { 1.0 };
         let mut top = 0.0;
@@ -106,9 +102,9 @@ impl Stations {
 
     /// Forward and backward circular amplitudes of every station.
     pub fn motion(&self, q: &[C64]) -> Vec<[C64; 2]> {
-        let along = |rows: &[(usize, f64)]| rows.iter().fold(C64::zero(), |s, &(g, x)| s + q[g].scale(x));
-        let one = |s: &Station| {
-            let (f, b) = circular(along(&s.rows[0]), along(&s.rows[1]));
+        let one = |s: &Point| {
+            let [x, y] = s.rows.amplitudes(q);
+            let (f, b) = circular(x, y);
             [f, b]
         };
         self.all.iter().map(one).collect()
@@ -117,14 +113,14 @@ impl Stations {
     /// Adds the columns by which pictures are drawn: stations of all pictures one after the other, with the motion of each.
     pub(in crate::study) fn columns(&self, table: TableBuilder, motions: &[&[[C64; 2]]], unit: &str) -> TableBuilder {
         let rows = || motions.iter().flat_map(|m| self.all.iter().zip(m.iter()));
-        let number = |f: &dyn Fn(&Station, &[C64; 2]) -> f64| rows().map(|(s, m)| f(s, m)).collect::<Vec<f64>>();
+        let number = |f: &dyn Fn(&Point, &[C64; 2]) -> f64| rows().map(|(s, m)| f(s, m)).collect::<Vec<f64>>();
         let size = |m: &[C64; 2], sign: f64| m[0].abs() + sign * m[1].abs();
         table
             .names(Tiles::BODY, "body", rows().map(|r| r.0.body.clone()).collect())
             .float(Tiles::HEIGHT, "m", "height above the reference point of the body", number(&|s, _| s.height))
             .float(Tiles::PLACE, if self.to_scale { "m" } else { "" }, "place along the axis", number(&|s, _| s.place))
             .int(Tiles::LINE, "", "stations of one line are joined", rows().map(|r| r.0.line as i64).collect())
-            .flag(Tiles::NAMED, "something is attached there; else an end of the body", rows().map(|r| r.0.named).collect())
+            .flag(Tiles::NAMED, "something is attached there; else an end or a node of the body", rows().map(|r| r.0.named).collect())
             .float("major", unit, "semi-major axis of the orbit", number(&|_, m| size(m, 1.0)))
             .float("minor", unit, "semi-minor axis of the orbit, negative for backward whirl", number(&|_, m| size(m, -1.0)))
             .float(Tiles::FORWARD, unit, "forward amplitude", number(&|_, m| m[0].abs()))
@@ -139,62 +135,96 @@ impl Stations {
     }
 }
 
-/// The station of a probe of a displacement.
-fn named(body: &Body, probe: &crate::model::probe::Probe) -> Option<Station> {
-    let Sight::Displacement(height) = probe.sight else { return None };
-    Some(Station { body: body.name.clone(), height, place: 0.0, line: 0, named: true, rows: probe.rows.clone() })
+/// A body with its stations in the model.
+struct Body<'s> {
+    name: &'s str,
+    slot: usize,
+    flexible: bool,
+    stations: Vec<usize>,
 }
 
-/// Mass, and moment of inertia about a diameter through the reference point, of every body by itself.
-fn masses(system: &System) -> Vec<(f64, f64)> {
+fn bodies(system: &System) -> Vec<Body<'_>> {
+    let mut out: Vec<Body> = Vec::new();
+    for (k, s) in system.stations().iter().enumerate() {
+        match out.last_mut().filter(|b| b.slot == s.slot) {
+            Some(body) => body.stations.push(k),
+            None => out.push(Body { name: &system.slots()[s.slot].name, slot: s.slot, flexible: s.flexible, stations: vec![k] }),
+        }
+    }
+    out
+}
+
+/// The station of a probe of a displacement.
+fn named(body: &Body, probe: &crate::model::probe::Probe) -> Option<Point> {
+    let Sight::Displacement(height) = probe.sight else { return None };
+    Some(Point { body: body.name.to_string(), height, place: 0.0, line: 0, named: true, rows: probe.rows.clone() })
+}
+
+/// Nodes of a body that bends, beside those known.
+fn nodes(system: &System, body: &Body, known: &[Point]) -> Vec<Point> {
+    let nodes = system.slots()[body.slot].part.body().and_then(|b| b.nodes()).unwrap_or_default();
+    let size = nodes.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+    let beside = |z: &f64| known.iter().all(|s| (s.height - z).abs() > SAME * size);
+    let one = |z: f64| {
+        let rows = system.point(body.slot, z)?;
+        Some(Point { body: body.name.to_string(), height: z, place: 0.0, line: 0, named: false, rows })
+    };
+    nodes.into_iter().filter(beside).filter_map(one).collect()
+}
+
+/// Ends of a body that tilts and whose other stations lie too near each other to show it: a radius of gyration from its reference point. A body that is carried by
+/// one that bends needs none.
+fn ends(system: &System, body: &Body, known: &[Point]) -> Vec<Point> {
+    let of = |s: &crate::model::system::Station| Some((s.lateral.first()?, s.tilt.as_ref()?.first()?));
+    let Some((x, t)) = body.stations.first().and_then(|&k| of(&system.stations()[k])) else { return Vec::new() };
     let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(system.params(), system.machine.speed.unwrap_or(0.0), Form::Frequency, &mut model, &mut scratch);
-    system.bodies().iter().map(|b| (model.mass(b.x, b.x), b.tilt.map_or(0.0, |t| model.mass(t, t)))).collect()
-}
-
-/// Ends of a body that tilts and whose other stations lie too near each other to show it: a radius of gyration from its reference point.
-fn ends(body: &Body, known: &[Station], (mass, inertia): (f64, f64)) -> Vec<Station> {
-    let Some(t) = body.tilt else { return Vec::new() };
     let heights = known.iter().map(|s| s.height);
     let (low, high) = heights.fold((0.0f64, 0.0f64), |(a, b), x| (a.min(x), b.max(x)));
-    let radius = (inertia / mass).sqrt();
+    let radius = (model.mass(t, t) / model.mass(x, x)).sqrt();
     let radius = if radius.is_finite() && radius > 0.0 { radius } else { high - low };
     let radius = if radius > 0.0 { radius } else { 1.0 };
     if high - low >= radius {
         return Vec::new();
     }
-    let one = |z: f64| Station {
-        body: body.name.clone(),
+    let one = |z: f64| Point {
+        body: body.name.to_string(),
         height: z,
         place: 0.0,
         line: 0,
         named: false,
-        rows: [vec![(body.x, 1.0), (t + 1, z)], vec![(body.x + 1, 1.0), (t, -z)]],
+        rows: Pair([vec![(x, 1.0), (t + 1, z)], vec![(x + 1, 1.0), (t, -z)]]),
     };
     // beside a station there is no need of an end
     [-radius, radius].into_iter().filter(|z| known.iter().all(|s| (s.height - z).abs() > 0.2 * radius)).map(one).collect()
 }
 
 fn turns(system: &System, body: &Body) -> bool {
-    system.slots()[body.slot].part.body().is_some_and(|b| b.parameters().unbalance.is_some())
+    system.slots()[body.slot].part.body().is_some_and(|b| b.turns())
 }
 
 /// Pairs of bodies that a part joins, with the distance of the reference point of the second above that of the first.
 fn joints(system: &System, bodies: &[Body]) -> Vec<(usize, usize, f64)> {
-    let number = |name: &Option<String>| bodies.iter().position(|b| Some(&b.name) == name.as_ref());
-    let ports = system.slots().iter().flat_map(|s| &s.layout.ports);
-    let between = ports.filter_map(|p| match &p.link {
-        Link::Between(a, b) => Some((number(&a.body)?, number(&b.body)?, a.position - b.position)),
-        Link::On(_) => None,
-    });
-    between.filter(|(a, b, _)| a != b).collect()
+    let number = |name: &Option<String>| bodies.iter().position(|b| Some(b.name) == name.as_deref());
+    let mut out = Vec::new();
+    for slot in system.slots() {
+        for port in &slot.layout.ports {
+            out.extend(match &port.link {
+                Link::Between(a, b) => number(&a.body).zip(number(&b.body)).map(|(i, j)| (i, j, a.position - b.position)),
+                Link::On(a) => number(&a.body).zip(number(&Some(slot.name.clone()))).map(|(i, j)| (i, j, a.position)),
+            });
+        }
+    }
+    out.retain(|(a, b, _)| a != b);
+    out
 }
 
-/// The line of every body: bodies of a shaft, which turn and are joined, share one.
+/// The line of every body: bodies of a shaft, which turn and are joined, share one. What a body that bends carries is drawn beside it.
 fn lines(system: &System, bodies: &[Body]) -> Vec<usize> {
     let mut line: Vec<usize> = (0..bodies.len()).collect();
     for (a, b, _) in joints(system, bodies) {
-        if turns(system, &bodies[a]) && turns(system, &bodies[b]) {
+        let rigid = !bodies[a].flexible && !bodies[b].flexible;
+        if rigid && turns(system, &bodies[a]) && turns(system, &bodies[b]) {
             let (keep, leave) = (line[a].min(line[b]), line[a].max(line[b]));
             line.iter_mut().filter(|l| **l == leave).for_each(|l| *l = keep);
         }

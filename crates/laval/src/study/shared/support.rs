@@ -3,9 +3,10 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Values, Word};
 use crate::model::part::At;
-use crate::model::probe::{Probe, Sight};
+use crate::model::probe::Probe;
+use crate::model::station::at_height;
 use crate::model::system::{Slot, System, Workspace};
-use crate::outcome::{Arg, Finding, Level, Message, OutcomeError, quantity_to};
+use crate::outcome::{Arg, Finding, Level, Message, OutcomeError};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
@@ -25,10 +26,10 @@ pub const ROUNDING: f64 = 1e-13;
 
 /// What a probe measures, in words: the body, a point of it, or its tilt.
 pub fn probe_name(probe: &Probe) -> String {
-    match probe.sight {
-        Sight::Displacement(0.0) => probe.name.clone(),
-        Sight::Displacement(z) => format!("{} at {}", probe.name, quantity_to(z, "m", probe.digits)),
-        Sight::Tilt => format!("tilt of {}", probe.name),
+    match probe.height() {
+        Some(z) => at_height(&probe.name, z, probe.digits),
+        None if probe.is_tilt() => format!("tilt of {}", probe.name),
+        None => probe.name.clone(),
     }
 }
 

@@ -84,12 +84,12 @@ fn counted(required: &Requirements, best: &Point) -> Option<Counted> {
 
 /// Bodies that tilt without a limit on that, and whose displacement is the same at all points that count.
 fn unseen(system: &System, required: &Requirements) -> Vec<Unseen> {
-    let apart = |k: usize| system.probes().iter().any(|p| p.body == k && !p.is_tilt() && !p.is_reference());
+    let apart = |k: usize| system.probes().iter().any(|p| p.station == k && !p.is_tilt() && !p.is_reference());
     let limited = |list: &[Limit], name: &str| list.iter().any(|l| l.body == name);
     let l = &required.limits;
     let seen = |k: usize, name: &str| limited(&l.tilt, name) || (apart(k) && limited(&l.displacement, name)) || !l.moment.is_empty();
-    let bodies = system.bodies().into_iter().enumerate();
-    bodies.filter(|(k, b)| b.tilt.is_some() && !seen(*k, &b.name)).map(|(index, b)| Unseen { index, name: b.name }).collect()
+    let bodies = system.stations().iter().enumerate();
+    bodies.filter(|(k, b)| b.tilt.is_some() && !seen(*k, &b.name)).map(|(index, b)| Unseen { index, name: b.name.clone() }).collect()
 }
 
 impl OperatingWindow {

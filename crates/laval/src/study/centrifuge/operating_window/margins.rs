@@ -5,7 +5,7 @@ use super::detail::Detail;
 use super::passage::Passage;
 use super::steady::{Branches, Growth, State, linear, spectrum, states_validity};
 use crate::diagnostic::Diagnostic;
-use crate::model::system::{Body, Slot, System};
+use crate::model::system::{Slot, Station, System};
 use crate::separation::load::Load;
 use crate::separation::measures::derated;
 use crate::separation::particle::Particle;
@@ -13,7 +13,7 @@ use crate::separation::separator::Separator;
 use crate::study::centrifuge::cups::Carried;
 use crate::study::centrifuge::cups::task::{Task, needed};
 use crate::study::shared::limits::{Limit, Limits};
-use crate::study::shared::support::largest;
+use crate::study::shared::support::{larger, largest};
 use laval_num::complex::{C64, c};
 use laval_num::order::{SortByNumber, ascending};
 use serde::{Deserialize, Serialize};
@@ -250,7 +250,7 @@ impl Evaluator<'_> {
         } else {
             margins.extend(least(VALID, outside));
         }
-        let leans = (0..system.bodies().len()).map(|k| largest(met.iter().map(|s| s.tilt[k]))).collect();
+        let leans = (0..system.stations().len()).map(|k| largest(met.iter().map(|s| s.tilt[k]))).collect();
         let duration = required.task.as_ref().map_or(0.0, |d| d.time);
         let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
         let energy = spin_energy(system, speed) + torque * speed.abs() * duration;
@@ -292,15 +292,18 @@ impl Evaluator<'_> {
         if met.is_empty() {
             return Some(margin(1, f64::NAN, self.without_state()));
         }
-        let bodies = system.bodies();
-        let place = |name: &str| bodies.iter().position(|b| b.name == name);
+        // of a body with several stations the one that moves most
+        let most = |name: &str, list: &[f64]| {
+            let own = system.stations().iter().zip(list).filter(|(s, _)| system.slots()[s.slot].name == name).map(|x| *x.1);
+            own.reduce(larger)
+        };
         let mut all = Vec::new();
         for s in met {
             // a point of a body that does not tilt moves as the body does
             let point = |limit: &Limit| system.probes().iter().position(|p| limit.is_at(p));
             let of_body = |list: &[f64], which: Option<usize>, limit: &Limit| match (point(limit), which) {
                 (Some(k), Some(i)) => s.points.get(k).map(|p| p[i]),
-                _ => place(&limit.body).and_then(|k| list.get(k).copied()),
+                _ => most(&limit.body, list),
             };
             let of_bodies = [
                 (&l.displacement, "displacement", &s.displacement, Some(0)),
@@ -328,10 +331,10 @@ impl Evaluator<'_> {
             return Some(margin(2, f64::NAN, self.without_state()));
         }
         let mut all = Vec::new();
-        for (k, b) in system.bodies().iter().enumerate() {
+        for (k, b) in system.stations().iter().enumerate() {
             let carried: Vec<&str> =
                 self.required.cups.iter().filter(|c| c.on.body.as_deref() == Some(b.name.as_str())).map(|c| c.name.as_str()).collect();
-            let (e, height) = centre_of_mass(system, b, &carried, speed);
+            let Some((e, height)) = centre_of_mass(system, b, &carried, speed) else { continue };
             let size = e.abs();
             if size > 0.0 && size.is_finite() {
                 let centre = |s: &State| s.forward[k] - (s.lean[k] * c(0.0, height)) + e;
@@ -357,7 +360,8 @@ fn worst_growth(assessed: &[&State], states: &[State]) -> Growth {
 }
 
 /// Where the centre of mass of a body with what it carries lies in rotor axes, and its height, m: from the force with which they turn and their inertia.
-fn centre_of_mass(system: &System, body: &Body, carried: &[&str], speed: f64) -> (C64, f64) {
+/// `None` of a body without coordinates of its own.
+fn centre_of_mass(system: &System, body: &Station, carried: &[&str], speed: f64) -> Option<(C64, f64)> {
     use crate::model::part::{At, Rows};
     let (n, m) = (system.n(), system.m());
     let (zero, z) = (vec![0.0; n], vec![0.0; m]);
@@ -369,14 +373,16 @@ fn centre_of_mass(system: &System, body: &Body, carried: &[&str], speed: f64) ->
         system.residual(system.params(), &at, &mut rows, &mut Default::default(), own);
         force
     };
+    let x = body.lateral.first()?;
+    let tilt = body.tilt.as_ref().and_then(|t| t.first());
     let mut one = zero.clone();
-    one[body.x] = 1.0;
+    one[x] = 1.0;
     let (still, turning, inertia) = (row(0.0, &zero), row(speed, &zero), row(speed, &one));
-    let lateral = |f: &[f64]| c(f[body.x], f[body.x + 1]);
-    let mass = inertia[body.x] - turning[body.x];
+    let lateral = |f: &[f64]| c(f[x], f[x + 1]);
+    let mass = inertia[x] - turning[x];
     // of a point at the height h: x + h beta
-    let height = body.tilt.map_or(0.0, |t| (inertia[t + 1] - turning[t + 1]) / mass);
-    ((lateral(&still) - lateral(&turning)).scale(1.0 / (speed * speed * mass)), height)
+    let height = tilt.map_or(0.0, |t| (inertia[t + 1] - turning[t + 1]) / mass);
+    Some(((lateral(&still) - lateral(&turning)).scale(1.0 / (speed * speed * mass)), height))
 }
 
 /// Energy that a run-up of the undeflected machine takes, J: its moment of inertia about the spin axis, from the spin row, times the speed, summed over the way.

@@ -63,7 +63,7 @@ impl Passage {
         let reported = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
         let Some((ways, steps)) = both_ways(system, (top, duration), context, &reported)? else { return Ok(None) };
         let points = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference()).cloned().collect();
-        Ok(Some(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), points, ways, steps }))
+        Ok(Some(Passage { bodies: system.stations().iter().map(|s| s.name.clone()).collect(), points, ways, steps }))
     }
 
     /// Stretches of a way up to a speed.

@@ -81,7 +81,7 @@ const SAMPLES: usize = 48;
 fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: Growth) -> State {
     let (n, m) = (system.n(), system.m());
     let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-    let bodies = system.bodies();
+    let bodies = system.stations();
     let mut out = State {
         displacement: vec![0.0; bodies.len()],
         velocity: vec![0.0; bodies.len()],
@@ -90,8 +90,8 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: G
         force: BTreeMap::new(),
         moment: BTreeMap::new(),
         validity: None,
-        forward: bodies.iter().map(|b| orbit.whirl(b.x, order).0).collect(),
-        lean: bodies.iter().map(|b| b.tilt.map_or(C64::zero(), |t| orbit.whirl(t, order).0)).collect(),
+        forward: bodies.iter().map(|b| orbit.whirl(&b.lateral, order).0).collect(),
+        lean: bodies.iter().map(|b| b.tilt.as_ref().map_or(C64::zero(), |t| orbit.whirl(t, order).0)).collect(),
         growth,
         torque: 0.0,
         stable: growth.beyond <= 0.0,
@@ -132,11 +132,11 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: G
     for (k, p) in system.probes().iter().enumerate() {
         let of = if p.is_tilt() { &mut out.tilt } else { &mut out.displacement };
         let size = Measure::Probe(k).largest(system, orbit, order).0;
-        raise(&mut of[p.body], size);
+        raise(&mut of[p.station], size);
         raise(&mut out.points[k][0], size);
         if !p.is_tilt() {
             let velocity = fastest(p, orbit);
-            raise(&mut out.velocity[p.body], velocity);
+            raise(&mut out.velocity[p.station], velocity);
             raise(&mut out.points[k][1], velocity);
         }
     }

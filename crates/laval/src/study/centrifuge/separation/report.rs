@@ -32,7 +32,7 @@ impl Shown<'_> {
         out = self.describe(out);
         let assessed = self.assessed();
         out = assessed.iter().filter(|f| f.raised()).map(raised).fold(out, Outcome::finding);
-        if !system.bodies().is_empty() {
+        if !system.stations().is_empty() {
             out = uncarried(system, Some(&s.vessel.name)).into_iter().fold(out, Outcome::finding);
         }
         out = self.followed().into_iter().fold(out, Outcome::finding);

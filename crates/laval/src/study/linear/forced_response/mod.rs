@@ -63,7 +63,7 @@ impl Study for ForcedResponse {
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = one_or_range("speed", values.range("speed")?, 3, values, diagnostics)?;
-        if system.bodies().is_empty() {
+        if system.stations().is_empty() {
             diagnostics.push(Diagnostic::error("forced_response.no_body", text!("no body of this machine moves across the axis")));
             return None;
         }
@@ -77,7 +77,7 @@ impl Study for ForcedResponse {
     fn size(&self, system: &System) -> Option<size::Size> {
         let speeds = self.speed.points.unwrap_or(POINTS);
         let kept = 4.0 * (system.n() + system.m()) as f64;
-        let listed = (7 * system.bodies().len() + 3 * system.slots().len()) as f64;
+        let listed = (7 * system.stations().len() + 3 * system.slots().len()) as f64;
         Some(size::Size {
             bytes: speeds as f64 * (size::KEPT * kept + size::LISTED * listed),
             of: text!("responses at {speeds} speeds of {n} coordinates", speeds, n = system.n()),

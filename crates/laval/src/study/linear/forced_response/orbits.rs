@@ -11,7 +11,7 @@ use crate::solve::locate::State;
 use crate::solve::pencil::FLAT;
 use crate::solve::rest::clearance;
 use crate::solve::sectors::circular;
-use crate::study::shared::stations::{Station, Stations};
+use crate::study::shared::stations::{Point, Stations};
 use laval_num::complex::C64;
 use serde::{Deserialize, Serialize};
 
@@ -179,7 +179,7 @@ impl Orbits {
         // gaps as stations of their own, behind the others
         let gaps = self.at.first().map_or(0, |a| a.gaps.len());
         let named = self.at.iter().flat_map(|a| &a.gaps).take(gaps);
-        all.all.extend(named.map(|g| Station {
+        all.all.extend(named.map(|g| Point {
             body: g.part.clone(),
             height: 0.0,
             place: 0.0,
@@ -281,7 +281,7 @@ fn at(a: &AtSpeed) -> Message {
 }
 
 /// The body, or the point of it.
-fn label(system: &System, station: &Station) -> Arg {
+fn label(system: &System, station: &Point) -> Arg {
     let probe = system.probes().iter().find(|p| p.name == station.body && p.is_at(station.height));
     probe.map_or_else(|| Arg::name(&station.body), crate::study::shared::probes::label)
 }

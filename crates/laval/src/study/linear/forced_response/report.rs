@@ -354,7 +354,7 @@ impl<'a> Shown<'a> {
             None => "none",
         };
         let alt = Message::new("forced-response-alt")
-            .arg("bodies", Arg::count(self.system.bodies().len()))
+            .arg("bodies", Arg::count(self.system.stations().len()))
             .arg("bounded", Arg::word(bounded))
             .arg("speed", Arg::speed(moved.or(tilted).map_or(0.0, |e| e.speed)));
         // of a machine that only tilts there is nothing to draw of displacements, of one that does not tilt nothing of tilts

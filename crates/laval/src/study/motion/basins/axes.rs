@@ -66,7 +66,7 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
             };
             // names of this machine
             let masses = system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
-            let body = system.bodies().into_iter().next().map_or_else(|| "rotor".to_string(), |b| b.name);
+            let body = system.stations().iter().next().map_or_else(|| "rotor".to_string(), |s| s.name.clone());
             let help = match masses.map(|c| &c.name).next() {
                 Some(mass) if wanted == 1 => text!("write {field} = {{ \"{mass}\" = \"1 rad\" }}", field, mass),
                 _ if wanted == 1 => text!("write {field} = {{ \"{body}.x\" = \"1 mm\" }}", field, body),

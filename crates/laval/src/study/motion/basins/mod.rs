@@ -31,7 +31,7 @@ use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch,
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::probe::Probe;
-use crate::model::system::{Body, Drive, System};
+use crate::model::system::{Drive, Station, System};
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
@@ -142,7 +142,7 @@ points = 50
             let message = text!("basins need a speed above {least}: there is no period at rest", least = text::quantity(1e-6, "rad/s"));
             diagnostics.push(Diagnostic::error("basins.speed", message).at(values.span_of("speed")));
         }
-        if system.bodies().is_empty() {
+        if system.stations().is_empty() {
             diagnostics.push(Diagnostic::error("basins.no_body", text!("no body of this machine moves across the axis")));
         }
         let movable = speed.is_some_and(|w| w >= SLOWEST && masses::has(system, w));
@@ -184,7 +184,7 @@ points = 50
         let states = 2 * system.n() + system.m();
         // motions of balls are kept without their states
         let kept = if masses::has(system, self.speed) { 1 } else { LONGEST };
-        let columns = 16 + 2 * system.bodies().len() + kept * states;
+        let columns = 16 + 2 * system.stations().len() + kept * states;
         Some(Size {
             bytes: rows as f64 * columns as f64 * (KEPT + KEPT),
             of: text!("{rows} motions with {columns} numbers each", rows, columns),
@@ -235,7 +235,7 @@ points = 50
                 growth: fastest_growth(&own, self.speed),
                 neutral: neutral(&own, self.speed),
             },
-            bodies: system.bodies(),
+            stations: system.stations(),
             probes: probes::all(system),
             values: self.axes.each_ref().map(InitialValueAxis::values),
             method: method(&own, self.rules.method, self.speed),
@@ -296,7 +296,7 @@ struct Members<'a> {
     method: Method,
     start: Start,
     modes: ModesAtRest,
-    bodies: Vec<Body>,
+    stations: &'a [Station],
     /// What is recorded of every motion.
     probes: Vec<Probe>,
     /// Initial values along both axes.

@@ -43,7 +43,7 @@ struct Map<'a> {
 impl<'a> Map<'a> {
     fn read(study: &'a Basins, system: &System, data: &'a MotionBasins) -> Result<Self, Diagnostic> {
         let (results, probes) = (&data.motions, probes::all(system));
-        let means: Vec<String> = system.bodies().iter().map(|b| format!("rms.{}", b.name)).collect();
+        let means: Vec<String> = system.stations().iter().map(|b| format!("rms.{}", b.name)).collect();
         let own = [PLACE[0], PLACE[1], "failure", "bounded", "validity", "steps", "periods"].map(String::from);
         stored::check(results, own.into_iter().chain(probes.iter().map(probes::column)).chain(means.iter().cloned()))?;
         let motions = rows::motions(study, results, &data.states, &probes, &data.modes)?;

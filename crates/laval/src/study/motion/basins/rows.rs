@@ -35,7 +35,7 @@ pub(super) fn columns(study: &Basins, members: &Members) -> Vec<RowColumn<Row>> 
         out.push(number(PLACE[k], &axis.unit, &axis.meaning().to_string(), move |r: &Row| r.place[k]));
     }
     out.extend(columns::verdict_columns(&study.rules));
-    for (b, own) in members.bodies.iter().enumerate() {
+    for (b, own) in members.stations.iter().enumerate() {
         out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
         out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
     }
@@ -87,7 +87,7 @@ pub(super) fn motions(
 pub(super) fn lead(study: &Basins, results: &Collected, all: &[Probe]) -> Option<usize> {
     let sizes = all.iter().map(|p| (p.clone(), results.numbers(&probes::column(p)))).collect();
     let known = probes::resolved(sizes, study.rules.tolerance);
-    let first = known.iter().min_by_key(|k| k.0.body).and_then(|k| all.iter().position(|p| *p == k.0)).unwrap_or(0);
+    let first = known.iter().min_by_key(|k| k.0.station).and_then(|k| all.iter().position(|p| *p == k.0)).unwrap_or(0);
     (first < all.len()).then_some(first)
 }
 

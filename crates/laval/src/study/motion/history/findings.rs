@@ -12,7 +12,7 @@ use laval_num::ode;
 /// That a motion passed its bound, from the windows of the body that did, in its [`magnified`](super::magnified) trajectory; a turn of the rotor takes `turn` (s), and
 /// `speed` (rad/s) is that at the bound.
 pub(in crate::study) fn unbounded(system: &System, left: Left, windows: &[Window], turn: f64, speed: f64) -> Finding {
-    let body = &system.bodies()[left.body].name;
+    let body = &system.stations()[left.body].name;
     // many e-folds in few turns tell the rate as well as many turns
     let finding = match growth_of(windows, turn, 4) {
         Some(Growth { course: Course::Straight { slope, uncertainty }, .. }) if slope > uncertainty => {
@@ -46,7 +46,7 @@ pub(in crate::study) struct ProbeMotion<'f> {
 pub(in crate::study) fn probe_motions<'f>(system: &System, record: &'f MotionRecord, still: f64) -> Vec<ProbeMotion<'f>> {
     // typical sizes are 1 mm and 10 mrad
     let still_tilt = 10.0 * still;
-    let bodies = system.bodies();
+    let bodies = system.stations();
     let name = |k: usize| bodies.get(k).map_or_else(String::new, |b| b.name.clone());
     let tilted = |k: usize| record.tilts.iter().any(|t| t.body == k && !(t.peak.amplitude <= still_tilt));
     let moved = record.peaks.iter().zip(&record.windows).enumerate().map(|(k, (peak, windows))| ProbeMotion {

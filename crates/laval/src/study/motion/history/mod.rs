@@ -10,7 +10,7 @@ pub(in crate::study) use tables::{Columns, shown, sound};
 use super::start::Start;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Values};
-use crate::model::system::System;
+use crate::model::system::{Station, System};
 use crate::outcome::quantity;
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::{Choice, Plan, Trajectory, simulate};
@@ -121,8 +121,11 @@ pub(in crate::study) fn negligible(settings: &Settings, rest: &[f64]) -> f64 {
 /// parameters. No law of a part holds so far out.
 pub(in crate::study) fn bound(system: &System, start: &Start, y: &[f64]) -> f64 {
     let lengths = system.param_slots().iter().zip(system.params()).filter(|(slot, _)| slot.unit == "m").map(|(_, x)| x.abs());
-    let places = system.bodies().into_iter().flat_map(|b| [b.x, b.x + 1]);
-    let places = places.map(|i| (y[i] - start.rest[i]).abs().max(start.rest[i].abs()).max(system.coordinates()[i].dof.typical));
+    let place = |s: &Station| {
+        let (at, rest) = (s.lateral.of(y), s.lateral.of(&start.rest));
+        [0, 1].map(|k| (at[k] - rest[k]).abs().max(rest[k].abs()).max(1e-3))
+    };
+    let places = system.stations().iter().flat_map(place);
     1e5 * lengths.chain(places).filter(|x| x.is_finite()).fold(0.0, f64::max)
 }
 

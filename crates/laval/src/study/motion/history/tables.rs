@@ -82,7 +82,7 @@ fn motion_figures(
     drawn_envelope: Option<&SpinLaw>,
     mut outcome: Outcome,
 ) -> Result<Outcome, Diagnostic> {
-    let bodies = system.bodies();
+    let bodies = system.stations();
     if bodies.is_empty() {
         return Ok(outcome);
     }
@@ -108,18 +108,17 @@ fn motion_figures(
         (Some(last), true) => ("last turns", &last.coordinates),
         _ => ("motion", &record.coordinates),
     };
-    let names = |x: usize| [&system.coordinates()[x].name, &system.coordinates()[x + 1].name];
     let mut lateral = Figure::new("lateral", "Lateral motion of the bodies", "history-alt-lateral").x(Axis::new("time", "s"));
-    let reach = most(bodies.iter().flat_map(|b| names(b.x)).flat_map(|name| values(shown, name)).copied());
+    let reach = most(bodies.iter().flat_map(|s| s.columns(system)).flat_map(|name| values(shown, &name)).copied());
     let mut plane = Panel::new(Axis::new("y", "m").metres(reach));
-    for b in &bodies {
-        let own = names(b.x);
+    for b in bodies {
+        let own = b.columns(system);
         let size = most(own.iter().flat_map(|name| values(&record.coordinates, name)).copied());
         let line = |column: &String| Line::new("motion", "t", column).name(Arg::name(column));
         lateral = lateral.panel(
-            Panel::new(Axis::new(Arg::of("displacement", Arg::name(&b.name)), "m").metres(size)).mark(line(own[0])).mark(line(own[1])),
+            Panel::new(Axis::new(Arg::of("displacement", Arg::name(&b.name)), "m").metres(size)).mark(line(&own[0])).mark(line(&own[1])),
         );
-        plane = plane.mark(Line::new(path, own[0], own[1]).name(Arg::name(&b.name)).path());
+        plane = plane.mark(Line::new(path, &own[0], &own[1]).name(Arg::name(&b.name)).path());
     }
     if !coarse {
         outcome = outcome.figure(lateral);
@@ -151,7 +150,7 @@ fn envelope_table(system: &System, record: &MotionRecord, sizes: &[Vec<f64>]) ->
     let count = sizes.first().map_or(0, Vec::len);
     let mut c = Columns::default();
     c.add("t", "s", "end of the window", record.windows.first().map_or(vec![], |w| w[..count].iter().map(|w| w.last).collect()));
-    for (b, sizes) in system.bodies().iter().zip(sizes) {
+    for (b, sizes) in system.stations().iter().zip(sizes) {
         c.add(format!("{} amplitude", b.name), "m", "largest distance from rest in the window", sizes.clone());
     }
     c.table("envelope", "Envelope of the motion against time")

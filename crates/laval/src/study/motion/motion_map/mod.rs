@@ -126,7 +126,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             let place = if one.is_some() { values.span_of("speed") } else { values.span.clone() };
             diagnostics.push(Diagnostic::error("motion_map.speed", message).at(place).help(help));
         }
-        if system.bodies().is_empty() {
+        if system.stations().is_empty() {
             diagnostics.push(Diagnostic::error("motion_map.no_body", text!("no body of this machine moves across the axis")));
         }
         if let (Some(x), Some(y)) = (&x, &y) {
@@ -334,7 +334,7 @@ impl Members<'_> {
             out.push(number(a.name(), a.unit, "value along this side of the map", move |r: &Row| r.at[k]));
         }
         out.extend(columns::verdict_columns(&self.study.rules));
-        for (b, own) in self.system.bodies().iter().enumerate() {
+        for (b, own) in self.system.stations().iter().enumerate() {
             out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
             out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
         }

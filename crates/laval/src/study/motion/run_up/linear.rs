@@ -53,12 +53,12 @@ impl<'a> LinearResponse<'a> {
         });
         let b = &self.model.loads;
         let mut x: Vec<C64> = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { c(0.0, 0.0) }).collect();
-        let count = system.bodies().len();
+        let count = system.stations().len();
         let Ok(lu) = Lu::new(&matrix) else { return vec![f64::NAN; count] };
         lu.solve(&mut x);
         // forward and backward parts turn against each other: their radii add up once a turn
         let size = |[x, y]: [C64; 2]| 0.5 * ((x + y.mul_i()).abs() + (x - y.mul_i()).abs());
-        let points = |k: usize| system.probes().iter().filter(move |p| p.body == k && !p.is_tilt());
+        let points = |k: usize| system.probes().iter().filter(move |p| p.station == k && !p.is_tilt());
         (0..count).map(|k| crate::study::shared::support::largest(points(k).map(|p| size(p.amplitudes(&x))))).collect()
     }
 }

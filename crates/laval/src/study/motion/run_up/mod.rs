@@ -240,7 +240,7 @@ hold = "2 s"
         };
         let linear = LinearResponse::new(system).map(|mut response| {
             let rows: Vec<Vec<f64>> = self.middles(&record).iter().map(|&t| response.amplitudes(self.programme.at(t).speed)).collect();
-            (0..system.bodies().len()).map(|k| rows.iter().map(|row| row[k]).collect()).collect()
+            (0..system.stations().len()).map(|k| rows.iter().map(|row| row[k]).collect()).collect()
         });
         Ok(RunUpResult { motion: record, torque, linear, passages, unbounded, end })
     }

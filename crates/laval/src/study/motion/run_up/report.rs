@@ -117,7 +117,7 @@ fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Resul
 
 /// Envelope against speed, beside the linear response.
 fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let (record, bodies) = (&result.motion, system.bodies());
+    let (record, bodies) = (&result.motion, system.stations());
     if bodies.is_empty() {
         return Ok(outcome);
     }

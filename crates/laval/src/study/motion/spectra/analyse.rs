@@ -217,12 +217,17 @@ fn refined(turning: &Turning, order: f64) -> Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::system::Body;
+    use crate::model::system::{Pair, Station};
+
+    fn station() -> Station {
+        let lateral = Pair::coordinates(0);
+        Station { name: "b".into(), slot: 0, position: 0.0, digits: 4, flexible: false, lateral, tilt: None }
+    }
 
     fn spectra(highest: f64, fastest: f64, duration: f64, count: usize) -> Spectra {
         let length = 2.0 * duration / (count + 1) as f64;
         let samples = ((8.0 * highest * fastest / TAU * length).ceil() as usize).max(64).next_power_of_two();
-        Spectra { body: Body { name: "b".into(), slot: 0, x: 0, tilt: None }, count, highest, threshold: None, duration, fastest, samples }
+        Spectra { body: station(), count, highest, threshold: None, duration, fastest, samples }
     }
 
     /// A record of circular parts (order, amplitude, phase) while the speed rises linearly.

@@ -23,7 +23,7 @@ use super::start::Start;
 use super::turns::{merged, separated};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
-use crate::model::system::{Body, System};
+use crate::model::system::{Station, System};
 use crate::outcome::Outcome;
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
@@ -74,7 +74,7 @@ const MOST: usize = 1 << 20;
 #[derive(Clone, Debug)]
 pub(in crate::study) struct Spectra {
     /// The body.
-    body: Body,
+    body: Station,
     /// Number of windows.
     count: usize,
     /// Highest order.
@@ -93,7 +93,7 @@ impl Spectra {
     /// From the fields, for a record of this length (s) and largest spin speed (rad/s); says all that is wrong.
     pub fn read(values: &Values, system: &System, (duration, fastest): (f64, f64), diagnostics: &mut Diagnostics) -> Option<Spectra> {
         let name = values.text("waterfall").filter(|n| !n.is_empty())?;
-        let bodies = system.bodies();
+        let bodies = system.stations();
         let Some(body) = bodies.iter().find(|b| b.name == name) else {
             let known = bodies.iter().map(|b| format!("\"{}\"", b.name)).collect::<Vec<_>>().join(", ");
             let help =
@@ -139,9 +139,10 @@ impl Spectra {
     /// Takes the samples out of a trajectory, which keeps the outputs requested besides: the spectra of the whole windows.
     pub fn taken(&self, motion: &Motion, start: &Start, trajectory: &mut Trajectory, outputs: &[f64]) -> Vec<Window> {
         let mut record = Record::default();
-        let (ix, iy) = (self.body.x, self.body.x + 1);
+        let rest = self.body.lateral.of(&start.rest);
         separated(trajectory, self.times(), outputs, |t, y| {
-            record.push(t, motion.spin(t, y), (y[ix] - start.rest[ix], y[iy] - start.rest[iy]))
+            let at = self.body.lateral.of(y);
+            record.push(t, motion.spin(t, y), (at[0] - rest[0], at[1] - rest[1]))
         });
         analyse::windows(self, &record)
     }

@@ -48,7 +48,7 @@ impl Measure {
         let bodies = (0..settling.probes.len()).map(|b| body(&motion(b), periods, settling.rules.periods)).collect();
         let sections: Vec<Vec<f64>> = samples.chunks_exact(width).step_by(SAMPLES).map(<[f64]>::to_vec).collect();
         let points = sections[sections.len().saturating_sub(POINTS)..].to_vec();
-        let wanted = settling.rules.spectrum.and_then(|x| settling.probes.iter().position(|p| p.is_reference() && p.rows[0] == [(x, 1.0)]));
+        let wanted = settling.rules.spectrum.and_then(|k| settling.probes.iter().position(|p| p.is_reference() && p.station == k));
         Measure { bodies, points, spectrum: wanted.map_or_else(Vec::new, |b| spectrum(&motion(b))), validity }
     }
 }

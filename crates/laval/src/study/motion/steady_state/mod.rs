@@ -66,7 +66,7 @@ pub(in crate::study) struct Rules {
     pub periods: usize,
     /// Newton's method on the Poincare map.
     pub shooting: bool,
-    /// Body (index of its x) whose spectrum is wanted.
+    /// Station whose spectrum is computed.
     pub spectrum: Option<usize>,
 }
 

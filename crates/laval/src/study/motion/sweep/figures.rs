@@ -32,7 +32,7 @@ pub(super) fn figures(shown: &Shown, paths: &[Path], any: bool, mut outcome: Out
     outcome = outcome.figure(figure);
     let study = shown.study;
     let probe = &shown.probes[study.section.0];
-    let name = probe.rows[study.section.1].first().map_or(probe.name.as_str(), |r| shown.system.coordinates()[r.0].name.as_str());
+    let name = probe.rows.0[study.section.1].first().map_or(probe.name.as_str(), |r| shown.system.coordinates()[r.0].name.as_str());
     let axis = probes::axis(Arg::name(name), probe, largest(study.section.0));
     let alt = described("sweep-alt-bifurcation").arg("state", Arg::name(name));
     let panel = Panel::new(axis).mark(Points::new("poincare", "speed", probes::quality(probe)).classes("start", WAYS));
@@ -45,7 +45,7 @@ pub(super) fn figures(shown: &Shown, paths: &[Path], any: bool, mut outcome: Out
         let top = 1e6 * if tallest > 0.0 { tallest } else { 1e-6 };
         let colours = Axis::log("amplitude", "µm").factor(1e6).range(DEPTH * top, top);
         let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
-        let alt = Message::new("sweep-alt-waterfall").arg("body", Arg::name(&shown.bodies[b].name));
+        let alt = Message::new("sweep-alt-waterfall").arg("body", Arg::name(&shown.stations[b].name));
         let alt = alt.arg("way", Arg::term(study.ways[0].word()));
         let panel =
             Panel::new(Axis::new("order", "")).mark(heat).mark(Rule::y(1.0, Message::new("label-order").arg("order", Arg::number(1.0))));

@@ -27,8 +27,8 @@ use super::steady_state::stored::settled;
 use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, method, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
-use crate::model::probe::{Probe, Sight};
-use crate::model::system::{Body, Drive, System};
+use crate::model::probe::Probe;
+use crate::model::system::{Drive, Station, System};
 use crate::model::timed::Speeds;
 use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
@@ -152,7 +152,7 @@ start = "up_and_down"
             let message = text!("a sweep needs speeds above {least}: there is no period at rest", least = text::quantity(1e-6, "rad/s"));
             diagnostics.push(Diagnostic::error("sweep.speed", message).at(values.span_of("speed")));
         }
-        let bodies = system.bodies();
+        let bodies = system.stations();
         if bodies.is_empty() {
             diagnostics.push(Diagnostic::error("sweep.no_body", text!("no body of this machine moves across the axis")));
         }
@@ -182,7 +182,7 @@ start = "up_and_down"
                 Some("all") => vec![Way::Rest, Way::Up, Way::Down],
                 _ => vec![Way::Up, Way::Down],
             },
-            rules: Rules::read(values, 50_000, waterfall.map(|b| bodies[b].x))?,
+            rules: Rules::read(values, 50_000, waterfall)?,
             initial,
             section: section?,
             waterfall,
@@ -201,7 +201,7 @@ start = "up_and_down"
     fn size(&self, system: &System) -> Option<Size> {
         let rows = self.speed.points.unwrap_or(DEFAULT_POINTS) * self.ways.len();
         let spectrum = self.waterfall.map_or(0, |_| 2 * LINES * HIGHEST);
-        let columns = 16 + 11 * system.bodies().len() + system.probes().len() + KEPT_POINTS + spectrum + 2 * system.n() + system.m();
+        let columns = 16 + 11 * system.stations().len() + system.probes().len() + KEPT_POINTS + spectrum + 2 * system.n() + system.m();
         Some(Size {
             bytes: rows as f64 * columns as f64 * (KEPT + LISTED),
             of: text!("{rows} motions with {columns} numbers each", rows, columns),
@@ -232,7 +232,7 @@ start = "up_and_down"
             method: method(&own, self.rules.method, self.fastest()),
             system: Arc::new(own),
             speeds: self.speed.linspace(DEFAULT_POINTS),
-            bodies: system.bodies(),
+            stations: system.stations(),
             probes: probes::all(system),
         };
         let (steps, ways) = (members.speeds.len(), self.ways.len());
@@ -259,7 +259,7 @@ start = "up_and_down"
     }
 
     fn report(&self, system: &System, result: &SweepResult, name: &str) -> Result<Outcome, Diagnostic> {
-        let shown = Shown { study: self, system, bodies: system.bodies(), probes: probes::all(system) };
+        let shown = Shown { study: self, system, stations: system.stations(), probes: probes::all(system) };
         Ok(time_forms(&result.forms, report::report(&shown, result, name)?))
     }
 }
@@ -322,7 +322,7 @@ impl SweepResult {
 struct Shown<'a> {
     study: &'a Sweep,
     system: &'a System,
-    bodies: Vec<Body>,
+    stations: &'a [Station],
     /// What is recorded of every motion.
     probes: Vec<Probe>,
 }
@@ -335,19 +335,18 @@ impl Shown<'_> {
 
     /// The body of a probe has a tilt beside it.
     fn tilts(&self, probe: &Probe) -> bool {
-        !probe.is_tilt() && self.probes.iter().any(|p| p.is_tilt() && p.body == probe.body)
+        !probe.is_tilt() && self.probes.iter().any(|p| p.is_tilt() && p.station == probe.station)
     }
 }
 
 fn section(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<(usize, usize)> {
     let Some(name) = values.text("section").filter(|n| !n.is_empty()) else { return Some((0, 0)) };
-    let own = |p: &Probe, i: usize| {
-        [0, 1].into_iter().find(|&k| !matches!(p.sight, Sight::Displacement(z) if z != 0.0) && p.rows[k] == [(i, 1.0)])
-    };
+    let own = |p: &Probe, i: usize| [0, 1].into_iter().find(|&k| (p.is_reference() || p.is_tilt()) && p.rows.0[k] == [(i, 1.0)]);
     let find = |i: usize| probes::all(system).iter().enumerate().find_map(|(k, p)| Some((k, own(p, i)?)));
     let found = system.coordinate(name).and_then(find);
     if found.is_none() {
-        let known: Vec<String> = system.bodies().iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
+        let first = system.stations().iter().filter_map(|s| s.lateral.first());
+        let known: Vec<String> = first.map(|x| format!("\"{}\"", system.coordinates()[x].name)).collect();
         let message = text!("\"{name}\" is no displacement or tilt of a body", name);
         let help = text!("name one such as {known}", known = known.join(", "));
         diagnostics.push(Diagnostic::error("sweep.section", message).at(values.span_of("section")).about(name).help(help));
@@ -376,7 +375,7 @@ struct Members<'a> {
     system: Arc<System>,
     method: Method,
     speeds: Vec<f64>,
-    bodies: Vec<Body>,
+    stations: &'a [Station],
     /// What is recorded of every motion.
     probes: Vec<Probe>,
 }

@@ -44,7 +44,7 @@ pub(super) fn columns(study: &Sweep, members: &Members) -> Vec<RowColumn<Row>> {
     out.push(number("jump_before", "rad/s", doc, move |r: &Row| jump(r).0));
     out.push(number("jump_after", "rad/s", "first speed after that change", move |r: &Row| jump(r).1));
     out.extend(columns::verdict_columns(&study.rules));
-    for (b, own) in members.bodies.iter().enumerate() {
+    for (b, own) in members.stations.iter().enumerate() {
         let n = &own.name;
         out.push(body(format!("amplitude.{n}"), b, "largest displacement", |m| m.peak));
         out.push(body(format!("rms.{n}"), b, "root of the mean squared displacement", |m| m.rms));

@@ -4,7 +4,7 @@ use super::result::Measured;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Observed};
 use crate::model::probe::Probe;
-use crate::model::system::{System, Workspace};
+use crate::model::system::{Pair, System, Workspace};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::measure::Measure;
@@ -21,7 +21,7 @@ pub(super) struct Measuring<'a> {
     pub(super) system: &'a System,
     /// By the discretisation of a branch.
     balances: Vec<Balance<'a>>,
-    pub(super) bodies: Vec<(String, usize)>,
+    pub(super) bodies: Vec<(String, Pair)>,
     /// Probes that are measured, the reference points of the bodies first, and their indices among those of the machine.
     pub(super) probes: Vec<Probe>,
     pub(super) which: Vec<usize>,
@@ -44,7 +44,7 @@ impl<'a> Measuring<'a> {
                 balances.push(Balance::new(system, d, request.speeds, None)?);
             }
         }
-        let bodies = system.bodies().into_iter().map(|b| (b.name, b.x)).collect();
+        let bodies = system.stations().iter().map(|s| (s.name.clone(), s.lateral.clone())).collect();
         let (probes, which) = (probes::all(system), probes::ordered(system));
         Ok(Measuring { system, balances, bodies, probes, which, force_slots: Measure::forces(system), measured: Measured::default() })
     }
@@ -140,22 +140,25 @@ impl<'a> Measuring<'a> {
         }
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let slow = |x: usize| {
+        let slow = |x: &Pair| {
             let whirls = (1..divisor).map(|k| orbit.whirl(x, k));
             whirls.fold(0.0, |m, (forward, backward)| larger(larger(m, forward.abs()), backward.abs()))
         };
         let first = orbit.orders.iter().position(|&k| k == divisor);
-        let own = |x: usize| first.map_or(0.0, |i| orbit.coordinates[i][x].abs());
-        let start = |&(_, x): &(String, usize)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x), 0.0, 0.0, own(x), own(x + 1)];
+        let own = |x: &Pair| first.map_or([0.0; 2], |i| x.amplitudes(&orbit.coordinates[i]).map(|a| a.abs()));
+        let start = |(_, pair): &(String, Pair)| {
+            let [x, y] = own(pair);
+            [orbit.whirl(pair, divisor).0.abs(), 0.0, 0.0, slow(pair), 0.0, 0.0, x, y]
+        };
         let mut out: Vec<[f64; 8]> = self.bodies.iter().map(start).collect();
         let samples = SAMPLES * divisor;
         let h = TAU / samples as f64;
         // by instant, body after body: squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
         let mut squares = |tau: f64| -> Vec<f64> {
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-            let of = |&(_, i): &(String, usize)| {
-                let [x0, y0] = orbit.rest_of(i);
-                let (x, y) = (q[i] - x0, q[i + 1] - y0);
+            let of = |(_, pair): &(String, Pair)| {
+                let ([x0, y0], [x, y]) = (orbit.rest_of(pair), pair.of(&q));
+                let (x, y) = (x - x0, y - y0);
                 [x * x + y * y, x * x, y * y]
             };
             self.bodies.iter().flat_map(of).collect()

@@ -108,7 +108,7 @@ pub(super) fn outcome(
 ) -> Result<Outcome, Diagnostic> {
     let probes = probes::all(system);
     let loud = probes::loudest(found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied())));
-    let tilts = |b: usize| probes.iter().any(|p| p.is_tilt() && p.body == b);
+    let tilts = |b: usize| probes.iter().any(|p| p.is_tilt() && p.station == b);
     let complete = end == End::Reached;
     let mut outcome = Outcome::new(kind, name).over("speed", "rad/s").end(end);
     for (name, count) in &response.work {
@@ -129,7 +129,7 @@ pub(super) fn outcome(
     let unforced = probes::unforced(system, &[SpinSpeeds::one(speed)], sizes);
     for (k, m) in found.iter().enumerate() {
         // of a body that only tilts its tilt is reported
-        let reported = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !probes::still(p, **a, loud, probes::ROUNDING);
+        let reported = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.station) || !probes::still(p, **a, loud, probes::ROUNDING);
         for (p, a) in probes.iter().zip(&m.amplitudes).filter(reported) {
             let id = if p.is_tilt() { "steady_tilt" } else { "steady_motion" };
             let mut finding = Finding::info(id, "nonlinear-response-steady")

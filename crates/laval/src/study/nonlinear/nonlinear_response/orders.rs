@@ -6,6 +6,7 @@
 use super::measuring::Measuring;
 use super::shown::{Shown, branch};
 use super::tables::label;
+use crate::model::system::Pair;
 use crate::outcome::{Arg, Axis, Figure, Finding, Line, Message, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
@@ -113,21 +114,21 @@ pub struct Orders {
 }
 
 impl Whirls {
-    fn of(balance: &mut Balance, branch: &Traced, bodies: &[(String, usize)]) -> Whirls {
+    fn of(balance: &mut Balance, branch: &Traced, bodies: &[(String, Pair)]) -> Whirls {
         let mut out = Whirls::default();
         for p in &branch.points {
             let orbit = Orbit::of(balance, &p.x, p.speed).unwrap_or_default();
             if out.orders.is_empty() {
                 out.orders = orbit.orders.iter().copied().filter(|&k| k != 0 && k != branch.turns()).collect();
             }
-            let whirl = |k: usize, x: usize| if orbit.orders.is_empty() { (f64::NAN, f64::NAN) } else { whirl(&orbit, x, k) };
-            out.values.push(out.orders.iter().map(|&k| bodies.iter().map(|b| whirl(k, b.1)).collect()).collect());
+            let whirl = |k: usize, x: &Pair| if orbit.orders.is_empty() { (f64::NAN, f64::NAN) } else { whirl(&orbit, x, k) };
+            out.values.push(out.orders.iter().map(|&k| bodies.iter().map(|b| whirl(k, &b.1)).collect()).collect());
         }
         out
     }
 }
 
-fn whirl(orbit: &Orbit, x: usize, order: usize) -> Whirl {
+fn whirl(orbit: &Orbit, x: &Pair, order: usize) -> Whirl {
     let (forward, backward) = orbit.whirl(x, order);
     (forward.abs(), backward.abs())
 }
@@ -137,7 +138,7 @@ struct Between<'b, 'a> {
     balance: &'b mut Balance<'a>,
     from: &'b State,
     to: &'b State,
-    x: usize,
+    x: &'b Pair,
     order: usize,
 }
 
@@ -221,7 +222,7 @@ impl Measuring<'_> {
             for (o, &order) in whirls.orders.iter().enumerate() {
                 for (body, (_, x)) in bodies.iter().enumerate() {
                     let values: Vec<Whirl> = whirls.values.iter().map(|v| v[o][body]).collect();
-                    let found = stretches_of(balance, branch, &values, (*x, order), threshold);
+                    let found = stretches_of(balance, branch, &values, (x, order), threshold);
                     out.stretches.extend(found.into_iter().map(|(ends, largest, at)| Stretch {
                         body,
                         order,
@@ -371,7 +372,7 @@ fn stretches_of(
     balance: &mut Balance,
     branch: &Traced,
     values: &[Whirl],
-    (x, order): (usize, usize),
+    (x, order): (&Pair, usize),
     threshold: f64,
 ) -> Vec<([Edge; 2], Whirl, f64)> {
     let mut out = Vec::new();

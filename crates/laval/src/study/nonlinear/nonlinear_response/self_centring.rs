@@ -67,7 +67,7 @@ impl Measuring<'_> {
     pub(super) fn centring(&mut self, response: &Response) -> Option<Centring> {
         let top = response.branches.iter().flat_map(|b| &b.points).map(|p| p.speed.abs()).fold(0.0, f64::max);
         let limit = limit(self.system, top).filter(|_| top > 0.0)?;
-        let goal: Vec<C64> = self.bodies.iter().map(|&(_, x)| limit.orbit.whirl(x, 1).0).collect();
+        let goal: Vec<C64> = self.bodies.iter().map(|(_, x)| limit.orbit.whirl(x, 1).0).collect();
         let largest = goal.iter().fold(0.0f64, |m, z| m.max(z.abs()));
         let ends = response.branches.iter().filter(|b| b.turns() == 1).flat_map(|b| {
             let last = b.points.len().checked_sub(1);
@@ -76,8 +76,8 @@ impl Measuring<'_> {
         let ends: Vec<(&Traced, usize)> = ends.collect();
         let mut bodies = Vec::new();
         for (body, &limit) in goal.iter().enumerate().filter(|(_, z)| z.abs() > MOVES * largest) {
-            let x = self.bodies[body].1;
-            let at = |measuring: &mut Self, branch: &Traced, i: usize| measuring.orbit(branch, i).map(|o| o.whirl(x, 1).0);
+            let x = self.bodies[body].1.clone();
+            let at = |measuring: &mut Self, branch: &Traced, i: usize| measuring.orbit(branch, i).map(|o| o.whirl(&x, 1).0);
             let mut best: Option<(C64, &Traced, usize)> = None;
             for &(branch, i) in &ends {
                 let Some(z) = at(self, branch, i) else { continue };

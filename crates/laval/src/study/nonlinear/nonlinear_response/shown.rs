@@ -30,7 +30,7 @@ pub(super) struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, response: &'a Response, measured: &'a Measured) -> Self {
-        let bodies = system.bodies().into_iter().map(|b| b.name).collect();
+        let bodies = system.stations().iter().map(|s| s.name.clone()).collect();
         Shown { system, response, measured, bodies, probes: probes::all(system), force_slots: Measure::forces(system) }
     }
 

@@ -80,7 +80,7 @@ impl Measuring<'_> {
             let tuned = mass * speed * speed;
             for slot in Measure::forces(system) {
                 let part = &system.slots()[slot];
-                let joins = |i: usize| part.map[i].len() > 1 && part.map[i].iter().any(|&(g, _)| g == x + i);
+                let joins = |i: usize| part.map[i].len() > 1 && part.map[i].iter().any(|&(g, _)| x.0[i] == [(g, 1.0)]);
                 if part.is_linear() || !(joins(0) && joins(1)) {
                     continue;
                 }
@@ -89,7 +89,7 @@ impl Measuring<'_> {
                     continue;
                 };
                 out.push(Tuned {
-                    body: body.clone(),
+                    body: body.to_string(),
                     slot,
                     speed,
                     stiffness: [stiffness, tuned],

@@ -145,7 +145,7 @@ impl Seen {
         let hindered: Vec<usize> = system.warnings().into_iter().map(|w| w.0).collect();
         let mut held = parts.iter().filter(|p| hindered.contains(&p.0)).peekable();
         let locked = held.peek().is_some() && held.all(|p| p.1.iter().all(near));
-        let bodies = system.bodies().iter().map(|b| [about.q[b.x], about.q[b.x + 1]]).collect();
+        let bodies = system.stations().iter().map(|s| s.lateral.of(&about.q)).collect();
         let size = |p: &Probe| {
             let [x, y] = p.of(&about.q);
             x.hypot(y)

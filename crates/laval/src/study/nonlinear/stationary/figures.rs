@@ -71,9 +71,9 @@ impl Report<'_> {
         let changes = self.found.paths.iter().any(|p| !p.special.is_empty());
         // of several bodies the table of continua tells the largest distance only
         let sheets = !self.continua.sheets.is_empty();
-        let alone = sheets && self.system.bodies().len() == 1;
+        let alone = sheets && self.system.stations().len() == 1;
         let continua = |column: &str| Points::new("continua", "speed", column).name("continuum, the sample with most");
-        for body in self.system.bodies() {
+        for body in self.system.stations() {
             let column = format!("{} radius", body.name);
             let mut panel = Panel::new(Axis::new(Arg::of("distance from the axis", Arg::name(&body.name)), "m").metres(most))
                 .mark(line(column.clone()));

@@ -128,7 +128,7 @@ impl Report<'_> {
 
     /// Columns for bodies, angles, what parts show, and the unbalance.
     fn columns(&self, mut t: TableBuilder, seen: &[&Seen]) -> TableBuilder {
-        for (k, body) in self.system.bodies().iter().enumerate() {
+        for (k, body) in self.system.stations().iter().enumerate() {
             let of = |f: &dyn Fn(&[f64; 2]) -> f64| seen.iter().map(|s| f(&s.bodies[k])).collect::<Vec<f64>>();
             t = t
                 .float(format!("{} radius", body.name), "m", "distance from the axis", of(&|b| b[0].hypot(b[1])))

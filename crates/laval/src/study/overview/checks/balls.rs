@@ -102,12 +102,12 @@ pub(super) fn vibration(facts: &Facts, speed: Operating) -> Option<Check> {
                 return None;
             }
             let rows: Vec<usize> = (0..at.len()).filter(|&k| stable[k] && facts.sign * at[k] == near).collect();
-            for body in facts.system.bodies() {
+            for body in facts.system.stations() {
                 let radius = float(&format!("{} radius", body.name))?;
                 let Some(x) = rows.iter().map(|&k| radius[k]).reduce(larger) else { continue };
                 match all.iter_mut().find(|a| a.0 == body.name) {
                     Some(a) => a.1 = larger(a.1, x),
-                    None => all.push((body.name, x)),
+                    None => all.push((body.name.clone(), x)),
                 }
             }
         }

@@ -205,8 +205,8 @@ fn tables(
             "nearest a motion came that ended elsewhere; infinite where none was followed",
             column(&|a| a.approach.unwrap_or(f64::NAN)),
         );
-    for b in system.bodies() {
-        let radius = |a: &MassAttractor| if let MassKind::Rest { q, .. } = &a.kind { q[b.x].hypot(q[b.x + 1]) } else { f64::NAN };
+    for b in system.stations() {
+        let radius = |a: &MassAttractor| if let MassKind::Rest { q, .. } = &a.kind { b.lateral.length(q) } else { f64::NAN };
         table = table.float(format!("displacement.{}", b.name), "m", "distance from the axis; NaN for motions", column(&radius));
     }
     for (k, &i) in data.masses.iter().enumerate() {
