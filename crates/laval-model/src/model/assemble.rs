@@ -9,7 +9,23 @@ use super::slot::{GlobalDof, PartInput, Slot};
 use super::system::{Axis, System};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::text;
+use crate::text::Text;
 use std::sync::OnceLock;
+
+/// Why a position is not on a body that reaches from one end to the other.
+pub fn outside(position: f64, [low, high]: [f64; 2]) -> Option<Text> {
+    let rounding = 1e-9 * (high - low);
+    let on = (low - rounding..=high + rounding).contains(&position);
+    let length = |x: f64| text::quantity(x, "m");
+    (!on).then(|| {
+        text!(
+            "the position {position} is not on the body, which reaches from {low} to {high}",
+            position = length(position),
+            low = length(low),
+            high = length(high)
+        )
+    })
+}
 
 /// Whether the map of a part is known.
 #[derive(Clone, Copy)]
@@ -43,6 +59,7 @@ impl System {
             stations: OnceLock::new(),
             probes: OnceLock::new(),
             assemblies: Default::default(),
+            projection: None,
         };
         for input in &inputs {
             system.add(input, divided(input, &inputs, &system.machine.points), &mut diagnostics);
@@ -145,7 +162,19 @@ impl System {
                     text!("\"{slot}\" is attached to \"{name}\", which is not a body", slot = self.slots[slot].name, name),
                 )
                 .at(self.slots[slot].span.clone())
-                .help(text!("\"{name}\" is a {kind}; attach to a disc or a foundation", name, kind = b.part.kind())),
+                .help(text!(
+                    "\"{name}\" is a {kind}; attach to a disc, a shaft or a foundation",
+                    name,
+                    kind = b.part.kind()
+                )),
+            ));
+        }
+        if let Some(ends) = b.part.body().and_then(|b| b.nodes()).and_then(|n| Some([*n.first()?, *n.last()?]))
+            && let Some(beyond) = outside(attach.position, ends)
+        {
+            return Err(Box::new(
+                Diagnostic::error("body.position", text!("\"{slot}\": {beyond}", slot = self.slots[slot].name, beyond))
+                    .at(self.slots[slot].span.clone()),
             ));
         }
         let shape = b.part.body().map_or_else(Vec::new, |body| body.shape(&self.params[b.params.clone()], attach.position));

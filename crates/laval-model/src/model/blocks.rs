@@ -93,6 +93,14 @@ impl<S> Grid<S> {
         let start = i * self.step + columns.start + self.shift;
         &self.data[start..start + columns.len()]
     }
+    /// An entry; zero where the row has none.
+    #[inline(always)]
+    pub fn get(&self, i: usize, j: usize) -> S
+    where
+        S: Scalar,
+    {
+        if i.abs_diff(j) <= self.reach { self[(i, j)] } else { S::zero() }
+    }
     /// All entries, row by row.
     pub fn entries(&self) -> impl Iterator<Item = &S> {
         (0..self.rows).flat_map(|i| self.row(i))

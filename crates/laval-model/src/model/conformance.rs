@@ -188,7 +188,7 @@ impl<'a, P: Part> Bench<'a, P> {
             _ if j < 3 * n => format!("{}[{}]", ["q", "v", "a"][j / n], j % n),
             _ if j < spin => format!("z[{}]", j - 3 * n),
             _ if j < self.params_at() => ["phase", "speed", "spin_accel", "t"][j - spin].into(),
-            _ => P::Family::slots().get(j - self.params_at()).map_or("parameter".into(), |s| s.name.clone()),
+            _ => P::Family::all_slots(Erased::rows(self.part)).get(j - self.params_at()).map_or("parameter".into(), |s| s.name.clone()),
         }
     }
     fn output_name(&self, i: usize) -> String {
@@ -258,9 +258,10 @@ impl<'a, P: Part> Bench<'a, P> {
 
     fn layout(&mut self) {
         let layout = Part::layout(self.part);
-        let slots = P::Family::slots().len();
-        if slots != P::Family::COUNT || slots != self.params.len() {
-            self.fail(Promise::Layout, format!("{slots} slots, {} scalars, {} values", P::Family::COUNT, self.params.len()));
+        let slots = P::Family::all_slots(Erased::rows(self.part)).len();
+        let scalars = P::Family::COUNT + Erased::rows(self.part) * P::Family::row_slots().len();
+        if slots != scalars || slots != self.params.len() {
+            self.fail(Promise::Layout, format!("{slots} slots, {scalars} scalars, {} values", self.params.len()));
         }
         for kinds in [self.kinds.clone(), self.state_kinds.clone()] {
             for (i, k) in kinds.iter().enumerate() {

@@ -18,6 +18,7 @@ pub use super::capability::added_inertia::erased::AddedInertia;
 pub use super::capability::body::erased::BodyPart;
 pub use super::capability::contact::erased::Contacts;
 pub use super::capability::drive::erased::SpinDrive;
+pub use super::capability::extent::erased::Extent;
 pub use super::capability::filling::erased::Filling;
 pub use super::capability::movable::erased::MovableMasses;
 pub use super::capability::scope::erased::Scope;
@@ -50,6 +51,7 @@ macro_rules! faces {
             fn physics(&self) -> Physics;
             fn uses(&self) -> Uses;
             fn reach(&self) -> usize;
+            fn rows(&self) -> usize;
             fn memory(&self) -> usize;
             fn slots(&self) -> Vec<ParamSlot>;
             fn fields(&self) -> &'static [Field];

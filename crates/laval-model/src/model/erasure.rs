@@ -31,13 +31,16 @@ macro_rules! parts {
                 Part::uses(self)
             }
             fn reach(&self) -> usize {
-                Part::reach(self)
+                self.extent().map_or(usize::MAX, |e| e.reach())
+            }
+            fn rows(&self) -> usize {
+                self.extent().map_or(0, |e| e.rows())
             }
             fn memory(&self) -> usize {
                 Part::memory(self)
             }
             fn slots(&self) -> Vec<ParamSlot> {
-                T::Family::slots()
+                T::Family::all_slots(Erased::rows(self))
             }
             fn fields(&self) -> &'static [Field] {
                 T::FIELDS
@@ -162,7 +165,7 @@ fn residual<T: Part, S: Scalar>(part: &T, p: &[S], at: &At<S>, out: &mut Rows<S>
     match Part::physics(part) {
         Physics::Nonlinear => part.residual(&p, at, out),
         Physics::Linear | Physics::Frequency(_) => {
-            blocks.reset_band(at.q.len(), at.z.len() - part.memory(), Part::reach(part), at.speed);
+            blocks.reset_band(at.q.len(), at.z.len() - part.memory(), part.extent().map_or(usize::MAX, |e| e.reach()), at.speed);
             part.linear(&p, at.speed, blocks);
             blocks.residual(at, out.force, out.rate);
             *out.spin += part.spin_row(&p, at);

@@ -497,6 +497,8 @@ pub struct KindInfo {
     pub example: &'static str,
     /// Everything that may be said of it, besides `kind` and `name`.
     pub fields: Vec<Field>,
+    /// Parameters in the rows of a list: its field and theirs.
+    pub rows: Option<(&'static str, &'static [Field])>,
 }
 
 /// A block of the file beside parts and studies, such as `[suspension]` or `[[cup]]`, as the file reader, the schema and the documentation see it.

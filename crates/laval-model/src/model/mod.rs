@@ -1,5 +1,5 @@
 //! What a machine is: parts, their parameters and ports, and the system they form.
-mod assemble;
+pub mod assemble;
 pub mod assembly;
 pub mod blocks;
 pub mod builder;
@@ -17,6 +17,7 @@ pub mod params;
 pub mod part;
 pub mod probe;
 mod probes;
+pub mod projected;
 pub mod slot;
 pub mod station;
 pub mod system;

@@ -4,6 +4,8 @@ use super::field::{Bounds, Field, FieldKind};
 use crate::text;
 use crate::text::{Arg, Text};
 use laval_num::scalar::Scalar;
+use std::marker::PhantomData;
+use std::ops::Deref;
 
 /// One scalar parameter after lateral pairs have been split.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,18 +52,32 @@ pub fn inadmissible(slots: &[ParamSlot], values: &[f64]) -> Vec<Text> {
 /// A set of parameters with a struct for every scalar and a lift between them. Written by [`params!`](crate::params).
 pub trait Family: Send + Sync + 'static {
     /// The parameters as numbers of kind `S`.
-    type P<S: Scalar>: Copy + Send + Sync;
-    /// The declarations.
+    type P<S: Scalar>: Clone + Send + Sync;
+    /// The declarations; those of a list are among the fields of its part.
     const FIELDS: &'static [Field];
     /// Their defaults in SI units; required parameters have none.
     const DEFAULTS: &'static [Option<f64>];
-    /// How many scalars (a lateral pair counts two).
+    /// How many scalars (a lateral pair counts two), without those in a list.
     const COUNT: usize;
-    /// From consecutive scalars.
+    /// Field of the file that holds the list of parameters, row by row; "" where there is none.
+    const LIST: &'static str = "";
+    /// The parameters of one row of the list.
+    const ROW: &'static [Field] = &[];
+    /// The scalar slots of one row of the list, in order.
+    fn row_slots() -> Vec<ParamSlot> {
+        Vec::new()
+    }
+    /// From consecutive scalars, those of the rows last.
     fn from_slice<S: Scalar>(v: &[S]) -> Self::P<S>;
     /// To consecutive scalars.
     fn to_vec(p: &Self::P<f64>) -> Vec<f64>;
-    /// The scalar slots in order.
+    /// The scalar slots in order: those of this many rows of the list (`section[1].outer_diameter`) come last.
+    fn all_slots(rows: usize) -> Vec<ParamSlot> {
+        let row =
+            |k: usize| Self::row_slots().into_iter().map(move |s| ParamSlot { name: format!("{}[{}].{}", Self::LIST, k + 1, s.name), ..s });
+        Self::slots().into_iter().chain((0..rows).flat_map(row)).collect()
+    }
+    /// The scalar slots in order, without those of a list.
     fn slots() -> Vec<ParamSlot> {
         let mut out = Vec::with_capacity(Self::COUNT);
         for (f, &default) in Self::FIELDS.iter().zip(Self::DEFAULTS) {
@@ -93,6 +109,50 @@ pub mod shape {
     pub type scalar<S> = S;
     /// One number for x and one for y.
     pub type lateral<S> = [S; 2];
+}
+
+/// A family of parameters whose values stand in the rows of a list of the file.
+pub trait RowFamily: Family {
+    /// The field that holds the list: its columns have the names of these parameters, and may have others.
+    const LIST: &'static str;
+}
+
+/// The parameters of `F` and, in every row of a list, those of `R`.
+pub struct WithRows<F, R>(PhantomData<(F, R)>);
+
+/// Values of [`WithRows`]: the parameters beside the list are reached directly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listed<P, R> {
+    /// Beside the list.
+    pub own: P,
+    /// Row by row.
+    pub rows: Vec<R>,
+}
+
+impl<P, R> Deref for Listed<P, R> {
+    type Target = P;
+    fn deref(&self) -> &P {
+        &self.own
+    }
+}
+
+impl<F: Family, R: RowFamily> Family for WithRows<F, R> {
+    type P<S: Scalar> = Listed<F::P<S>, R::P<S>>;
+    const FIELDS: &'static [Field] = F::FIELDS;
+    const DEFAULTS: &'static [Option<f64>] = F::DEFAULTS;
+    const COUNT: usize = F::COUNT;
+    const LIST: &'static str = <R as RowFamily>::LIST;
+    const ROW: &'static [Field] = R::FIELDS;
+    fn row_slots() -> Vec<ParamSlot> {
+        R::slots()
+    }
+    fn from_slice<S: Scalar>(v: &[S]) -> Self::P<S> {
+        let (own, rows) = v.split_at(F::COUNT);
+        Listed { own: F::from_slice(own), rows: rows.chunks_exact(R::COUNT).map(R::from_slice).collect() }
+    }
+    fn to_vec(p: &Self::P<f64>) -> Vec<f64> {
+        F::to_vec(&p.own).into_iter().chain(p.rows.iter().flat_map(R::to_vec)).collect()
+    }
 }
 
 /// A part without parameters.

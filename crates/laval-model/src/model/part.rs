@@ -53,10 +53,6 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn uses(&self) -> Uses {
         Uses { velocity: true, acceleration: true, spin: true }
     }
-    /// Local coordinates farther apart than this in their order are not coupled: in a part of many coordinates, as a shaft, only neighbours are.
-    fn reach(&self) -> usize {
-        usize::MAX
-    }
     /// How many of its states, the last ones, are memory states ([`Blocks::memory`]).
     fn memory(&self) -> usize {
         0
@@ -90,6 +86,10 @@ pub trait Part: Send + Sync + Sized + 'static {
 
     /// Other parts attach to it: [`BodyPart`](super::capability::BodyPart).
     fn body(&self) -> Option<&dyn erased::BodyPart> {
+        None
+    }
+    /// It has many coordinates, or parameters in a list: [`Extent`](super::capability::Extent).
+    fn extent(&self) -> Option<&dyn erased::Extent> {
         None
     }
     /// Gaps and force laws that are not smooth: [`Contacts`](super::capability::Contacts).

@@ -69,12 +69,9 @@ pub struct Station {
 }
 
 impl Station {
-    /// Names of its displacements: those of coordinates, or "shaft at 120 mm.x".
-    pub fn columns(&self, system: &System) -> [String; 2] {
-        match self.lateral.first() {
-            Some(x) => [x, x + 1].map(|i| system.coordinates()[i].name.clone()),
-            None => ["x", "y"].map(|k| format!("{}.{k}", self.name)),
-        }
+    /// Names of its displacements: "drum.x", "shaft at 120 mm.x".
+    pub fn columns(&self) -> [String; 2] {
+        ["x", "y"].map(|k| format!("{}.{k}", self.name))
     }
 }
 

@@ -7,6 +7,7 @@ use super::field::{Extra, Field};
 use super::params::ParamSlot;
 use super::part::{At, Correction, DofKind, Energy, Observed, Outline, Rows, Validity};
 use super::probe::Probe;
+use super::projected::Projection;
 use super::slot::{gather, scatter};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::text;
@@ -33,6 +34,7 @@ pub struct System {
     pub(super) stations: OnceLock<Vec<Station>>,
     pub(super) probes: OnceLock<Vec<Probe>>,
     pub(super) assemblies: [OnceLock<Arc<Assembly>>; 2],
+    pub(super) projection: Option<Arc<Projection>>,
 }
 
 /// Scratch for evaluations in scalar `S`; one per thread.
@@ -76,9 +78,13 @@ impl System {
     pub fn m(&self) -> usize {
         self.states.len()
     }
-    /// Index of a coordinate by name (`drum.x`).
+    /// Index of a coordinate by name (`drum.x`), or by that of a station which it is the displacement of (`shaft at 300 mm.x`).
     pub fn coordinate(&self, name: &str) -> Option<usize> {
-        self.coordinates.iter().position(|c| c.name == name)
+        let station = |s: &Station| {
+            let k = s.columns().iter().position(|c| c == name)?;
+            Some(s.lateral.first()? + k)
+        };
+        self.coordinates.iter().position(|c| c.name == name).or_else(|| self.stations().iter().find_map(station))
     }
     /// Where the entries of parts stand in the linear model of a form.
     pub fn assembly(&self, form: Form) -> &Arc<Assembly> {
@@ -103,6 +109,10 @@ impl System {
     /// The same machine with some parameters changed. Refuses inadmissible values.
     pub fn with(&self, overrides: &[(&str, f64)]) -> Result<System, Diagnostics> {
         let mut diagnostics = Diagnostics::default();
+        if self.projection.is_some() {
+            diagnostics.push(Diagnostic::error("machine.projected", text!("parameters of a reduced machine cannot be changed")));
+            return Err(diagnostics);
+        }
         let mut inputs: Vec<PartInput> = self.inputs();
         for &(path, value) in overrides {
             let Some(indices) = self.param(path) else {
@@ -149,7 +159,8 @@ impl System {
             let other = text!("what a file says in another form, as a fill by its volume, is varied by the parameter it stands for");
             text!("parameters of \"{part}\": {near} ({other})", part, near = near.join(", "), other)
         };
-        let list = self.slot(part).and_then(|s| Field::list_of(s.part.fields(), rest));
+        let in_rows = |f: &&Field| self.param_slots.iter().any(|s| s.name.starts_with(&format!("{part}.{}[", f.name)));
+        let list = self.slot(part).and_then(|s| Field::list_of(s.part.fields(), rest)).filter(|f| !in_rows(f));
         let message = match list {
             Some(list) => text!("\"{path}\" is no parameter: \"{name}\" is a list, and studies hold its values", path, name = list.name),
             None => text!("there is no parameter \"{path}\"", path),

@@ -30,8 +30,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Blocks, rotating};
 use crate::model::capability::body::{BodyParameters, BodyPart};
 use crate::model::erased;
-use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Params, Part, Physics, Validity};
+use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Validity};
 use crate::params;
 use crate::text;
 use crate::text::Text;
@@ -71,17 +71,23 @@ struct Unbalance {
 /// See the [module](self).
 pub struct Disc {
     tilts: bool,
+    /// The point of another body that carries it; a disc without one has coordinates of its own.
+    on: Option<Attach>,
     unbalances: Vec<Unbalance>,
 }
 
 impl Disc {
     /// Two coordinates: x, y.
     pub fn planar() -> Self {
-        Disc { tilts: false, unbalances: Vec::new() }
+        Disc { tilts: false, on: None, unbalances: Vec::new() }
     }
     /// Four coordinates: x, y and tilt; needs the inertias.
     pub fn tilting() -> Self {
-        Disc { tilts: true, unbalances: Vec::new() }
+        Disc { tilts: true, on: None, unbalances: Vec::new() }
+    }
+    /// Fixed to a point of another body, as a shaft: it moves with it and has no coordinates of its own.
+    pub fn on(self, attach: Attach) -> Self {
+        Disc { on: Some(attach), ..self }
     }
     /// With one more unbalance (kg m) in this direction from the key mark (rad), at this height above the reference point (m).
     pub fn unbalanced(mut self, size: f64, phase: f64, at: f64) -> Self {
@@ -136,15 +142,24 @@ skew = "0.1 mrad"                   # dynamic unbalance
     const DOC: &'static str = "A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling \
         and dynamic unbalance. Other parts attach to it.";
     type Family = DiscFamily;
-    const FIELDS: &'static [Field] = &[Field::optional(
-        "unbalances",
-        FieldKind::Columns(UNBALANCES),
-        "",
-        "several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights; a study that varies parameters leaves them as they are",
-    )];
+    const FIELDS: &'static [Field] = &[
+        Field::optional(
+            "on",
+            FieldKind::Attach { ground: false },
+            "",
+            "the point of a shaft or of another body that it is fixed to and moves with; without it the disc has coordinates of its own",
+        ),
+        Field::optional(
+            "unbalances",
+            FieldKind::Columns(UNBALANCES),
+            "",
+            "several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights; a study that varies parameters leaves them as they are",
+        ),
+    ];
 
     fn build(values: &Values, _: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let disc = Disc { tilts: values.number("diametral_inertia").is_some_and(|x| x > 0.0), unbalances: Vec::new() };
+        let tilts = values.number("diametral_inertia").is_some_and(|x| x > 0.0);
+        let disc = Disc { tilts, on: values.attach("on").filter(|a| a.body.is_some()), unbalances: Vec::new() };
         let Some(columns) = values.columns("unbalances") else { return Some(disc) };
         let sizes = columns.get("unbalance")?;
         let entry = |name: &str, k: usize| columns.get(name).and_then(|c| c.get(k)).copied().unwrap_or(0.0);
@@ -177,6 +192,11 @@ skew = "0.1 mrad"                   # dynamic unbalance
         Arc::new(self)
     }
     fn layout(&self) -> Layout {
+        if let Some(attach) = &self.on {
+            let link = Link::On(attach.clone());
+            let layout = if self.tilts { Layout::point_and_tilt(link) } else { Layout::point(link) };
+            return Layout { body: true, ..layout };
+        }
         let mut own = Dof::lateral();
         if self.tilts {
             own.extend(Dof::tilt());

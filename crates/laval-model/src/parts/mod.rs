@@ -9,6 +9,7 @@ pub mod disc;
 pub mod foundation;
 pub mod liquid;
 pub mod motor;
+pub mod shaft;
 pub mod shaft_lumped;
 pub mod shaft_span;
 pub mod shaft_viscoelastic;
@@ -43,6 +44,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<bearing_linear::BearingLinear>(),
         kind::<bearing_cubic::BearingCubic>(),
         kind::<bearing_hertz::BearingHertz>(),
+        kind::<shaft::Shaft>(),
         kind::<shaft_lumped::ShaftLumped>(),
         kind::<shaft_span::ShaftSpan>(),
         kind::<shaft_viscoelastic::ShaftViscoelastic>(),
@@ -58,7 +60,8 @@ pub fn registry() -> Vec<PartKind> {
 pub fn kind<P: Part>() -> PartKind {
     let derived = |name: &str| P::FIELDS.iter().any(|f| matches!(f.kind, FieldKind::OneOf(options) if options.iter().any(|o| o.0 == name)));
     let fields = P::FIELDS.iter().chain(P::Family::FIELDS.iter().filter(|f| !derived(f.name))).copied().collect();
-    PartKind { info: KindInfo { kind: P::KIND, doc: P::DOC, example: P::EXAMPLE, fields }, build: build::<P> }
+    let rows = (!P::Family::ROW.is_empty()).then_some((P::Family::LIST, P::Family::ROW));
+    PartKind { info: KindInfo { kind: P::KIND, doc: P::DOC, example: P::EXAMPLE, fields, rows }, build: build::<P> }
 }
 
 fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Built> {
@@ -85,7 +88,17 @@ fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Buil
     let sound = !own.has_errors();
     diagnostics.0.append(&mut own.0);
     let part = built?;
-    let vector: Vec<f64> = P::Family::slots().iter().map(|s| params.get(&s.name).unwrap_or(f64::NAN)).collect();
+    let rows = Erased::rows(&part);
+    if let Some(columns) = values.columns(P::Family::LIST) {
+        for (k, slot) in (0..rows).flat_map(|k| P::Family::row_slots().into_iter().map(move |s| (k, s))) {
+            let name = format!("{}[{}].{}", P::Family::LIST, k + 1, slot.name);
+            let given = columns.get(slot.name.as_str()).and_then(|c| c.get(k)).copied();
+            if let (None, Some(x)) = (params.get(&name), given.or(slot.default)) {
+                params.set(&name, x);
+            }
+        }
+    }
+    let vector: Vec<f64> = P::Family::all_slots(rows).iter().map(|s| params.get(&s.name).unwrap_or(f64::NAN)).collect();
     if sound && vector.iter().all(|x| x.is_finite()) {
         for (field, message) in part.check(&P::Family::from_slice(&vector)) {
             diagnostics.push(Diagnostic::error("part.check", message).at(values.span_of(field)));

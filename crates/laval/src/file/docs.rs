@@ -162,7 +162,11 @@ pub fn takes(f: &Field) -> String {
         FieldKind::Columns(list) => {
             let each: Vec<String> =
                 list.iter().map(|c| format!("{}: {} [{}]{}", c.0, c.3, describe(c.1), if c.2 { "" } else { ", optional" })).collect();
-            format!("columns of equal length {{ {} }}", each.join("; "))
+            format!(
+                "columns of equal length {{ {} }}, or a list of rows {{ {} = .., .. }}",
+                each.join("; "),
+                list.first().map_or("", |c| c.0)
+            )
         }
         FieldKind::Named { unit, bounds } => format!("{}; one value, or {{ name = .., name = .. }}", number(unit, &bounds)),
         FieldKind::ParameterRanges => "a list of { parameter = .., from = .., to = .. }, the ends in the unit of the parameter".into(),
@@ -240,6 +244,7 @@ pub fn machine() -> KindInfo {
         doc: "What belongs to the machine as a whole. A file has this block once, with single brackets; every key may be left out.",
         example: "name = \"oil separator\"\nspeed = \"3000 rpm\"\naxis = \"vertical\"                   # or \"horizontal\": gravity then points to -y\n",
         fields: super::MACHINE_FIELDS.to_vec(),
+        rows: None,
     }
 }
 

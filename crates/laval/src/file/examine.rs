@@ -67,7 +67,12 @@ impl<'a> World<'a> {
                 }
                 self.studies(&system);
             }
-            Err(found) => self.out.0.extend(found.0),
+            // a place that is not on its body is reported where it is written
+            Err(found) => {
+                let known = |d: &Diagnostic| d.code == "body.position" && self.out.0.iter().any(|o| o.code == d.code);
+                let new: Vec<Diagnostic> = found.0.into_iter().filter(|d| !known(d)).collect();
+                self.out.0.extend(new);
+            }
         }
         let doubtful = |a: &Absent| self.draft.parts.is_empty() || self.doubtful.contains(a.block());
         self.out.0.retain(|d| d.severity == Severity::Error && !d.about.as_deref().is_some_and(doubtful));

@@ -10,7 +10,7 @@ use crate::model::system::{Slot, System};
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::text;
 use laval_num::dense::Mat;
-use laval_num::factor::{Factors, Plan};
+use laval_num::factor::{Factors, Pattern, Plan};
 
 /// Warns of parts that cannot do what they are there for, of displacements without any stiffness and of tilt stiffness on bodies that do not tilt.
 pub(super) fn check(system: &System, out: &mut Diagnostics) {
@@ -41,9 +41,12 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
                     name = slot.name,
                     names = names.join(", ")
                 ),
-                text!(
-                    "let a shaft act on the tilt (tilt_stiffness, or a round shaft), hold the body at two heights, or leave out its diametral_inertia: then it does not tilt"
-                ),
+                match bends(slot) {
+                    true => text!("hold it at a second place: attach another bearing"),
+                    false => text!(
+                        "let a shaft act on the tilt (tilt_stiffness, or a round shaft), hold the body at two heights, or leave out its diametral_inertia: then it does not tilt"
+                    ),
+                },
             ),
             false => (
                 text!(
@@ -147,6 +150,7 @@ fn free(system: &System) -> Vec<usize> {
     for i in 0..n {
         pattern.row(i).take_while(|x| x.1 < n).for_each(|(e, j)| k[e] = model.stiffness_alone(i, j));
     }
+    let mut nonlinear = vec![0.0; pattern.entries()];
     let (zero, z) = (vec![0.0; n], vec![0.0; system.m()]);
     // a law may have no stiffness at rest, or on one side only
     for side in [-1.0, 0.0, 1.0] {
@@ -157,10 +161,14 @@ fn free(system: &System) -> Vec<usize> {
         for &(i, j, x) in &t.q.0 {
             // coordinates of one part are in the pattern
             if let Some(e) = pattern.index(i, j) {
-                k[e] += x;
+                nonlinear[e] += x;
             }
         }
     }
+    if system.slots().iter().any(bends) {
+        return free_rigidly(system, &typical, &bodies, (pattern, &nonlinear));
+    }
+    k.iter_mut().zip(&nonlinear).for_each(|(k, x)| *k += x);
     for i in 0..n {
         pattern.row(i).take_while(|x| x.1 < n).for_each(|(e, j)| k[e] *= typical[i] * typical[j]);
     }
@@ -172,6 +180,71 @@ fn free(system: &System) -> Vec<usize> {
     let pattern = of.inner.pattern();
     let k = Mat::from_fn(bodies.len(), bodies.len(), |i, j| pattern.index(i, j).map_or(0.0, |e| k[e]));
     unpivoted(k).into_iter().map(|i| bodies[i]).collect()
+}
+
+/// It is a body that bends: its own stiffness holds its shape and nothing else.
+fn bends(slot: &Slot) -> bool {
+    slot.part.body().is_some_and(|b| b.nodes().is_some())
+}
+
+/// The same of a machine with bodies that bend: each moves as a rigid body, by the coordinates of its first node.
+fn free_rigidly(system: &System, typical: &[f64], bodies: &[usize], (pattern, nonlinear): (&Pattern, &[f64])) -> Vec<usize> {
+    let n = system.n();
+    // each coordinate over those that are kept
+    let mut over: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
+    let mut kept: Vec<usize> = Vec::new();
+    for slot in system.slots() {
+        let nodes = slot.part.body().and_then(|b| b.nodes());
+        let own = slot.own.clone().filter(|i| bodies.contains(i));
+        let Some(nodes) = nodes else {
+            for i in own {
+                over[i] = vec![(kept.len(), 1.0)];
+                kept.push(i);
+            }
+            continue;
+        };
+        let (first, base) = (kept.len(), slot.own.start);
+        kept.extend(slot.own.clone().take(4));
+        let mut node = None;
+        for i in own {
+            let kind = system.coordinates()[i].dof.kind;
+            if kind == DofKind::VectorX {
+                node = Some(node.map_or(0, |k: usize| k + 1));
+            }
+            let z = node.and_then(|k| Some(nodes.get(k)? - nodes.first()?)).unwrap_or_default();
+            // x + z beta, y - z alpha
+            over[i] = match kind {
+                DofKind::VectorX => vec![(first, 1.0), (first + 3, z)],
+                DofKind::VectorY => vec![(first + 1, 1.0), (first + 2, -z)],
+                DofKind::TiltX => vec![(first + 2, 1.0)],
+                DofKind::TiltY => vec![(first + 3, 1.0)],
+                _ => Vec::new(),
+            };
+            over[i].iter_mut().for_each(|(k, x)| *x *= typical[base + *k - first]);
+        }
+    }
+    for &i in &kept {
+        if over[i].len() == 1 && over[i][0].1 == 1.0 {
+            over[i][0].1 = typical[i];
+        }
+    }
+    let mut k = Mat::zeros(kept.len(), kept.len());
+    let mut add = |i: usize, j: usize, x: f64| {
+        for &(a, f) in &over[i] {
+            for &(b, g) in &over[j] {
+                k[(a, b)] += f * g * x;
+            }
+        }
+    };
+    let (zero, z) = (vec![0.0; n], vec![0.0; system.m()]);
+    let at = At { q: &zero, v: &zero, a: &zero, z: &z, phase: 0.0, speed: 0.0, spin_accel: 0.0, t: 0.0 };
+    let (mut t, mut ts) = (SparseTangent::default(), TangentScratch::default());
+    system.tangent(&at, false, &mut t, &mut ts, |s| s.is_linear() && !bends(s));
+    t.q.0.iter().for_each(|&(i, j, x)| add(i, j, x));
+    for i in 0..n {
+        pattern.row(i).take_while(|x| x.1 < n).for_each(|(e, j)| add(i, j, nonlinear[e]));
+    }
+    unpivoted(k).into_iter().map(|i| kept[i]).collect()
 }
 
 /// Coordinates up to which complete pivoting costs nothing.

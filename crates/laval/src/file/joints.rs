@@ -2,6 +2,7 @@
 
 use super::Block;
 use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
+use crate::model::assemble::outside;
 use crate::model::field::{Attach, Value};
 use crate::model::system::PartInput;
 use crate::text;
@@ -44,6 +45,13 @@ pub(super) fn check(parts: &[Block], built: &[Option<PartInput>], strange: &[Str
             return;
         }
         let Some(body) = &built[i] else { return };
+        let ends = body.part.body().and_then(|b| b.nodes()).and_then(|n| Some([*n.first()?, *n.last()?]));
+        if let Some(beyond) = ends.and_then(|ends| outside(attach.position, ends)) {
+            let message =
+                text!("{kind} \"{block}\" is attached to \"{name}\": {beyond}", kind = block.kind, block = block.name, name, beyond);
+            out.push(Diagnostic::error("body.position", message).at(span).label(text!("not on the body")));
+            return;
+        }
         let shape = |position: f64| body.part.body().map(|b| b.shape(&body.params, position));
         if attach.position != 0.0 && shape(attach.position) == shape(0.0) {
             let message = text!("the position on \"{name}\" has no effect: that {kind} does not tilt", name, kind = parts[i].kind);

@@ -208,7 +208,17 @@ pub const MACHINE_FIELDS: &[Field] = &[
 
 /// The scalar that a parameter path of a block (`free_surface_radius`, `stiffness.x`) names: its unit and bounds.
 pub(crate) fn parameter_of(kind: &KindInfo, path: &str) -> Option<(&'static str, Bounds)> {
-    kind.fields.iter().find_map(|f| match f.kind {
+    // of a row of a list: section[3].outer_diameter
+    let row = || {
+        let (list, fields) = kind.rows?;
+        let (number, name) = path.strip_prefix(list)?.strip_prefix('[')?.split_once("].")?;
+        let numbered = number.parse::<usize>().is_ok_and(|n| n > 0);
+        fields.iter().find_map(|f| match f.kind {
+            FieldKind::Quantity { unit, bounds } if numbered && f.name == name => Some((unit, bounds)),
+            _ => None,
+        })
+    };
+    let field = |f: &Field| match f.kind {
         FieldKind::Quantity { unit, bounds } if f.name == path => Some((unit, bounds)),
         FieldKind::Lateral { unit, bounds } => {
             let rest = path.strip_prefix(f.name)?;
@@ -219,20 +229,22 @@ pub(crate) fn parameter_of(kind: &KindInfo, path: &str) -> Option<(&'static str,
             list.iter().find(|o| o.0 == name).map(|o| (o.1, o.2))
         }
         _ => None,
-    })
+    };
+    kind.fields.iter().find_map(field).or_else(row)
 }
 
-/// All parameter paths of a kind.
-pub(crate) fn parameters_of(kind: &KindInfo) -> Vec<&'static str> {
+/// All parameter paths of a kind; of a list those of its first row.
+pub(crate) fn parameters_of(kind: &KindInfo) -> Vec<String> {
     let mut out = Vec::new();
     for f in &kind.fields {
         match f.kind {
-            FieldKind::Quantity { .. } | FieldKind::Lateral { .. } => out.push(f.name),
-            FieldKind::OneOf(list) => out.extend(list.iter().map(|o| o.0)),
+            FieldKind::Quantity { .. } | FieldKind::Lateral { .. } => out.push(f.name.to_string()),
+            FieldKind::OneOf(list) => out.extend(list.iter().map(|o| o.0.to_string())),
             _ => {}
         }
     }
-    out
+    let rows = kind.rows.into_iter().flat_map(|(list, fields)| fields.iter().map(move |f| format!("{list}[1].{}", f.name)));
+    out.into_iter().chain(rows).collect()
 }
 
 /// The unit and value of the parameter that a range in `values` runs over, when the file settles it.

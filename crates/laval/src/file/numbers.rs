@@ -234,6 +234,12 @@ impl Context<'_> {
     }
 
     pub(super) fn columns(&mut self, field: &str, node: &Node, declared: &[Column]) -> Option<Value> {
+        if let Data::List(rows) = &node.data
+            && !rows.is_empty()
+            && rows.iter().all(|r| r.table().is_some())
+        {
+            return self.rows(field, node, rows, declared);
+        }
         let Some(table) = node.table() else {
             let names: Vec<String> = declared.iter().map(|c| format!("{} = [..]", c.0)).collect();
             self.wrong_type(field, node, text!("a table of columns"), text!("write {{ {names} }}", names = names.join(", ")));
@@ -275,6 +281,52 @@ impl Context<'_> {
                     fine = false;
                 }
                 _ => length = length.or(Some((name, column.len()))),
+            }
+            out.insert(name, column);
+        }
+        if fine && out.is_empty() {
+            let message = text!("{who} has no columns", who = subject(self.who, field));
+            self.error("key.missing", node.span.clone(), message, text!("empty"), None);
+            return None;
+        }
+        fine.then_some(Value::Columns(out))
+    }
+
+    /// The same columns written row by row, as `[{ length = "1 m", diameter = "50 mm" }, ..]`: what a row leaves out is 0.
+    fn rows(&mut self, field: &str, node: &Node, rows: &[Node], declared: &[Column]) -> Option<Value> {
+        let allowed: Vec<&str> = declared.iter().map(|c| c.0).collect();
+        let mut fine = true;
+        for table in rows.iter().filter_map(Node::table) {
+            fine &= self.check_keys(field, table, &allowed);
+        }
+        let mut out = BTreeMap::new();
+        for &(name, unit, required, doc) in declared {
+            let cells: Vec<Option<&Node>> = rows.iter().map(|r| Some(&get(r.table()?, name)?.node)).collect();
+            if !required && cells.iter().all(Option::is_none) {
+                continue;
+            }
+            let mut column = Vec::new();
+            for (k, cell) in cells.iter().enumerate() {
+                let Some(cell) = cell else {
+                    if !required {
+                        column.push(0.0);
+                        continue;
+                    }
+                    let message = text!(
+                        "{who}, row {row}, has no {name} ({doc})",
+                        who = subject(self.who, field),
+                        row = k + 1,
+                        name = text::quoted(&name),
+                        doc = text::term(doc)
+                    );
+                    self.error("key.missing", rows[k].span.clone(), message, text!("{name} is missing", name), None);
+                    fine = false;
+                    continue;
+                };
+                match self.quantity(&format!("{field}.{name}"), cell, unit, &Bounds::within(f64::MAX)) {
+                    Some(x) => column.push(x),
+                    None => fine = false,
+                }
             }
             out.insert(name, column);
         }

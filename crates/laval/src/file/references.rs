@@ -117,7 +117,7 @@ impl Context<'_> {
         if let Some(p) = parameter_of(info, rest) {
             return Some(Some(p));
         }
-        if let Some(list) = Field::list_of(&info.fields, rest) {
+        if let Some(list) = Field::list_of(&info.fields, rest).filter(|l| info.rows.is_none_or(|r| r.0 != l.name)) {
             let message = text!(
                 "{who} is {path}, but \"{name}\" is a list: studies hold its values",
                 who = subject(self.who, field),
@@ -139,7 +139,8 @@ impl Context<'_> {
                 rest = text::quoted(&clip(rest))
             )
         };
-        let help = suggestion(rest, parameters_of(info), |all| text!("parameters of a {kind}: {all}", kind, all));
+        let help =
+            suggestion(rest, parameters_of(info).iter().map(String::as_str), |all| text!("parameters of a {kind}: {all}", kind, all));
         self.error("parameter.unknown", node.span.clone(), message, text!("no such parameter"), help);
         None
     }

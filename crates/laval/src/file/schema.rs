@@ -192,7 +192,15 @@ fn field(f: &Field) -> Json {
                 (c.0.to_string(), json!({ "type": "array", "items": quantity(c.1, &any), "minItems": 1, "description": c.3 }))
             };
             let required: Vec<&str> = list.iter().filter(|c| c.2).map(|c| c.0).collect();
-            table(list.iter().map(column).collect(), &required)
+            let cell = |c: &(&str, &str, bool, &str)| {
+                let mut one = quantity(c.1, &any);
+                if let Some(o) = one.as_object_mut() {
+                    o.insert("description".into(), json!(c.3));
+                }
+                (c.0.to_string(), one)
+            };
+            let row = table(list.iter().map(cell).collect(), &required);
+            json!({ "anyOf": [table(list.iter().map(column).collect(), &required), { "type": "array", "items": row, "minItems": 1 }] })
         }
         FieldKind::Named { unit, bounds } => {
             let one = quantity(unit, &bounds);

@@ -161,6 +161,8 @@ pub enum Block {
         name: String,
         /// It turns.
         rotor: bool,
+        /// It bends: a shaft that carries others.
+        flexible: bool,
         /// Values of it that a reader looks for.
         labels: Vec<Arg>,
         /// It has a support of its own to the ground: a spring, a damper.

@@ -434,7 +434,12 @@ impl Sources {
                 let rows = 1 + r.below(4);
                 let mut each = Vec::new();
                 for (i, c) in declared.iter().enumerate().filter(|c| c.1.2 || c.0 < 5) {
-                    let mut values: Vec<f64> = (0..rows).map(|_| number(r, hostility, c.1, &Bounds::within(1e9))).collect();
+                    // lengths, then diameters, then those inside them
+                    let bounds = match c.1 {
+                        "m" if hostility < 2 => Bounds::closed(1e-3 * 0.1f64.powi(i as i32), 0.1f64.powi(i as i32)),
+                        _ => Bounds::within(1e9),
+                    };
+                    let mut values: Vec<f64> = (0..rows).map(|_| number(r, hostility, c.1, &bounds)).collect();
                     if i == 0 && hostility < 2 {
                         values.sort_by(f64::total_cmp);
                         values[0] = if c.1 == "s" { 0.0 } else { values[0] };

@@ -128,8 +128,8 @@ fn page_of_the_machine_file_is_current() {
         };
         text.push_str(&format!("| `{}` | {} | {} |\n", kind.kind, cell(&coordinates), cell(&states)));
     }
-    assert_eq!(seen, ["disc", "foundation", "liquid", "balancer_ball"], "the kinds with coordinates or states of their own");
-    text.push_str("\nA disc has tilts when it is given a `diametral_inertia`, a ball balancer an angle for each ball and `tilt` (`tilt_1`, `tilt_2` ... of several tracks) for each\n\
+    assert_eq!(seen, ["disc", "foundation", "shaft", "liquid", "balancer_ball"], "the kinds with coordinates or states of their own");
+    text.push_str("\nA disc has tilts when it is given a `diametral_inertia`, and no coordinates of its own when it stands `on` a shaft; a shaft has four for each node, numbered from its lower end; a ball balancer has an angle for each ball and `tilt` (`tilt_1`, `tilt_2` ... of several tracks) for each\n\
          ring that is `free`. All other parts join bodies and have none of their own.\n");
     current("machine-file.md", &text);
 }

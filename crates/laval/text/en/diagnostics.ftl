@@ -8,6 +8,7 @@ diag-did-you-mean-dcdc = did you mean { $near }? { $list }
 
 ## laval-model/src/model/assemble.rs
 
+diag-the-position-is-not-on-the-d41c = the position { $position } is not on the body, which reaches from { $low } to { $high }
 diag-the-machine-has-no-body-that-7801 = the machine has no body that can move
 diag-add-a-part-such-as-a-ab6a = add a part such as a disc: [[part]] with kind = "disc" and a mass
 diag-two-parts-are-named-638c = two parts are named "{ $name }"
@@ -16,7 +17,8 @@ diag-part-takes-parameters-b0e6 = part "{ $name }" takes { $slots } parameters
 diag-is-attached-to-which-does-not-caff = "{ $slot }" is attached to "{ $name }", which does not exist
 diag-bodies-of-this-machine-ground-e4bc = bodies of this machine: { $bodies }, ground
 diag-is-attached-to-which-is-not-24c5 = "{ $slot }" is attached to "{ $name }", which is not a body
-diag-is-a-attach-to-a-disc-edc7 = "{ $name }" is a { $kind }; attach to a disc or a foundation
+diag-is-a-attach-to-a-disc-9439 = "{ $name }" is a { $kind }; attach to a disc, a shaft or a foundation
+diag-is-attached-to-itself-by-way-b48c = "{ $name }" is attached to itself by way of other bodies
 diag-joins-a-point-to-itself-4999 = "{ $name }" joins a point to itself
 
 ## laval-model/src/model/field.rs
@@ -42,6 +44,7 @@ diag-is-it-must-be-2e8e = { $name } is { $value }; it must be { $wanted }
 
 ## laval-model/src/model/system.rs
 
+diag-parameters-of-a-reduced-machine-cannot-b5d6 = parameters of a reduced machine cannot be changed
 diag-parts-of-this-machine-eb3a = parts of this machine: { $names }
 diag-what-a-file-says-in-another-eeb2 = what a file says in another form, as a fill by its volume, is varied by the parameter it stands for
 diag-parameters-of-7bbb = parameters of "{ $part }": { $near } ({ $other })
@@ -198,6 +201,20 @@ diag-a-table-is-given-beside-curve-91c7 = a table is given beside curve = "{ $wo
 diag-say-curve-table-or-take-the-6386 = say curve = "table", or take the table away
 diag-the-torque-curve-needs-a-synchronous-b5c7 = the torque curve needs a synchronous_speed above 0
 diag-limited-power-needs-a-torque-and-2f00 = limited power needs a torque and a power above 0
+
+## laval-model/src/parts/shaft/mod.rs
+
+diag-a-shaft-has-1-to-sections-a510 = a shaft has 1 to { $most } sections
+diag-give-each-section-one-entry-in-0a0d = give each section one entry in every list
+diag-a-section-is-long-06c8 = a section is { $length } long
+diag-lengths-are-between-1-m-and-249f = lengths are between 1 µm and 1 km
+diag-the-outer-diameter-of-a-section-ec18 = the outer diameter of a section is { $diameter }
+diag-diameters-are-between-1-m-and-c7e8 = diameters are between 1 µm and 100 m
+diag-a-shaft-of-elements-bead = a shaft of { $elements } elements
+diag-it-has-at-most-6555 = it has at most { $most }
+diag-section-the-inner-diameter-must-be-eed5 = section { $number }: the inner diameter must be less than the outer one
+diag-modulus-and-shear-modulus-make-a-9d86 = modulus and shear_modulus make a Poisson's ratio of { $nu }, which no metal has: E = 2 G (1 + nu)
+diag-a-compression-of-buckles-it-unless-2945 = a compression of { $force } buckles it, unless bearings between its ends hold it: with both ends clamped it bears { $limit } at most
 
 ## laval-model/src/parts/shaft_lumped.rs
 
@@ -543,6 +560,7 @@ diag-is-not-an-si-unit-b335 = { $kind }.{ $name }: { $unit } is not an SI unit
 ## laval/src/file/held.rs
 
 diag-nothing-holds-the-tilt-of-alone-ad2e = nothing holds the tilt of "{ $name }" ({ $names }), alone or with that of the bodies it is joined to
+diag-hold-it-at-a-second-place-041d = hold it at a second place: attach another bearing
 diag-let-a-shaft-act-on-the-94fc = let a shaft act on the tilt (tilt_stiffness, or a round shaft), hold the body at two heights, or leave out its diametral_inertia: then it does not tilt
 diag-nothing-holds-in-it-can-move-41a0 = nothing holds "{ $name }" in { $names }: it can move away, alone or with the bodies it is joined to
 diag-join-it-to-ground-or-to-f640 = join it to "ground" or to a foundation with a bearing or a shaft; a damper holds nothing in place
@@ -559,6 +577,8 @@ diag-is-attached-to-which-does-not-e3d3 = { $kind } "{ $block }" is attached to 
 diag-no-such-body-1f1f = no such body
 diag-is-attached-to-which-is-a-ef10 = { $kind } "{ $block }" is attached to "{ $name }", which is a { $other } and not a body
 diag-not-a-body-2491 = not a body
+diag-is-attached-to-e4e1 = { $kind } "{ $block }" is attached to "{ $name }": { $beyond }
+diag-not-on-the-body-23cd = not on the body
 diag-the-position-on-has-no-effect-fbb2 = the position on "{ $name }" has no effect: that { $kind } does not tilt
 diag-no-effect-04cf = no effect
 
@@ -657,6 +677,7 @@ diag-the-columns-differ-in-length-has-d5e8 = { $who }: the columns differ in len
 diag-other-length-7560 = other length
 diag-has-no-columns-4cc3 = { $who } has no columns
 diag-empty-a649 = empty
+diag-row-has-no-7ab0 = { $who }, row { $row }, has no { $name } ({ $doc })
 diag-put-it-in-brackets-also-when-fec0 = put it in brackets, also when it is one value: [..]
 diag-a-list-of-numbers-ae1f = a list of numbers
 diag-the-list-is-empty-168a = { $who }: the list is empty

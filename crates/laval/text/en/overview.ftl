@@ -212,6 +212,7 @@ page-left-out = What this page leaves out
 left-linear = Nonlinear parts ({ $parts }) are linearised about the equilibrium; large vibration and jumps need a study "nonlinear_response".
 left-linear-modes = Stability and modes linearise the nonlinear parts ({ $parts }) about the equilibrium.
 left-motions = { $tilt ->
+        [bends] Axial and torsional vibration.
         [yes] Axial and torsional vibration, and bending of bodies.
        *[no] Axial, torsional and tilting vibration, and bending of bodies.
     }

@@ -9,7 +9,7 @@ tiles-plane-y = displacement in y
 tiles-envelope = between the semi-major axes
 tiles-clearance = clearance
 # Remarks.
-tiles-heights = Numbers along the axis: height above the reference point of the body [{ $unit }].
+tiles-heights = Numbers along the axis: height above the reference point of the body, or position on the shaft [{ $unit }].
 tiles-not-to-scale = The machine file gives no distances between the bodies. They are drawn one below the other.
 tiles-own-scale = Each picture has its own scale.
 tiles-more-points = { $points ->

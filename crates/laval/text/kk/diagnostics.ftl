@@ -351,7 +351,6 @@ diag-part-takes-parameters-b0e6 = «{ $name }» бөлшегінің парам�
 diag-is-attached-to-which-does-not-caff = «{ $slot }»: бекітілген «{ $name }» денесі жоқ
 diag-bodies-of-this-machine-ground-e4bc = бұл машинаның денелері: { $bodies }, ground
 diag-is-attached-to-which-is-not-24c5 = «{ $slot }»: бекітілген «{ $name }» бөлшегі дене емес
-diag-is-a-attach-to-a-disc-edc7 = «{ $name }» бөлшегінің түрі { $kind }; дискіге немесе іргетасқа бекітіңіз
 diag-joins-a-point-to-itself-4999 = «{ $name }» бөлшегі нүктені өзіне жалғайды
 diag-parts-of-this-machine-eb3a = бұл машинаның бөлшектері: { $names }
 diag-what-a-file-says-in-another-eeb2 = файлда басқа түрде берілген шама (мысалы, көлемі бойынша толтыру) ол білдіретін параметр арқылы өзгертіледі
@@ -1482,3 +1481,22 @@ diag-check-the-number-and-its-unit-ee7b = сан мен оның бірлігі�
 diag-files-of-cases-with-numbers-each-e703 = { $rows } жағдайдан, әрқайсысында { $columns } саннан тұратын файлдар тым үлкен: бір файлда ең көбі { $most } сан
 diag-the-machine-has-coordinates-and-states-452d = машинада { $n } координата және элементтердің { $m } күйі бар; бірге ең көбі { $most } есептеледі
 diag-note-threads-cannot-be-started-one-a291 = ескерту: { $wanted } ағынды іске қосу мүмкін болмады ({ $e }): бір ағын есептейді. Қанша ағын керегін RAYON_NUM_THREADS айтады.
+
+# laval-model/src/parts/shaft
+diag-the-position-is-not-on-the-d41c = { $position } орны денеден тыс: дене { $low } мен { $high } аралығында
+diag-is-a-attach-to-a-disc-9439 = «{ $name }» бөлшегінің түрі { $kind }; дискіге, білікке немесе іргетасқа бекітіңіз
+diag-is-attached-to-itself-by-way-b48c = «{ $name }» басқа денелер арқылы өзіне бекітілген
+diag-parameters-of-a-reduced-machine-cannot-b5d6 = келтірілген машинаның параметрлерін өзгертуге болмайды
+diag-a-shaft-has-1-to-sections-a510 = біліктің бөліктері 1-ден { $most } дейін болады
+diag-give-each-section-one-entry-in-0a0d = әр бөлікке әр тізімде бір мән беріңіз
+diag-a-section-is-long-06c8 = бөліктің ұзындығы { $length }
+diag-lengths-are-between-1-m-and-249f = ұзындықтар 1 мкм мен 1 км аралығында
+diag-the-outer-diameter-of-a-section-ec18 = бөліктің сыртқы диаметрі { $diameter }
+diag-diameters-are-between-1-m-and-c7e8 = диаметрлер 1 мкм мен 100 м аралығында
+diag-section-the-inner-diameter-must-be-eed5 = { $number }-бөлік: ішкі диаметр сыртқысынан кіші болуы керек
+diag-modulus-and-shear-modulus-make-a-9d86 = modulus пен shear_modulus Пуассон коэффициентін { $nu } береді, ондай металл жоқ: E = 2 G (1 + nu)
+diag-is-attached-to-e4e1 = { $kind } «{ $block }» мынаған бекітілген: «{ $name }»; { $beyond }
+diag-not-on-the-body-23cd = денеде емес
+diag-row-has-no-7ab0 = { $who }, { $row }-жол: { $name } жоқ ({ $doc })
+diag-a-compression-of-buckles-it-unless-2945 = { $force } сығу оны майыстырады, егер ұштарының арасындағы мойынтіректер ұстамаса: екі ұшы бекітілгенде ол ең көбі { $limit } көтереді
+diag-hold-it-at-a-second-place-041d = оны екінші жерде ұстаңыз: тағы бір мойынтірек қосыңыз

@@ -352,7 +352,6 @@ diag-part-takes-parameters-b0e6 = у элемента «{ $name }» должно
 diag-is-attached-to-which-does-not-caff = «{ $slot }»: присоединение к «{ $name }», которого нет
 diag-bodies-of-this-machine-ground-e4bc = тела этой машины: { $bodies }, ground
 diag-is-attached-to-which-is-not-24c5 = «{ $slot }»: присоединение к «{ $name }», а это не тело
-diag-is-a-attach-to-a-disc-edc7 = «{ $name }» — { $kind }; присоединяйте к диску или к основанию
 diag-joins-a-point-to-itself-4999 = «{ $name }» соединяет точку с самой собой
 diag-parts-of-this-machine-eb3a = элементы этой машины: { $names }
 diag-what-a-file-says-in-another-eeb2 = величину, заданную в файле в другой форме (например, заполнение объёмом), варьируют через параметр, который она заменяет
@@ -1172,3 +1171,22 @@ diag-check-the-number-and-its-unit-ee7b = проверьте число и ег�
 diag-files-of-cases-with-numbers-each-e703 = файлы по { $rows } случаев с { $columns } числами в каждом слишком велики: в файле может быть не более { $most } чисел
 diag-the-machine-has-coordinates-and-states-452d = у машины { $n } координат и { $m } состояний элементов; рассчитывается не более { $most } вместе
 diag-note-threads-cannot-be-started-one-a291 = замечание: запустить потоки (их число { $wanted }) не удалось ({ $e }): считает один. Сколько потоков нужно, задаёт RAYON_NUM_THREADS.
+
+# laval-model/src/parts/shaft
+diag-the-position-is-not-on-the-d41c = положение { $position } не лежит на теле, которое простирается от { $low } до { $high }
+diag-is-a-attach-to-a-disc-9439 = «{ $name }» — { $kind }; присоединяйте к диску, к валу или к основанию
+diag-is-attached-to-itself-by-way-b48c = «{ $name }» присоединено к самому себе через другие тела
+diag-parameters-of-a-reduced-machine-cannot-b5d6 = параметры сведённой машины изменить нельзя
+diag-a-shaft-has-1-to-sections-a510 = у вала от 1 до { $most } участков
+diag-give-each-section-one-entry-in-0a0d = дайте каждому участку одно значение в каждом списке
+diag-a-section-is-long-06c8 = длина участка { $length }
+diag-lengths-are-between-1-m-and-249f = длины лежат между 1 мкм и 1 км
+diag-the-outer-diameter-of-a-section-ec18 = наружный диаметр участка { $diameter }
+diag-diameters-are-between-1-m-and-c7e8 = диаметры лежат между 1 мкм и 100 м
+diag-section-the-inner-diameter-must-be-eed5 = участок { $number }: внутренний диаметр должен быть меньше наружного
+diag-modulus-and-shear-modulus-make-a-9d86 = modulus и shear_modulus дают коэффициент Пуассона { $nu }, какого нет ни у одного металла: E = 2 G (1 + nu)
+diag-is-attached-to-e4e1 = { $kind } «{ $block }»: присоединение к «{ $name }»: { $beyond }
+diag-not-on-the-body-23cd = не на теле
+diag-row-has-no-7ab0 = { $who }, строка { $row }: нет { $name } ({ $doc })
+diag-a-compression-of-buckles-it-unless-2945 = сжатие { $force } вызывает потерю устойчивости, если подшипники между концами его не держат: с обоими заделанными концами он выдерживает не более { $limit }
+diag-hold-it-at-a-second-place-041d = закрепите его во втором месте: добавьте ещё один подшипник

@@ -9,7 +9,7 @@ tiles-plane-y = перемещение по y
 tiles-envelope = между большими полуосями
 tiles-clearance = зазор
 # Remarks.
-tiles-heights = Числа вдоль оси: высота над опорной точкой тела, { $unit }.
+tiles-heights = Числа вдоль оси: высота над опорной точкой тела или положение на валу, { $unit }.
 tiles-not-to-scale = Расстояния между телами в файле машины не заданы. Тела показаны одно под другим.
 tiles-own-scale = У каждого рисунка свой масштаб.
 tiles-more-points = { $points ->

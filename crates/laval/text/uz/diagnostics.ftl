@@ -354,7 +354,6 @@ diag-part-takes-parameters-b0e6 = "{ $name }" qismining parametrlari soni { $slo
 diag-is-attached-to-which-does-not-caff = "{ $slot }" qismi biriktirilgan "{ $name }" jismi mavjud emas
 diag-bodies-of-this-machine-ground-e4bc = bu mashinaning jismlari: { $bodies }, ground
 diag-is-attached-to-which-is-not-24c5 = "{ $slot }" qismi biriktirilgan "{ $name }" jism emas
-diag-is-a-attach-to-a-disc-edc7 = "{ $name }" turi: { $kind }; disk yoki poydevorga biriktiring
 diag-joins-a-point-to-itself-4999 = "{ $name }" qismi bir nuqtani o‘zi bilan ulaydi
 diag-parts-of-this-machine-eb3a = bu mashinaning qismlari: { $names }
 diag-what-a-file-says-in-another-eeb2 = faylda boshqa shaklda berilgan kattalik, masalan hajm bilan berilgan to‘ldirish, o‘zi ifodalaydigan parametr orqali o‘zgartiriladi
@@ -1480,3 +1479,22 @@ diag-check-the-number-and-its-unit-ee7b = son va uning birligini tekshiring; his
 diag-files-of-cases-with-numbers-each-e703 = har birida { $columns } ta son bo‘lgan { $rows } ta holatdan iborat fayllar juda katta: bitta faylda ko‘pi bilan { $most } ta son
 diag-the-machine-has-coordinates-and-states-452d = mashinada { $n } ta koordinata va elementlarning { $m } ta holati bor; birgalikda ko‘pi bilan { $most } tasi hisoblanadi
 diag-note-threads-cannot-be-started-one-a291 = eslatma: { $wanted } ta oqimni ishga tushirib bo‘lmadi ({ $e }): bittasi hisoblaydi. Nechta oqim kerakligini RAYON_NUM_THREADS aytadi.
+
+# laval-model/src/parts/shaft
+diag-the-position-is-not-on-the-d41c = { $position } joyi jismdan tashqarida: jism { $low } dan { $high } gacha
+diag-is-a-attach-to-a-disc-9439 = "{ $name }" turi: { $kind }; disk, val yoki poydevorga biriktiring
+diag-is-attached-to-itself-by-way-b48c = "{ $name }" boshqa jismlar orqali o‘ziga biriktirilgan
+diag-parameters-of-a-reduced-machine-cannot-b5d6 = keltirilgan mashinaning parametrlarini o‘zgartirib bo‘lmaydi
+diag-a-shaft-has-1-to-sections-a510 = valning bo‘laklari 1 dan { $most } gacha bo‘ladi
+diag-give-each-section-one-entry-in-0a0d = har bir bo‘lakka har bir ro‘yxatda bitta qiymat bering
+diag-a-section-is-long-06c8 = bo‘lakning uzunligi { $length }
+diag-lengths-are-between-1-m-and-249f = uzunliklar 1 mkm va 1 km orasida
+diag-the-outer-diameter-of-a-section-ec18 = bo‘lakning tashqi diametri { $diameter }
+diag-diameters-are-between-1-m-and-c7e8 = diametrlar 1 mkm va 100 m orasida
+diag-section-the-inner-diameter-must-be-eed5 = { $number }-bo‘lak: ichki diametr tashqisidan kichik bo‘lishi kerak
+diag-modulus-and-shear-modulus-make-a-9d86 = modulus va shear_modulus Puasson koeffitsiyentini { $nu } beradi, bunday metall yo‘q: E = 2 G (1 + nu)
+diag-is-attached-to-e4e1 = { $kind } "{ $block }" "{ $name }" ga biriktirilgan: { $beyond }
+diag-not-on-the-body-23cd = jismda emas
+diag-row-has-no-7ab0 = { $who }, { $row }-qator: { $name } yo‘q ({ $doc })
+diag-a-compression-of-buckles-it-unless-2945 = { $force } siqish uni egib yuboradi, agar uchlari orasidagi podshipniklar ushlab turmasa: ikkala uchi mahkamlanganda u ko‘pi bilan { $limit } ni ko‘taradi
+diag-hold-it-at-a-second-place-041d = uni ikkinchi joyda ushlang: yana bitta podshipnik qo‘shing

@@ -266,6 +266,7 @@ page-left-out = Bu sahifa nimani hisobga olmaydi
 left-linear = Chiziqsiz qismlar ({ $parts }) muvozanat holati atrofida chiziqlashtirilgan; katta tebranish va sakrashlar uchun "nonlinear_response" hisobi kerak.
 left-linear-modes = Turg‘unlik va modalar uchun chiziqsiz qismlar ({ $parts }) muvozanat holati atrofida chiziqlashtirilgan.
 left-motions = { $tilt ->
+        [bends] Bo‘ylama va buralma tebranishlar.
         [yes] Bo‘ylama va buralma tebranishlar, shuningdek jismlarning egilishi.
        *[no] Bo‘ylama, buralma va og‘ish tebranishlari, shuningdek jismlarning egilishi.
     }

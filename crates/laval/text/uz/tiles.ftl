@@ -9,7 +9,7 @@ tiles-plane-y = y bo‘yicha siljish
 tiles-envelope = katta yarim o‘qlar orasi
 tiles-clearance = tirqish
 # Remarks.
-tiles-heights = O‘q bo‘ylab sonlar: jismning tayanch nuqtasidan balandlik, { $unit }.
+tiles-heights = O‘q bo‘ylab sonlar: jismning tayanch nuqtasidan balandlik yoki valdagi joyi, { $unit }.
 tiles-not-to-scale = Mashina faylida jismlar orasidagi masofalar berilmagan. Jismlar biri ostida biri ko‘rsatilgan.
 tiles-own-scale = Har bir rasmning o‘z masshtabi bor.
 tiles-more-points = Yana { $points } ta nuqta jadvalda.

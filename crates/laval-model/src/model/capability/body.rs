@@ -1,7 +1,8 @@
 //! Bodies: parts that other parts attach to.
 
+use super::super::erased::Erased;
 use super::super::params::{Parametric, Params};
-use super::super::part::ErasedPart;
+use std::sync::Arc;
 
 /// Names of parameters of a body, where it has them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,7 +25,7 @@ pub trait BodyPart: Parametric {
         None
     }
     /// A body that bends with nodes at these positions as well; `None` where nothing changes.
-    fn divided(&self, _positions: &[f64]) -> Option<ErasedPart> {
+    fn divided(&self, _positions: &[f64]) -> Option<Arc<dyn Erased>> {
         None
     }
     /// It turns with the rotor.
@@ -47,9 +48,10 @@ pub trait BodyPart: Parametric {
 
 /// The object-safe face.
 pub mod erased {
+    use super::super::super::erased::Erased;
     use super::super::super::params::Family;
-    use super::super::super::part::ErasedPart;
     use super::BodyParameters;
+    use std::sync::Arc;
 
     /// See the [trait of the author](super::BodyPart).
     #[allow(missing_docs)]
@@ -57,7 +59,7 @@ pub mod erased {
         fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]>;
         fn nodes(&self) -> Option<Vec<f64>>;
         fn turns(&self) -> bool;
-        fn divided(&self, positions: &[f64]) -> Option<ErasedPart>;
+        fn divided(&self, positions: &[f64]) -> Option<Arc<dyn Erased>>;
         fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str>;
         fn without_tilt(&self) -> Option<&'static str>;
         fn parameters(&self) -> BodyParameters;
@@ -73,7 +75,7 @@ pub mod erased {
         fn turns(&self) -> bool {
             super::BodyPart::turns(self)
         }
-        fn divided(&self, positions: &[f64]) -> Option<ErasedPart> {
+        fn divided(&self, positions: &[f64]) -> Option<Arc<dyn Erased>> {
             super::BodyPart::divided(self, positions)
         }
         fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str> {

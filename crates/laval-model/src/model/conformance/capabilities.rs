@@ -1,7 +1,7 @@
 //! A capability that is implemented is declared: the method of [`Part`] that returns it is easily forgotten.
 
 use crate::model::capability::{
-    AddedInertia, BodyPart, Contacts, Filling, FrequencyDomain, MovableMasses, ReplacedInTime, Scope, SpinDrive, VaryingInertia,
+    AddedInertia, BodyPart, Contacts, Extent, Filling, FrequencyDomain, MovableMasses, ReplacedInTime, Scope, SpinDrive, VaryingInertia,
 };
 use crate::model::part::Part;
 use std::marker::PhantomData;
@@ -33,6 +33,7 @@ macro_rules! capabilities {
 
 capabilities! {
     BODY: BodyPart, body;
+    EXTENT: Extent, extent;
     CONTACTS: Contacts, contacts;
     MOVABLE_MASSES: MovableMasses, movable_masses;
     VARYING_INERTIA: VaryingInertia, varying_inertia;
@@ -54,6 +55,7 @@ macro_rules! implemented {
         type Of = $crate::model::conformance::Implements<$part>;
         [
             Of::BODY,
+            Of::EXTENT,
             Of::CONTACTS,
             Of::MOVABLE_MASSES,
             Of::VARYING_INERTIA,
@@ -68,7 +70,7 @@ macro_rules! implemented {
 }
 
 /// Capabilities that are implemented and that none of the variants of a part declares.
-pub fn undeclared(implemented: [bool; 10], variants: &[Vec<(&'static str, bool)>]) -> Vec<&'static str> {
+pub fn undeclared(implemented: [bool; 11], variants: &[Vec<(&'static str, bool)>]) -> Vec<&'static str> {
     let Some(names) = variants.first() else { return Vec::new() };
     let none = |k: usize| variants.iter().all(|v| !v[k].1);
     (0..implemented.len()).filter(|&k| implemented[k] && none(k)).map(|k| names[k].0).collect()

@@ -57,7 +57,7 @@ impl<P: Part> Bench<'_, P> {
     }
     fn blocks_at(&self, speed: f64) -> Local {
         let mut b = Blocks::default();
-        b.reset_band(self.n, self.m - Part::memory(self.part), Part::reach(self.part), speed);
+        b.reset_band(self.n, self.m - Part::memory(self.part), self.part.extent().map_or(usize::MAX, |e| e.reach()), speed);
         Part::linear(self.part, &P::Family::from_slice(&self.params), speed, &mut b);
         Local(b)
     }
@@ -127,9 +127,9 @@ impl Local {
         let (group, k) = if j < 3 * n { (j / n, j % n) } else { (3, j - 3 * n) };
         for (i, o) in out.iter_mut().take(n).enumerate() {
             *o = match group {
-                0 => b.stiffness[(i, k)] + b.speed * b.circulatory[(i, k)] + spin_accel * b.spin_accel_stiffness[(i, k)],
-                1 => b.damping[(i, k)] + b.speed * b.gyroscopic[(i, k)],
-                2 => b.mass[(i, k)],
+                0 => b.stiffness.get(i, k) + b.speed * b.circulatory.get(i, k) + spin_accel * b.spin_accel_stiffness.get(i, k),
+                1 => b.damping.get(i, k) + b.speed * b.gyroscopic.get(i, k),
+                2 => b.mass.get(i, k),
                 _ if k < m => b.state_force[(i, k)] + spin_accel * b.spin_accel_state_force[(i, k)],
                 _ if b.memory[k - m].output == i => b.memory[k - m].gain,
                 _ => 0.0,

@@ -86,6 +86,11 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
         );
     }
     // bodies that move at least half as far as the one that moves most
-    let most: Vec<String> = m.orbits.iter().filter(|o| o.1 >= 0.5).map(|o| prose(&o.0)).collect();
+    let mut most: Vec<String> = Vec::new();
+    for name in m.orbits.iter().filter(|o| o.1 >= 0.5).map(|o| prose(&o.0)) {
+        if !most.contains(&name) {
+            most.push(name);
+        }
+    }
     let _ = writeln!(s, "</svg><div>{}</div><div>{whirl}</div><div class=\"mw\">{damping}</div></div>", most.join(" + "));
 }

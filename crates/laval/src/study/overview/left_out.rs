@@ -17,7 +17,13 @@ pub(super) fn left_out(facts: &Facts) -> Vec<Message> {
         out.push(Message::new(key).arg("parts", Arg::names(nonlinear)));
     }
     let tilts = system.stations().iter().any(|b| b.tilt.is_some());
-    out.push(Message::new("left-motions").arg("tilt", Arg::word(if tilts { "yes" } else { "no" })));
+    let bends = system.stations().iter().any(|b| b.flexible);
+    let word = match (bends, tilts) {
+        (true, _) => "bends",
+        (false, true) => "yes",
+        (false, false) => "no",
+    };
+    out.push(Message::new("left-motions").arg("tilt", Arg::word(word)));
     out.push(Message::new("left-excitation"));
     if system.machine.drive == Drive::Prescribed {
         out.push(Message::new("left-drive"));

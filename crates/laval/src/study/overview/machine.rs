@@ -22,6 +22,7 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
         Block::Body {
             name: slot.name.clone(),
             rotor: slot.part.body().is_some_and(|b| b.turns()),
+            flexible: slot.part.body().is_some_and(|b| b.nodes().is_some()),
             labels: labels(system, slot),
             grounded: if own { joint(system, slot) } else { Joint::default() },
             cavity: cavity(system, &slot.name),

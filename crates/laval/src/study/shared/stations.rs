@@ -19,6 +19,8 @@ pub struct Point {
     pub height: f64,
     /// Place along the axis of the machine, m; where that is not known, in steps.
     pub place: f64,
+    /// What the axis of a picture says there: the height, and along a shaft the position on it, m.
+    pub mark: f64,
     /// Stations of one line are joined: those of the shaft, and of every body beside it.
     pub line: usize,
     /// Something is attached there, or names it; else an end of a body, which shows its tilt, or a node of one that bends.
@@ -52,7 +54,8 @@ impl Stations {
             all.extend(own.into_iter().map(|s| (k, s)));
         }
         let (lines, offsets) = (lines(system, &bodies), offsets(system, &bodies));
-        let placed = |(k, s): (usize, Point)| Point { line: lines[k], place: offsets[k] + s.height, ..s };
+        let carried = carried(system, &bodies);
+        let placed = |(k, s): (usize, Point)| Point { line: lines[k], place: offsets[k] + s.height, mark: carried[k] + s.height, ..s };
         let mut out = Stations { all: all.into_iter().map(placed).collect(), to_scale: true };
         if out.coincide(&bodies, &lines) {
             out.stack(system, &bodies);
@@ -117,10 +120,15 @@ impl Stations {
         let size = |m: &[C64; 2], sign: f64| m[0].abs() + sign * m[1].abs();
         table
             .names(Tiles::BODY, "body", rows().map(|r| r.0.body.clone()).collect())
-            .float(Tiles::HEIGHT, "m", "height above the reference point of the body", number(&|s, _| s.height))
+            .float(
+                Tiles::HEIGHT,
+                "m",
+                "height above the reference point of the body, or position on the shaft that carries it",
+                number(&|s, _| s.mark),
+            )
             .float(Tiles::PLACE, if self.to_scale { "m" } else { "" }, "place along the axis", number(&|s, _| s.place))
             .int(Tiles::LINE, "", "stations of one line are joined", rows().map(|r| r.0.line as i64).collect())
-            .flag(Tiles::NAMED, "something is attached there; else an end or a node of the body", rows().map(|r| r.0.named).collect())
+            .flag(Tiles::NAMED, "something is attached there; else an end of the body", rows().map(|r| r.0.named).collect())
             .float("major", unit, "semi-major axis of the orbit", number(&|_, m| size(m, 1.0)))
             .float("minor", unit, "semi-minor axis of the orbit, negative for backward whirl", number(&|_, m| size(m, -1.0)))
             .float(Tiles::FORWARD, unit, "forward amplitude", number(&|_, m| m[0].abs()))
@@ -157,7 +165,7 @@ fn bodies(system: &System) -> Vec<Body<'_>> {
 /// The station of a probe of a displacement.
 fn named(body: &Body, probe: &crate::model::probe::Probe) -> Option<Point> {
     let Sight::Displacement(height) = probe.sight else { return None };
-    Some(Point { body: body.name.to_string(), height, place: 0.0, line: 0, named: true, rows: probe.rows.clone() })
+    Some(Point { body: body.name.to_string(), height, place: 0.0, mark: height, line: 0, named: true, rows: probe.rows.clone() })
 }
 
 /// Nodes of a body that bends, beside those known.
@@ -167,15 +175,18 @@ fn nodes(system: &System, body: &Body, known: &[Point]) -> Vec<Point> {
     let beside = |z: &f64| known.iter().all(|s| (s.height - z).abs() > SAME * size);
     let one = |z: f64| {
         let rows = system.point(body.slot, z)?;
-        Some(Point { body: body.name.to_string(), height: z, place: 0.0, line: 0, named: false, rows })
+        Some(Point { body: body.name.to_string(), height: z, place: 0.0, mark: z, line: 0, named: false, rows })
     };
     nodes.into_iter().filter(beside).filter_map(one).collect()
 }
 
 /// Ends of a body that tilts and whose other stations lie too near each other to show it: a radius of gyration from its reference point. A body that is carried by
-/// one that bends needs none.
+/// another needs none.
 fn ends(system: &System, body: &Body, known: &[Point]) -> Vec<Point> {
     let of = |s: &crate::model::system::Station| Some((s.lateral.first()?, s.tilt.as_ref()?.first()?));
+    if !system.slots()[body.slot].layout.ports.is_empty() {
+        return Vec::new();
+    }
     let Some((x, t)) = body.stations.first().and_then(|&k| of(&system.stations()[k])) else { return Vec::new() };
     let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(system.params(), system.machine.speed.unwrap_or(0.0), Form::Frequency, &mut model, &mut scratch);
@@ -191,6 +202,7 @@ fn ends(system: &System, body: &Body, known: &[Point]) -> Vec<Point> {
         body: body.name.to_string(),
         height: z,
         place: 0.0,
+        mark: z,
         line: 0,
         named: false,
         rows: Pair([vec![(x, 1.0), (t + 1, z)], vec![(x + 1, 1.0), (t, -z)]]),
@@ -230,6 +242,17 @@ fn lines(system: &System, bodies: &[Body]) -> Vec<usize> {
         }
     }
     line
+}
+
+/// Position of the reference point of every body on the one that bends and carries it; 0 of others.
+fn carried(system: &System, bodies: &[Body]) -> Vec<f64> {
+    let position = |b: &Body| {
+        let port = system.slots()[b.slot].layout.ports.first()?;
+        let Link::On(attach) = &port.link else { return None };
+        let carrier = bodies.iter().find(|c| Some(c.name) == attach.body.as_deref())?;
+        carrier.flexible.then_some(attach.position)
+    };
+    bodies.iter().map(|b| position(b).unwrap_or_default()).collect()
 }
 
 /// Place of the reference point of every body, from the points that parts join.

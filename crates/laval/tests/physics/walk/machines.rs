@@ -72,6 +72,17 @@ pub const CASES: &[Case] = &[
         "memory = \"fixed\"\nsupports = -\nmodulus = -\ndiameter = -\nlength = -\nposition = -\namplitude = -\nexponent = -\ndecay = -\nstiffness = 2e6\n\
          exponentials = { share = [0.3], rate = [2000] }",
     ),
+    Case {
+        beside: "[[part]]\nkind = \"bearing_linear\"\nname = \"link\"\nbetween = [{ body = \"elastic\", at = 0.3 }, \"drum\"]\nkxx = 3e6\nkyy = 3e6\ncxx = 100\ncyy = 100\n\
+                 [[part]]\nkind = \"bearing_linear\"\nname = \"end\"\nbetween = [\"elastic\", \"ground\"]\nkxx = 2e6\nkyy = 2e6\ncxx = 100\ncyy = 100\n\
+                 [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = { body = \"elastic\", at = 0.3 }\nmass = 1.5\ndiametral_inertia = 2e-3\npolar_inertia = 3e-3\n",
+        ..case(
+            "elastic",
+            "shaft",
+            "section = { length = [0.3], outer_diameter = [0.02] }\nelements = 1\nmodulus = 2e11\nshear_modulus = 8e10\ndensity = 7800\naxial_force = 5e4\ntorque = 400\n\
+             rotating_damping = 2e-5\nmass_damping = 20\nstiffness_damping = 2e-5",
+        )
+    },
     case("stop", "stop", "gap = \"15 um\"\nstiffness = 1e6"),
     case(
         "water",

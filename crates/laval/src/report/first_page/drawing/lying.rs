@@ -70,8 +70,13 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     }
     for &k in &rotors {
         let (b, x, (tall, long)) = (&parts.bodies[k], at(k, 0.0), half(&k));
-        body(&mut s, b, (x, axis), (tall, long));
-        key.mark(&mut s, (x + long + 10.0, axis - tall + 2.0), b.name, &b.text);
+        if b.flexible {
+            // the line of the shaft is drawn
+            key.mark(&mut s, (x + 24.0, axis - SHAFT - 11.0), b.name, &b.text);
+        } else {
+            body(&mut s, b, (x, axis), (tall, long));
+            key.mark(&mut s, (x + long + 10.0, axis - tall + 2.0), b.name, &b.text);
+        }
         for r in parts.balls.iter().filter(|r| r.body == k) {
             for t in 0..r.tracks {
                 let dx = 15.0 * (t as f64 - 0.5 * (r.tracks as f64 - 1.0));
@@ -217,6 +222,7 @@ fn places(parts: &Parts) -> impl Fn(usize, f64) -> f64 {
 /// Half height and half length of a body of the rotor.
 fn shape(b: &Body) -> (f64, f64) {
     match b.cavity {
+        _ if b.flexible => (SHAFT, 0.0),
         Some((radius, _, height)) => {
             let scale = (CAVITY.0 / radius).min(CAVITY.1 / (0.5 * height));
             ((scale * radius + 7.0).max(20.0), (0.5 * scale * height + 7.0).max(16.0))

@@ -13,7 +13,9 @@ const WIDTH: f64 = 372.0;
 /// The drawing of a machine that stands or lies.
 pub(super) fn drawing(page: &Overview, style: &Style) -> String {
     let parts = Parts::of(page, style);
-    let (content, height) = if page.horizontal { lying::lying(&parts) } else { upright::upright(&parts) };
+    // along a shaft there is more to show than above each other
+    let along = page.horizontal || parts.bodies.iter().any(|b| b.flexible);
+    let (content, height) = if along { lying::lying(&parts) } else { upright::upright(&parts) };
     let names: Vec<&str> = parts.bodies.iter().map(|b| b.name).collect();
     format!("<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-label=\"{}\">{content}</svg>\n", escape(&names.join(", ")))
 }
@@ -31,6 +33,7 @@ struct Body<'a> {
     name: &'a str,
     text: String,
     rotor: bool,
+    flexible: bool,
     grounded: Joint,
     /// Radius of a cavity, radius of the free surface, height, m.
     cavity: Option<(f64, f64, f64)>,
@@ -62,8 +65,9 @@ impl<'a> Parts<'a> {
     fn of(page: &'a Overview, style: &Style) -> Parts<'a> {
         let words = |labels: &[Arg]| labels.iter().map(|l| style.arg(l)).collect::<Vec<_>>().join(", ");
         let body = |b: &'a Block| match b {
-            Block::Body { name, rotor, labels, grounded, cavity, place } => {
-                Some(Body { name, text: words(labels), rotor: *rotor, grounded: *grounded, cavity: *cavity, place: *place })
+            Block::Body { name, rotor, flexible, labels, grounded, cavity, place } => {
+                let text = words(labels);
+                Some(Body { name, text, rotor: *rotor, flexible: *flexible, grounded: *grounded, cavity: *cavity, place: *place })
             }
             _ => None,
         };

@@ -4,6 +4,7 @@ fn body(name: &str, rotor: bool, place: f64) -> Block {
     Block::Body {
         name: name.into(),
         rotor,
+        flexible: false,
         labels: vec![Arg::quantity(2.0, "kg")],
         grounded: Joint { elastic: !rotor, damped: false, gap: false },
         cavity: None,
@@ -188,6 +189,7 @@ fn a_liquid_has_its_label() {
     let drum = Block::Body {
         name: "drum".into(),
         rotor: true,
+        flexible: false,
         labels: Vec::new(),
         grounded: Joint::default(),
         cavity: Some((0.07, 0.0467, 0.06)),
@@ -200,4 +202,25 @@ fn a_liquid_has_its_label() {
         assert!(said.iter().any(|t| t == "oil &lt;1&gt;"), "{said:?}");
         assert!(said.iter().any(|t| t == "fill 55.5 %, 880 kg/m³"), "{said:?}");
     }
+}
+
+/// A shaft is the line along the axis, also of a machine that stands: it has a number and no side of its own, and bearings stand at their places.
+#[test]
+fn a_shaft_is_a_line() {
+    let shaft = match body("shaft", true, 0.0) {
+        Block::Body { name, rotor, labels, cavity, place, .. } => {
+            Block::Body { name, rotor, flexible: true, labels, grounded: Joint::default(), cavity, place }
+        }
+        other => other,
+    };
+    let blocks = vec![
+        shaft,
+        body("wheel", true, 0.3),
+        link("left", [Some(("shaft", 0.0)), None], SPRING),
+        link("right", [Some(("shaft", 0.6)), None], SPRING),
+    ];
+    let (lying, standing) = (page(blocks.clone(), true), page(blocks, false));
+    assert_eq!(lying, standing);
+    // the line of the rotor and the wheel
+    assert_eq!(lying.matches("class=\"steel\"").count(), 2, "{lying}");
 }

@@ -183,6 +183,7 @@ impl Orbits {
             body: g.part.clone(),
             height: 0.0,
             place: 0.0,
+            mark: 0.0,
             line: n,
             named: true,
             rows: Default::default(),

@@ -1,0 +1,523 @@
+//! An elastic shaft of finite elements: sections with their diameters, bending, shear, rotary inertia, gyroscopic coupling, axial force and torque.
+//!
+//! Equations, per element in one plane over `u = (w1, s1, w2, s2)` ([`element`]); the plane of x has `u = (x, beta)`, that of y has `u = S (y, alpha)`,
+//! `S = diag(1, -1, 1, -1)`, so that beta = dx/dz and alpha = -dy/dz without shear:
+//!
+//! ```text
+//! M q'' + (a M + b K + c K) q' + W G q' + (K + P Ka + T) q + (W c N + W'/2 G) q = 0,   N = -K R,   R: (x, y) -> (-y, x), (alpha, beta) -> (-beta, alpha)
+//! G[X, Y] = Gp S, G[Y, X] = -S Gp
+//! torque row:  Jp W' + q''' G q / 2 - c (R q)' K (q' - W R q)      (' of a vector: transposed)
+//! T: T int (d_alpha' beta - d_beta' alpha) dz, end torques of fixed direction
+//! ```
+//!
+//! Symbols: M, K mass and elastic stiffness; P axial force, N, tension positive; T torque, N m; a, b damping in fixed axes, 1/s and s; c damping of the
+//! material, in axes that turn with the rotor, s; Jp moment of inertia about the axis, kg m^2; W spin speed, rad/s.
+//!
+//! Validity: slopes up to 0.1 rad; sections round; cones as slender beams.
+//!
+//! Theory: `docs/theory/shafts.md`.
+//!
+//! Sources: H. D. Nelson, J. M. McVaugh, J. Eng. Ind. 98 (1976) 593; H. D. Nelson, J. Mech. Des. 102 (1980) 793; G. R. Cowper, J. Appl. Mech. 33 (1966) 335;
+//! E. S. Zorzi, H. D. Nelson, J. Eng. Power 99 (1977) 71 (rotating damping).
+
+pub mod element;
+mod mesh;
+#[cfg(test)]
+mod tests;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Blocks;
+use crate::model::capability::{BodyPart, Extent};
+use crate::model::erased;
+use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
+use crate::model::params::{RowFamily, WithRows};
+use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Params, Part, Physics, Validity};
+use crate::params;
+use crate::text;
+use crate::text::Text;
+use element::{Cone, Element, M4, Material, Plane, Shear};
+use laval_num::scalar::Scalar;
+use mesh::Mesh;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+params! {
+    /// Parameters of a [`Shaft`] beside its sections.
+    pub struct ShaftParams in ShaftFamily {
+        modulus: scalar, "Pa", Bounds::closed(1e5, 1e13), default 2.1e11, "Young's modulus E; left out it is that of the material";
+        shear_modulus: scalar, "Pa", Bounds::closed(1e5, 1e13), default 8.08e10, "shear modulus G; left out it is that of the material";
+        density: scalar, "kg/m^3", Bounds::closed(1e-3, 1e5), default 7850.0, "density rho; left out it is that of the material";
+        axial_force: scalar, "N", Bounds::within(1e12), default 0.0, "axial force P along the whole shaft, tension positive";
+        torque: scalar, "N m", Bounds::within(1e12), default 0.0, "torque T through the whole shaft: the upper part acts on the lower with +T about z";
+        rotating_damping: scalar, "s", Bounds::up_to(1.0), default 0.0, "viscous damping c of the material over its stiffness, in axes that turn: it destabilises above the critical speed";
+        mass_damping: scalar, "1/s", Bounds::up_to(1e6), default 0.0, "damping a over mass, in fixed axes";
+        stiffness_damping: scalar, "s", Bounds::up_to(1.0), default 0.0, "damping b over stiffness, in fixed axes";
+    }
+}
+
+params! {
+    /// Parameters of a section of a [`Shaft`].
+    pub struct SectionParams in SectionFamily {
+        outer_diameter: scalar, "m", Bounds::closed(1e-6, 100.0), required, "outer diameter";
+        inner_diameter: scalar, "m", Bounds::up_to(100.0), default 0.0, "inner diameter";
+        end_outer_diameter: scalar, "m", Bounds::up_to(100.0), default 0.0, "outer diameter at the upper end of a conical section; 0 where it stays the same";
+        end_inner_diameter: scalar, "m", Bounds::up_to(100.0), default 0.0, "inner diameter at the upper end; 0 where it stays the same";
+    }
+}
+
+impl RowFamily for SectionFamily {
+    const LIST: &'static str = "section";
+}
+
+const SECTION: &[(&str, &str, bool, &str)] = &[
+    ("length", "m", true, "length of the section"),
+    ("outer_diameter", "m", true, "outer diameter, of a conical section at its lower end"),
+    ("inner_diameter", "m", false, "inner diameter of a hollow section, of a conical one at its lower end"),
+    ("end_outer_diameter", "m", false, "outer diameter at the upper end of a conical section; 0 where it stays the same"),
+    ("end_inner_diameter", "m", false, "inner diameter at the upper end; 0 where it stays the same"),
+];
+
+/// Materials: E, G (Pa), density (kg/m^3).
+const MATERIALS: &[(Word, [f64; 3])] = &[
+    (("steel", "E 210 GPa, G 80.8 GPa, 7850 kg/m^3"), [2.1e11, 8.08e10, 7850.0]),
+    (("stainless_steel", "austenitic: E 193 GPa, G 75 GPa, 7950 kg/m^3"), [1.93e11, 7.5e10, 7950.0]),
+    (("aluminium", "wrought alloys: E 70 GPa, G 26.3 GPa, 2700 kg/m^3"), [7.0e10, 2.63e10, 2700.0]),
+    (("titanium", "Ti-6Al-4V: E 114 GPa, G 43 GPa, 4430 kg/m^3"), [1.14e11, 4.3e10, 4430.0]),
+    (("cast_iron", "with spheroidal graphite: E 169 GPa, G 66 GPa, 7100 kg/m^3"), [1.69e11, 6.6e10, 7100.0]),
+];
+const WORDS: &[Word] = &[MATERIALS[0].0, MATERIALS[1].0, MATERIALS[2].0, MATERIALS[3].0, MATERIALS[4].0];
+
+/// Most sections, elements of a section, and elements of a shaft.
+const MOST_SECTIONS: usize = 500;
+const MOST_ELEMENTS: i64 = 500;
+const MOST: usize = 1000;
+/// Largest slope, rad, whose square is left out.
+const SMALL: f64 = 0.1;
+/// Coordinates of a node, and distance of coupled ones: those of two neighbouring nodes.
+const NODE: usize = 4;
+/// Signs of the plane of y.
+const SIGN: [f64; 4] = [1.0, -1.0, 1.0, -1.0];
+
+/// See the [module](self).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaft {
+    lengths: Vec<f64>,
+    /// Outer diameters by which it is divided, m.
+    diameters: Vec<f64>,
+    elements: Option<usize>,
+    shear: Shear,
+    cone: Cone,
+    mesh: Mesh,
+}
+
+impl Shaft {
+    /// Sections of these lengths, m, to be divided by these outer diameters, m.
+    pub fn new(lengths: &[f64], diameters: &[f64]) -> Self {
+        let mesh = Mesh::new(lengths, diameters, None, &[]);
+        Shaft {
+            lengths: lengths.to_vec(),
+            diameters: diameters.to_vec(),
+            elements: None,
+            shear: Shear::Cowper,
+            cone: Cone::Flexibility,
+            mesh,
+        }
+    }
+    /// With so many elements in every section.
+    pub fn elements(self, count: usize) -> Self {
+        let mesh = Mesh::new(&self.lengths, &self.diameters, Some(count), &[]);
+        Shaft { elements: Some(count), mesh, ..self }
+    }
+    /// With another law of shear.
+    pub fn shear(self, shear: Shear) -> Self {
+        Shaft { shear, ..self }
+    }
+    /// With other matrices of conical elements.
+    pub fn cone(self, cone: Cone) -> Self {
+        Shaft { cone, ..self }
+    }
+
+    /// An element by its number.
+    #[inline(always)]
+    fn element<S: Scalar>(&self, p: &Params<Self, S>, k: usize) -> Element<S> {
+        let piece = self.mesh.pieces[k];
+        let s = &p.rows[piece.section];
+        Element {
+            length: piece.length,
+            outer: taper(s.outer_diameter, s.end_outer_diameter, (piece.from, piece.to)),
+            inner: taper(s.inner_diameter, s.end_inner_diameter, (piece.from, piece.to)),
+            material: Material { modulus: p.modulus, shear_modulus: p.shear_modulus, density: p.density },
+            shear: self.shear,
+            cone: self.cone,
+        }
+    }
+    /// The matrices of all elements, with the first coordinate of each; neighbours that are alike are computed once.
+    #[inline(always)]
+    fn each<S: Scalar>(&self, p: &Params<Self, S>, mut f: impl FnMut(usize, &Element<S>, &Plane<S>)) {
+        let mut last: Option<(usize, Element<S>, Plane<S>)> = None;
+        for k in 0..self.mesh.pieces.len() {
+            let piece = self.mesh.pieces[k];
+            let tapers =
+                [p.rows[piece.section].end_outer_diameter, p.rows[piece.section].end_inner_diameter].iter().any(|d| d.value() != 0.0);
+            let known = last.take().filter(|(j, ..)| {
+                let other = self.mesh.pieces[*j];
+                !tapers && other.section == piece.section && (other.length - piece.length).abs() <= 1e-13 * piece.length
+            });
+            let (_, element, plane) = known.unwrap_or_else(|| {
+                let element = self.element(p, k);
+                (k, element, element.plane())
+            });
+            f(NODE * k, &element, &plane);
+            last = Some((k, element, plane));
+        }
+    }
+}
+
+/// Diameters at two shares of the length of a section; a cylinder, whose end is 0, stays one to the last digit.
+#[inline(always)]
+fn taper<S: Scalar>(start: S, end: S, (from, to): (f64, f64)) -> [S; 2] {
+    if end.value() == 0.0 {
+        return [start, start];
+    }
+    [start.scale(1.0 - from) + end.scale(from), start.scale(1.0 - to) + end.scale(to)]
+}
+
+/// Coordinates of an element from its first one: those of the plane of x, those of the plane of y.
+const PLANE_X: [usize; 4] = [0, 3, 4, 7];
+const PLANE_Y: [usize; 4] = [1, 2, 5, 6];
+
+/// Adds `factor m` to both planes.
+#[inline(always)]
+fn add_planes<S: Scalar>(grid: &mut crate::model::blocks::Grid<S>, first: usize, m: &M4<S>, factor: S) {
+    for i in 0..4 {
+        for j in 0..4 {
+            let x = factor * m[i][j];
+            grid[(first + PLANE_X[i], first + PLANE_X[j])] += x;
+            grid[(first + PLANE_Y[i], first + PLANE_Y[j])] += x.scale(SIGN[i] * SIGN[j]);
+        }
+    }
+}
+
+/// Adds `[0, factor m S; -factor S m, 0]` over both planes.
+#[inline(always)]
+fn add_cross<S: Scalar>(grid: &mut crate::model::blocks::Grid<S>, first: usize, m: &M4<S>, factor: S) {
+    for i in 0..4 {
+        for j in 0..4 {
+            let x = factor * m[i][j];
+            grid[(first + PLANE_X[i], first + PLANE_Y[j])] += x.scale(SIGN[j]);
+            grid[(first + PLANE_Y[i], first + PLANE_X[j])] += x.scale(-SIGN[i]);
+        }
+    }
+}
+
+/// Deflections and slopes of both planes of an element.
+#[inline(always)]
+fn planes<S: Scalar>(first: usize, q: &[S]) -> [[S; 4]; 2] {
+    let mut out = [[S::zero(); 4]; 2];
+    for i in 0..4 {
+        out[0][i] = q[first + PLANE_X[i]];
+        out[1][i] = q[first + PLANE_Y[i]].scale(SIGN[i]);
+    }
+    out
+}
+
+/// `a' m b`.
+#[inline(always)]
+fn form<S: Scalar>(a: &[S; 4], m: &M4<S>, b: &[S; 4]) -> S {
+    let mut out = S::zero();
+    for (row, &x) in m.iter().zip(a) {
+        for (&m, &y) in row.iter().zip(b) {
+            out += x * m * y;
+        }
+    }
+    out
+}
+
+impl Part for Shaft {
+    const KIND: &'static str = "shaft";
+    const EXAMPLE: &'static str = r#"section = { length = ["120 mm", "400 mm", "80 mm"], outer_diameter = ["40 mm", "60 mm", "40 mm"] }
+material = "steel"
+"#;
+    const DOC: &'static str = "An elastic shaft of sections: finite elements with bending, shear, rotary inertia and gyroscopic coupling. Other parts attach \
+        anywhere along it, at = \"120 mm\" from its lower end, and each gets a node; discs that give on = { body = .., at = .. } sit on it. It holds itself \
+        nowhere: bearings do.";
+    type Family = WithRows<ShaftFamily, SectionFamily>;
+    const FIELDS: &'static [Field] = &[
+        Field::required(
+            "section",
+            FieldKind::Columns(SECTION),
+            "the sections from the lower end to the upper: as many entries in each list",
+        ),
+        Field::optional(
+            "material",
+            FieldKind::Choice(WORDS),
+            "steel",
+            "material; modulus, shear_modulus and density are its values unless given",
+        ),
+        Field::optional(
+            "elements",
+            FieldKind::IntegerOrAuto { min: 1, max: MOST_ELEMENTS },
+            "auto",
+            "number of elements of every section; auto makes them half as long as thick, 60 for the whole shaft at most",
+        ),
+        Field::optional(
+            "shear",
+            FieldKind::Choice(&[
+                ("cowper", "with Cowper's coefficient"),
+                ("hutchinson", "with Hutchinson's coefficient"),
+                ("none", "left out: a slender beam of Euler and Bernoulli"),
+            ]),
+            "cowper",
+            "shear deflection",
+        ),
+        Field::optional(
+            "cone",
+            FieldKind::Choice(&[
+                ("flexibility", "from the flexibility of the cone: it converges fast"),
+                ("mid_section", "with the shape functions of the section in the middle, as other programs have it"),
+            ]),
+            "flexibility",
+            "elements of conical sections",
+        ),
+    ];
+
+    fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let columns = values.columns("section")?;
+        let (lengths, outer) = (columns.get("length")?, columns.get("outer_diameter")?);
+        let mut refuse = |message: Text, help: Text| {
+            diagnostics.push(Diagnostic::error("shaft.section", message).at(values.span_of("section")).help(help));
+        };
+        if lengths.is_empty() || lengths.len() > MOST_SECTIONS {
+            refuse(text!("a shaft has 1 to {most} sections", most = MOST_SECTIONS), text!("give each section one entry in every list"));
+            return None;
+        }
+        if let Some(l) = lengths.iter().find(|l| !(1e-6..=1e3).contains(*l)) {
+            refuse(text!("a section is {length} long", length = text::quantity(*l, "m")), text!("lengths are between 1 µm and 1 km"));
+            return None;
+        }
+        if let Some(d) = outer.iter().find(|d| !(1e-6..=100.0).contains(*d)) {
+            refuse(
+                text!("the outer diameter of a section is {diameter}", diameter = text::quantity(*d, "m")),
+                text!("diameters are between 1 µm and 100 m"),
+            );
+            return None;
+        }
+        let named = values.choice("material").unwrap_or(WORDS[0].0);
+        if let Some((_, data)) = MATERIALS.iter().find(|m| m.0.0 == named) {
+            for (name, x) in ["modulus", "shear_modulus", "density"].into_iter().zip(data) {
+                if !values.written(name) {
+                    params.set(name, *x);
+                }
+            }
+        }
+        let shear = match values.choice("shear") {
+            Some("hutchinson") => Shear::Hutchinson,
+            Some("none") => Shear::None,
+            _ => Shear::Cowper,
+        };
+        let cone = if values.choice("cone") == Some("mid_section") { Cone::MidSection } else { Cone::Flexibility };
+        let shaft = Shaft::new(lengths, outer).shear(shear).cone(cone);
+        let Some(n) = values.integer("elements") else { return Some(shaft) };
+        let n = n.clamp(1, MOST_ELEMENTS) as usize;
+        if n * lengths.len() > MOST {
+            refuse(text!("a shaft of {elements} elements", elements = n * lengths.len()), text!("it has at most {most}", most = MOST));
+            return None;
+        }
+        Some(shaft.elements(n))
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
+    }
+    fn layout(&self) -> Layout {
+        let mut own = Vec::with_capacity(NODE * self.mesh.nodes.len());
+        for k in 1..=self.mesh.nodes.len() {
+            let node = Dof::lateral().into_iter().chain(Dof::tilt());
+            own.extend(node.map(|d| Dof { name: format!("node_{k}.{}", d.name), ..d }));
+        }
+        Layout::body(own)
+    }
+    fn physics(&self) -> Physics {
+        Physics::Linear
+    }
+
+    #[inline(always)]
+    fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
+        let one = S::one();
+        let (fixed, turning) = (p.stiffness_damping, p.rotating_damping);
+        self.each(p, |first, element, plane| {
+            add_planes(&mut b.mass, first, &plane.mass, one);
+            add_planes(&mut b.stiffness, first, &plane.stiffness, one);
+            add_planes(&mut b.damping, first, &plane.mass, p.mass_damping);
+            add_planes(&mut b.damping, first, &plane.stiffness, fixed + turning);
+            add_cross(&mut b.gyroscopic, first, &plane.gyroscopic, one);
+            add_cross(&mut b.spin_accel_stiffness, first, &plane.gyroscopic, S::cst(0.5));
+            if !turning.is_nothing() {
+                add_cross(&mut b.circulatory, first, &plane.stiffness, turning);
+            }
+            if !p.axial_force.is_nothing() {
+                add_planes(&mut b.stiffness, first, &plane.axial, p.axial_force);
+            }
+            if !p.torque.is_nothing() {
+                let t = element.torque();
+                for i in 0..4 {
+                    for j in 0..4 {
+                        b.stiffness[(first + PLANE_Y[i], first + PLANE_X[j])] += p.torque.scale(-SIGN[i] * t[i][j]);
+                        b.stiffness[(first + PLANE_X[i], first + PLANE_Y[j])] += p.torque.scale(SIGN[j] * t[i][j]);
+                    }
+                }
+            }
+        });
+    }
+
+    #[inline(always)]
+    fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
+        let mut r = S::zero();
+        self.each(p, |first, element, plane| {
+            let ([qx, qy], [vx, vy], [ax, ay]) = (planes(first, at.q), planes(first, at.v), planes(first, at.a));
+            r += element.inertia().1 * at.spin_accel;
+            r += (form(&ax, &plane.gyroscopic, &qy) - form(&ay, &plane.gyroscopic, &qx)).scale(0.5);
+            if !p.rotating_damping.is_nothing() {
+                let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
+                r -= p.rotating_damping * (form(&qx, &plane.stiffness, &sy) - form(&qy, &plane.stiffness, &sx));
+            }
+        });
+        r
+    }
+
+    fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
+        // a torque of fixed direction has no potential
+        if !p.torque.is_nothing() {
+            return None;
+        }
+        let (mut stored, mut dissipated) = (S::zero(), S::zero());
+        self.each(p, |first, element, plane| {
+            let ([qx, qy], [vx, vy]) = (planes(first, at.q), planes(first, at.v));
+            let both = |m: &M4<S>, x: &[S; 4], y: &[S; 4]| form(x, m, x) + form(y, m, y);
+            let moving = both(&plane.mass, &vx, &vy);
+            stored += (moving + both(&plane.stiffness, &qx, &qy) + p.axial_force * both(&plane.axial, &qx, &qy)).scale(0.5);
+            stored += (element.inertia().1 * at.speed * at.speed).scale(0.5);
+            stored += (at.speed * (form(&vx, &plane.gyroscopic, &qy) - form(&vy, &plane.gyroscopic, &qx))).scale(0.5);
+            dissipated += p.mass_damping * moving + p.stiffness_damping * both(&plane.stiffness, &vx, &vy);
+            let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
+            dissipated += p.rotating_damping * both(&plane.stiffness, &sx, &sy);
+        });
+        Some(Energy { stored, dissipated, ..Energy::zero() })
+    }
+
+    fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
+        // NaN stays
+        let slope = at.q.chunks_exact(NODE).map(|q| q[2].hypot(q[3])).fold(0.0, |m, x| if x <= m { m } else { x });
+        out.push(Validity { what: "slope over 0.1 rad", ratio: slope / SMALL });
+    }
+
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
+        let mut wrong = Vec::new();
+        for (k, s) in p.rows.iter().enumerate() {
+            let end = |end: f64, start: f64| if end == 0.0 { start } else { end };
+            let ends = [
+                (s.inner_diameter, s.outer_diameter),
+                (end(s.end_inner_diameter, s.inner_diameter), end(s.end_outer_diameter, s.outer_diameter)),
+            ];
+            if ends.iter().any(|(i, o)| !(i < o)) {
+                wrong.push(("section", text!("section {number}: the inner diameter must be less than the outer one", number = k + 1)));
+            }
+        }
+        // nu = E/(2 G) - 1
+        let nu = p.modulus / (2.0 * p.shear_modulus) - 1.0;
+        if self.shear != Shear::None && !(0.0..=0.5).contains(&nu) {
+            wrong.push((
+                "shear_modulus",
+                text!(
+                    "modulus and shear_modulus make a Poisson's ratio of {nu}, which no metal has: E = 2 G (1 + nu)",
+                    nu = text::number(nu, 3)
+                ),
+            ));
+        }
+        wrong
+    }
+    fn warnings(&self, p: &Params<Self, f64>) -> Vec<Text> {
+        // both ends clamped: no other support of the ends holds more
+        let stiffest =
+            (0..self.mesh.pieces.len()).map(|k| self.element(p, k)).map(|e| e.section(0.0).1.max(e.section(1.0).1)).fold(0.0, f64::max);
+        let limit = p.modulus * stiffest * (2.0 * PI / self.lengths.iter().sum::<f64>()).powi(2);
+        if p.axial_force < -limit {
+            let (force, limit) = (text::quantity(-p.axial_force, "N"), text::quantity(limit, "N"));
+            return vec![text!(
+                "a compression of {force} buckles it, unless bearings between its ends hold it: with both ends clamped it bears {limit} at most",
+                force,
+                limit
+            )];
+        }
+        Vec::new()
+    }
+    fn body(&self) -> Option<&dyn erased::BodyPart> {
+        Some(self)
+    }
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+/// Rates seen from axes that turn with the rotor: `v - W R q`, over deflections and slopes of both planes.
+#[inline(always)]
+fn slip<S: Scalar>(speed: S, [qx, qy]: [[S; 4]; 2], [vx, vy]: [[S; 4]; 2]) -> [[S; 4]; 2] {
+    let mut out = [vx, vy];
+    for i in 0..4 {
+        out[0][i] += speed * qy[i];
+        out[1][i] -= speed * qx[i];
+    }
+    out
+}
+
+impl Extent for Shaft {
+    fn reach(&self) -> usize {
+        2 * NODE - 1
+    }
+    fn rows(&self) -> usize {
+        self.lengths.len()
+    }
+}
+
+impl BodyPart for Shaft {
+    fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 4]> {
+        let mut out = vec![[0.0; 4]; NODE * self.mesh.nodes.len()];
+        if let Some(node) = self.mesh.node(position) {
+            for i in 0..NODE {
+                out[NODE * node + i][i] = 1.0;
+            }
+            return out;
+        }
+        let (k, share) = self.mesh.place(position);
+        let [deflection, slope] = self.element(p, k).shape(share);
+        for i in 0..4 {
+            let (x, y) = (&PLANE_X[i], &PLANE_Y[i]);
+            // x = N u and beta = R u; y = N S u and alpha = -R S u
+            out[NODE * k + x][0] = deflection[i];
+            out[NODE * k + x][3] = slope[i];
+            out[NODE * k + y][1] = SIGN[i] * deflection[i];
+            out[NODE * k + y][2] = -SIGN[i] * slope[i];
+        }
+        out
+    }
+    fn nodes(&self) -> Option<Vec<f64>> {
+        Some(self.mesh.nodes.clone())
+    }
+    fn divided(&self, positions: &[f64]) -> Option<ErasedPart> {
+        let mesh = Mesh::new(&self.lengths, &self.diameters, self.elements, positions);
+        (mesh != self.mesh).then(|| Shaft { mesh, ..self.clone() }.erased())
+    }
+    fn turns(&self) -> bool {
+        true
+    }
+}
+
+crate::conformance! {
+    Shaft {
+        tapered: tests::shaft(), tests::params(ShaftParams::new()), Options::default();
+        damped: tests::shaft().shear(Shear::Hutchinson).cone(Cone::MidSection),
+            tests::params(ShaftParams { rotating_damping: 2e-5, mass_damping: 3.0, stiffness_damping: 1e-5, axial_force: 4e4, ..ShaftParams::new() }),
+            Options::default();
+        twisted: tests::shaft().shear(Shear::None), tests::params(ShaftParams { torque: 2e3, ..ShaftParams::new() }), Options { energy: false, ..Options::default() };
+    }
+}

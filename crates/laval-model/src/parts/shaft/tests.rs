@@ -1,0 +1,183 @@
+use super::element::{Cone, Element, Material, Plane, Shear};
+use super::*;
+use crate::model::params::Listed;
+use laval_num::dense::Mat;
+
+fn element(outer: [f64; 2], inner: [f64; 2], cone: Cone) -> Element<f64> {
+    let material = Material { modulus: 2.11e11, shear_modulus: 8.12e10, density: 7810.0 };
+    Element { length: 0.25, outer, inner, material, shear: Shear::Cowper, cone }
+}
+
+fn far(a: &M4<f64>, b: &M4<f64>) -> f64 {
+    let size = a.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+    a.iter().flatten().zip(b.iter().flatten()).fold(0.0, |m, (x, y)| f64::max(m, (x - y).abs() / size))
+}
+
+fn furthest(a: &Plane<f64>, b: &Plane<f64>) -> f64 {
+    [(&a.mass, &b.mass), (&a.gyroscopic, &b.gyroscopic), (&a.stiffness, &b.stiffness), (&a.axial, &b.axial)]
+        .into_iter()
+        .map(|(a, b)| far(a, b))
+        .fold(0.0, f64::max)
+}
+
+/// The closed forms of a uniform element are the integrals over its shape functions, and a cone without taper is that element.
+#[test]
+fn forms_of_a_uniform_element_agree() {
+    for inner in [0.0, 0.03] {
+        let closed = element([0.05; 2], [inner; 2], Cone::Flexibility).plane();
+        // a taper too small to count that is integrated all the same
+        for cone in [Cone::MidSection, Cone::Flexibility] {
+            let integrated = element([0.05, 0.05 * (1.0 + 1e-13)], [inner; 2], cone).plane();
+            let gap = furthest(&closed, &integrated);
+            assert!(gap < 1e-11, "{cone:?}: {gap:e}");
+        }
+    }
+}
+
+/// Displacement and turning as a rigid body need no force; the mass of a translation is that of the metal.
+#[test]
+fn rigid_motions() {
+    for cone in [Cone::MidSection, Cone::Flexibility] {
+        for outer in [[0.05; 2], [0.05, 0.08]] {
+            let e = element(outer, [0.02; 2], cone);
+            let plane = e.plane();
+            let (up, turned) = ([1.0, 0.0, 1.0, 0.0], [0.0, 1.0, e.length, 1.0]);
+            let size = plane.stiffness[0][0];
+            for motion in [up, turned] {
+                for row in plane.stiffness {
+                    let force: f64 = row.iter().zip(motion).map(|(k, x)| k * x).sum();
+                    assert!(force.abs() < 1e-13 * size, "{cone:?} {force:e}");
+                }
+            }
+            let (mass, polar) = e.inertia();
+            assert!((form(&up, &plane.mass, &up) / mass - 1.0).abs() < 1e-12);
+            // a thin slice leans with half the moment of inertia about the axis
+            assert!((form(&turned, &plane.gyroscopic, &turned) / polar - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+/// A cantilever under a force at its end: bending and shear in closed form, of a cylinder and of a cone.
+#[test]
+fn deflection_of_a_cantilever() {
+    for (outer, bending) in [
+        ([0.05; 2], 1.0 / 3.0),
+        // int_0^1 (1-t)^2 / (1+t)^4 dt of a cone twice as thick at the free end
+        ([0.05, 0.1], 1.0 / 24.0 * 7.0 - 0.25),
+    ] {
+        let e = element(outer, [0.0; 2], Cone::Flexibility);
+        let plane = e.plane();
+        let k = Mat::from_fn(2, 2, |i, j| plane.stiffness[i + 2][j + 2]);
+        let det = k[(0, 0)] * k[(1, 1)] - k[(0, 1)] * k[(1, 0)];
+        let w = k[(1, 1)] / det;
+        let (area, second) = e.section(0.0);
+        let l = e.length;
+        let nu: f64 = 2.11e11 / (2.0 * 8.12e10) - 1.0;
+        let kappa = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);
+        let slide = l / (kappa * 8.12e10 * area) * if outer[0] == outer[1] { 1.0 } else { 0.5 };
+        let expected = l.powi(3) * cone_integral(outer, bending) / (2.11e11 * second) + slide;
+        assert!((w / expected - 1.0).abs() < 1e-9, "{w} {expected}");
+    }
+}
+
+/// `int_0^1 (1-t)^2/d(t)^4 dt` with d from 1 to the ratio of the diameters, by a fine sum.
+fn cone_integral(outer: [f64; 2], uniform: f64) -> f64 {
+    if outer[0] == outer[1] {
+        return uniform;
+    }
+    let n = 20_000;
+    let f = |t: f64| (1.0 - t).powi(2) / (1.0 + t * (outer[1] / outer[0] - 1.0)).powi(4);
+    let h = 1.0 / n as f64;
+    (0..n).map(|k| k as f64 * h).map(|t| h / 6.0 * (f(t) + 4.0 * f(t + 0.5 * h) + f(t + h))).sum()
+}
+
+pub(super) fn shaft() -> Shaft {
+    Shaft::new(&[0.1, 0.2, 0.05], &[0.04, 0.05, 0.06]).elements(1)
+}
+
+pub(super) fn params(own: ShaftParams) -> Listed<ShaftParams, SectionParams> {
+    let section = SectionParams::new;
+    let rows = vec![
+        section(0.04),
+        SectionParams { inner_diameter: 0.02, end_outer_diameter: 0.07, ..section(0.05) },
+        SectionParams { end_outer_diameter: 0.05, inner_diameter: 0.01, end_inner_diameter: 0.02, ..section(0.06) },
+    ];
+    Listed { own, rows }
+}
+
+/// Sections are varied by their number and name, lists by their length.
+#[test]
+fn parameters_of_sections_are_named() {
+    let p = params(ShaftParams::new());
+    let system = crate::model::builder::Builder::new("s").part("shaft", shaft(), p).build().unwrap_or_else(|d| panic!("{d:?}"));
+    let at = system.param("shaft.section[2].end_outer_diameter").unwrap();
+    assert_eq!(at.iter().map(|&i| system.params()[i]).collect::<Vec<_>>(), [0.07]);
+    let thicker = system.with(&[("shaft.section[1].outer_diameter", 0.045)]).unwrap_or_else(|d| panic!("{d:?}"));
+    assert_eq!(thicker.params()[thicker.param("shaft.section[1].outer_diameter").unwrap()[0]], 0.045);
+    assert!(system.with(&[("shaft.section[1].outer_diameter", -0.045)]).is_err());
+    assert!(system.with(&[("shaft.section[4].outer_diameter", 0.045)]).is_err());
+    assert_eq!(system.coordinates()[5].name, "shaft.node_2.y");
+}
+
+/// What is attached between nodes moves with the shape functions, and gets a node where it is.
+#[test]
+fn attached_parts_get_nodes() {
+    use crate::model::field::Attach;
+    use crate::model::part::Link;
+    use crate::parts::{bearing_cubic::*, disc::*};
+    let law = BearingCubicParams { stiffness: [1e7; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
+    let bearing = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("shaft", z), Attach::ground()));
+    let built = |z: f64| {
+        let disc = Disc::tilting().on(Attach::at("shaft", 0.2));
+        let inertia = DiscParams { diametral_inertia: 0.01, polar_inertia: 0.02, ..DiscParams::new(2.0) };
+        let b = crate::model::builder::Builder::new("s").part("disc", disc, inertia).part("lower", bearing(0.0), law);
+        b.part("upper", bearing(z), law).part("shaft", shaft(), params(ShaftParams::new())).build()
+    };
+    let system = built(0.33).unwrap_or_else(|d| panic!("{d:?}"));
+    let names: Vec<&str> = system.stations().iter().map(|s| s.name.as_str()).collect();
+    assert_eq!(names, ["disc", "shaft at 0 m", "shaft at 330 mm"]);
+    // ends, two borders, the disc and the upper bearing
+    assert_eq!(system.n(), 4 * 6);
+    let disc = &system.stations()[0];
+    assert_eq!(disc.lateral.first(), system.coordinate("shaft.node_3.x"));
+    assert_eq!(disc.tilt.as_ref().unwrap().first(), system.coordinate("shaft.node_3.tilt_x"));
+    // heights of the disc are those of a rigid body on the shaft
+    let above = system.point(disc.slot, 0.1).unwrap();
+    let mut q = vec![0.0; system.n()];
+    let x = system.coordinate("shaft.node_3.x").unwrap();
+    (q[x], q[x + 3]) = (1e-3, 2e-3);
+    assert!((above.of(&q)[0] - 1.2e-3).abs() < 1e-15);
+    assert!(built(0.36).is_err_and(|d| d.0.iter().any(|d| d.to_string().contains("reaches from 0 m to 350 mm"))));
+}
+
+/// Between nodes a shaft moves as its nodes do: rigidly where they do, and by the cubic of a cantilever where they hold its ends.
+#[test]
+fn points_between_nodes() {
+    let (shaft, p) = (shaft(), params(ShaftParams::new()));
+    let nodes = shaft.nodes().unwrap();
+    let moved = |z: f64, motion: &dyn Fn(f64) -> [f64; 4]| -> [f64; 4] {
+        let q: Vec<f64> = nodes.iter().flat_map(|z| motion(*z)).collect();
+        let mut out = [0.0; 4];
+        for (q, row) in q.iter().zip(shaft.shape(&p, z)) {
+            out.iter_mut().zip(row).for_each(|(o, x)| *o += q * x);
+        }
+        out
+    };
+    // x + z beta, y - z alpha
+    let rigid = |z: f64| [1.0 + 3.0 * z, 2.0 - 4.0 * z, 4.0, 3.0];
+    for z in [0.03, 0.17, 0.34] {
+        let (found, expected) = (moved(z, &rigid), rigid(z));
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{z}: {found:?} {expected:?}");
+    }
+    // slender and uniform: w = z^2 (3 l - z), in the plane of y with alpha = -dw/dz
+    let (l, slender) = (0.35, Shaft::new(&[0.35], &[0.01]).elements(1).shear(Shear::None));
+    let one = Listed { own: ShaftParams::new(), rows: vec![SectionParams::new(0.01)] };
+    let cubic =
+        |z: f64| [z * z * (3.0 * l - z), 2.0 * z * z * (3.0 * l - z), -2.0 * (6.0 * l * z - 3.0 * z * z), 6.0 * l * z - 3.0 * z * z];
+    let rows = slender.shape(&one, 0.2);
+    let ends: Vec<f64> = [0.0, l].into_iter().flat_map(cubic).collect();
+    for k in 0..4 {
+        let found: f64 = ends.iter().zip(&rows).map(|(q, row)| q * row[k]).sum();
+        assert!((found - cubic(0.2)[k]).abs() < 1e-12, "{k}: {found} {:?}", cubic(0.2));
+    }
+}
