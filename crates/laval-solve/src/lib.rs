@@ -24,6 +24,8 @@ pub mod mode_slopes;
 pub mod motion;
 pub mod pencil;
 pub mod programme;
+pub mod reduced_machine;
+pub mod reduction;
 mod resonances;
 pub mod rest;
 pub mod roots;

@@ -27,9 +27,9 @@ pub mod trajectory;
 
 use super::programme::{Programme, Spin};
 use crate::diagnostic::Diagnostic;
-use crate::model::erased::D1;
-use crate::model::part::{At, DofKind, Physics, Rows, TimeForm};
-use crate::model::system::{Axis, Drive, GRAVITY, System, Workspace};
+use crate::model::erased::{D1, Evaluate};
+use crate::model::part::{At, Physics, Rows, TimeForm};
+use crate::model::system::{Axis, Drive, System, Workspace};
 use compiled::Compiled;
 use direct::Direct;
 use laval_model::text;
@@ -102,6 +102,7 @@ struct PowerScratch {
     dual: Workspace<D1>,
     dual_params: Vec<D1>,
     lifted: [Vec<D1>; 4],
+    falling: Vec<D1>,
 }
 
 /// Powers at one moment, W.
@@ -377,7 +378,7 @@ impl PowerScratch {
         spin
     }
 
-    /// Weight does the work `-g` times the derivative of the stored energy in the y velocities: the momentum.
+    /// Weight does the work `-g` times the derivative of the stored energy in the velocities along it: the momentum.
     fn weight(&mut self, system: &System, at: &At<f64>) -> f64 {
         if self.dual_params.is_empty() {
             self.dual_params.extend(system.params().iter().map(|&x| D1::lift(x)));
@@ -386,15 +387,23 @@ impl PowerScratch {
             lifted.clear();
             lifted.extend(x.iter().map(|&x| D1::lift(x)));
         }
-        for (v, c) in self.lifted[1].iter_mut().zip(system.coordinates()) {
-            if c.dof.kind == DofKind::VectorY {
-                v.eps[0] = GRAVITY;
-            }
-        }
         let [q, v, a, z] = &self.lifted;
         let lift = D1::lift;
         let at = At { q, v, a, z, phase: lift(at.phase), speed: lift(at.speed), spin_accel: lift(at.spin_accel), t: lift(at.t) };
-        system.energy(&self.dual_params, &at, &mut self.dual).map_or(f64::NAN, |e| -e.stored.eps[0])
+        // part by part, each with what the weight is in its own coordinates
+        let mut falling = std::mem::take(&mut self.falling);
+        let mut work = 0.0;
+        for slot in system.slots() {
+            let energy = system.with_local(slot, &at, &mut self.dual, |l| {
+                falling.clear();
+                falling.extend_from_slice(l.v);
+                falling.iter_mut().zip(&slot.weight).for_each(|(v, w)| v.eps[0] = *w);
+                D1::energy(&*slot.part, &self.dual_params[slot.params.clone()], &At { v: &falling, ..*l })
+            });
+            work -= energy.map_or(f64::NAN, |e| e.stored.eps[0]);
+        }
+        self.falling = falling;
+        work
     }
 }
 

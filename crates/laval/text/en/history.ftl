@@ -23,6 +23,7 @@ history-step-too-small = The integration stopped at { $value }, because no step 
 history-integration-failed = The integration stopped at { $value }: { $why }. The motion after that is missing.
 
 # Rational forms of parts in time.
+history-reduced = The linear parts of the machine were reduced to { $coordinates } coordinates. Up to { $frequency } their receptance where other parts are attached differs by { $value } from that of the whole machine.
 history-time-form = A rational form with { $states ->
         [one] one state
        *[other] { $states } states

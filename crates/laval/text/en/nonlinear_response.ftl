@@ -189,6 +189,7 @@ nonlinear-response-stability-contradicted = Two further methods contradict the s
 nonlinear-response-stability-not-checked = The stability was not verified by a second method: { $why }.
 nonlinear-response-nothing-checked = The stability was not verified by a second method: no state was assessed again.
 nonlinear-response-stability-not-requested = Stability was not requested, and the states may be unstable. Set stability = true.
+nonlinear-response-stability-reduced = For stability the linear parts were reduced to { $coordinates } coordinates. Up to { $frequency } their receptance at the nonlinear parts differs by { $value } from that of the whole machine.
 nonlinear-response-stability-unknown = The stability of the states was not assessed: { $why }. They may be unstable.
 nonlinear-response-stability-partly-unknown = The stability of { $unknown } of { $all } states was not assessed: { $why }. They may be unstable.
 # Why stability was not assessed.

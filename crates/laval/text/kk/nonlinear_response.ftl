@@ -177,6 +177,7 @@ nonlinear-response-stability-contradicted = Тағы екі әдіс { $checks }
 nonlinear-response-stability-not-checked = Орнықтылық екінші әдіспен тексерілмеді: { $why }.
 nonlinear-response-nothing-checked = Орнықтылық екінші әдіспен тексерілмеді: бірде-бір күй қайта бағаланған жоқ.
 nonlinear-response-stability-not-requested = Орнықтылық сұралмаған, күйлер орнықсыз болуы мүмкін. stability = true қойыңыз.
+nonlinear-response-stability-reduced = Орнықтылықты бағалау үшін сызықты бөліктер { $coordinates } координатаға келтірілді. { $frequency } жиілікке дейін олардың сызықты емес бөліктердегі икемділігі бүтін машинаның икемділігінен { $value } шамаға өзгеше.
 nonlinear-response-stability-unknown = Күйлердің орнықтылығы бағаланбады: { $why }. Олар орнықсыз болуы мүмкін.
 nonlinear-response-stability-partly-unknown = { $all } күйдің { $unknown } күйінің орнықтылығы бағаланбады: { $why }. Олар орнықсыз болуы мүмкін.
 # Why stability was not assessed.

@@ -23,6 +23,7 @@ history-step-too-small = Интегрирование остановилось �
 history-integration-failed = Интегрирование остановилось в момент { $value }: { $why }. Движение после этого момента отсутствует.
 
 # Rational forms of parts in time.
+history-reduced = Линейные части машины сведены к { $coordinates } координатам. До частоты { $frequency } их податливость в точках крепления других частей отличается от податливости всей машины на { $value }.
 history-time-form = Во временной области элемент «{ $part }» заменён рациональной формой с { $states } { $states ->
         [one] состоянием
        *[other] состояниями

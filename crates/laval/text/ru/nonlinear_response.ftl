@@ -200,6 +200,7 @@ nonlinear-response-stability-contradicted = Два других метода п�
 nonlinear-response-stability-not-checked = Устойчивость не проверена вторым методом: { $why }.
 nonlinear-response-nothing-checked = Устойчивость не проверена вторым методом: ни одно состояние не оценено повторно.
 nonlinear-response-stability-not-requested = Оценка устойчивости не запрошена, состояния могут быть неустойчивы. Задайте stability = true.
+nonlinear-response-stability-reduced = Для оценки устойчивости линейные части сведены к { $coordinates } координатам. До частоты { $frequency } их податливость в точках нелинейных частей отличается от податливости всей машины на { $value }.
 nonlinear-response-stability-unknown = Устойчивость состояний не оценена: { $why }. Они могут быть неустойчивы.
 nonlinear-response-stability-partly-unknown = Устойчивость { $unknown } из { $all } { $all ->
         [one] состояния

@@ -23,6 +23,7 @@ history-step-too-small = Integrallash { $value } paytida to‘xtadi, chunki hech
 history-integration-failed = Integrallash { $value } paytida to‘xtadi: { $why }. Undan keyingi harakat yo‘q.
 
 # Qismlarning vaqt sohasidagi ratsional shakllari.
+history-reduced = Mashinaning chiziqli qismlari { $coordinates } ta koordinataga keltirildi. { $frequency } chastotagacha boshqa qismlar biriktirilgan joylardagi moyilligi butun mashinanikidan { $value } ga farq qiladi.
 history-time-form = Vaqt sohasida "{ $part }" qismi { $states } ta holatli ratsional shakl bilan almashtirilgan. Uning nisbiy xatosi ko‘pi bilan { $value }, { $scope }.
 history-time-fit = Vaqt sohasida "{ $part }" qismining chastotaviy xarakteristikasi ratsional approksimatsiya bilan almashtirilgan. Uning nisbiy xatosi { $value }.
 

@@ -177,6 +177,7 @@ nonlinear-response-stability-contradicted = Yana ikki usul turg‘unlik natijasi
 nonlinear-response-stability-not-checked = Turg‘unlik ikkinchi usul bilan tekshirilmagan: { $why }.
 nonlinear-response-nothing-checked = Turg‘unlik ikkinchi usul bilan tekshirilmagan: birorta ham holat qayta baholanmadi.
 nonlinear-response-stability-not-requested = Turg‘unlik so‘ralmagan, holatlar noturg‘un bo‘lishi mumkin. stability = true qo‘ying.
+nonlinear-response-stability-reduced = Turg‘unlikni baholash uchun chiziqli qismlar { $coordinates } ta koordinataga keltirildi. { $frequency } chastotagacha ularning nochiziqli qismlardagi moyilligi butun mashinanikidan { $value } ga farq qiladi.
 nonlinear-response-stability-unknown = Holatlarning turg‘unligi baholanmagan: { $why }. Ular noturg‘un bo‘lishi mumkin.
 nonlinear-response-stability-partly-unknown = { $all } ta holatdan { $unknown } tasining turg‘unligi baholanmagan: { $why }. Ular noturg‘un bo‘lishi mumkin.
 # Turg‘unlik nega baholanmagan.

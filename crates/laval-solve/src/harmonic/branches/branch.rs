@@ -6,6 +6,7 @@ use crate::harmonic::branches::on_determinant;
 use crate::harmonic::stability::determinant::{self, Effort, Shape};
 use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassessed};
 use crate::model::system::System;
+use crate::reduction::{Reduced, Reduction};
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Special, Status, Zero};
 use laval_num::newton::{Options, newton};
@@ -137,6 +138,8 @@ pub struct Assessor {
     given: u64,
     /// Why stability was not assessed.
     pub unassessed: Option<Unassessed>,
+    /// What the machine was reduced to, with the largest error.
+    pub reduced: Option<Reduced>,
 }
 
 /// Exponents that decay and are followed from motion to motion.
@@ -150,7 +153,7 @@ impl Assessor {
     /// With `wanted`, of stability too; `work` in points. Everything on Hill's determinant where `determinant` says so.
     pub fn new(system: &System, (wanted, determinant): (bool, bool), work: u64) -> Assessor {
         let given = work.saturating_mul(POINT).min(MOST_TERMS);
-        let assessor = Assessor { stability: None, exponents: None, terms: given, given, unassessed: None };
+        let assessor = Assessor { stability: None, exponents: None, terms: given, given, unassessed: None, reduced: None };
         match wanted.then(|| Stability::new(system)) {
             None => assessor,
             _ if determinant && system.undeclared().is_none() => Assessor { exponents: Some(Vec::new()), ..assessor },
@@ -192,6 +195,7 @@ impl Assessor {
                 Ok(e) => state.exponents = Some(e),
                 Err(why) => self.unassessed = Some(why),
             }
+            self.reduced = Reduced::worse(self.reduced, s.reduction().map(Reduction::summary));
         }
         if let Some(before) = &mut self.exponents {
             let mut effort = Effort { terms: self.terms, cancel: balance.cancel };

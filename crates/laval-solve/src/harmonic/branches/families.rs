@@ -19,6 +19,7 @@ use crate::harmonic::branches::response::{Cut, MOST_HARMONICS, Request, Response
 use crate::harmonic::branches::seeds::{Random, anywhere, planes, with_subharmonic};
 use crate::harmonic::branches::time_starts::{LONGEST, loops};
 use crate::model::system::System;
+use crate::reduction::Reduced;
 use crate::symmetry::Symmetry;
 use laval_num::continuation::{Branch, Direction, Point, Settings, cross, trace, trace_both};
 use laval_num::newton::{Options, newton};
@@ -347,6 +348,7 @@ impl<'a> Search<'a, '_> {
         let mut traced = assessor.branch(&mut self.balances[at], branch, origin, &self.settings, self.tick);
         finish(self.system, self.request, &mut traced);
         self.response.assessing += assessor.spent();
+        self.response.reduced = Reduced::worse(self.response.reduced, assessor.reduced);
         if self.response.unassessed.is_none() {
             self.response.unassessed = assessor.unassessed;
         }

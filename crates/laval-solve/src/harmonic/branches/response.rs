@@ -11,6 +11,7 @@ use crate::harmonic::branches::starts::Starts;
 use crate::harmonic::branches::unclosed::{Unclosed, unclosed};
 use crate::harmonic::stability::floquet::Unassessed;
 use crate::model::system::System;
+use crate::reduction::Reduced;
 use crate::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_model::text;
 use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
@@ -114,6 +115,8 @@ pub struct Response {
     pub broken: Vec<Broken>,
     /// Why stability was not assessed.
     pub unassessed: Option<Unassessed>,
+    /// What the machine was reduced to for the stability of motions that are not circular.
+    pub reduced: Option<Reduced>,
     /// Terms of Hill's determinants that were added up.
     pub assessing: u64,
     /// Largest change of the residual when the samples of a period are doubled, relative to the largest force.
@@ -319,6 +322,7 @@ fn attempt<'a>(
         broken: Vec::new(),
         assessing: assessor.spent(),
         unassessed: assessor.unassessed,
+        reduced: assessor.reduced,
         sampling,
         work: work.to_vec(),
     })

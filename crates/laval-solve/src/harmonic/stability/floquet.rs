@@ -6,6 +6,7 @@
 //! - circular motion of an isotropic machine: eigenvalues of a constant matrix in the rotating frame; of a machine of many states the roots up to a frequency, counted where they
 //!   grow (see `crate::harmonic::stability::counted`);
 //! - motion so small that A hardly varies: eigenvalues of its mean, when the second-order bound of the rest is below the tolerance;
+//! - a machine of many states: as the next two, of its linear parts reduced to the ports of the nonlinear ones (see [`crate::reduction`]);
 //! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple (see `crate::harmonic::stability::monodromy`).
 //!
 //! Theory: `docs/theory/harmonic-balance.md#stability`.
@@ -21,8 +22,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::large::is_large;
 use crate::model::part::{At, DofKind};
+use crate::model::station::Row;
 use crate::model::system::{Slot, System};
-use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::tangent::{SparseTangent, Tangent, TangentScratch};
+use crate::reduction::{Reduction, projected};
 use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
@@ -153,11 +156,22 @@ pub struct Stability {
     pub(super) steps_left: u64,
     /// Tolerance of the integration of maps.
     pub(super) tolerance: f64,
-    /// Number of states, where it is more than a map can carry: circular motions alone are assessed.
+    /// Number of states, where it is more than a map can carry: circular motions are assessed as they are, others of the machine reduced to the ports of its
+    /// nonlinear parts.
     many: Option<usize>,
+    /// With the speed it was made for, rad/s.
+    reduction: Option<(Reduction, f64)>,
+    /// Combinations of the nonlinear coordinates over those assessed.
+    rows: Vec<Row>,
+    sparse: SparseTangent,
     /// Frequency up to which exponents are counted, where they are, rad/s.
     pub(super) frequency: Option<f64>,
 }
+
+/// Frequency up to which a reduced machine is compared, over the speed; difference of its receptance that is enough; ratio of speeds up to which a reduction serves.
+const OF_SPEED: f64 = 5.0;
+const REDUCED: f64 = 1e-4;
+const FASTER: f64 = 1.5;
 
 /// Steps of integration spent on the maps of one response, at most.
 const MOST_STEPS: u64 = 200_000;
@@ -198,6 +212,9 @@ impl Stability {
             steps_left: MOST_STEPS,
             tolerance: crate::harmonic::stability::monodromy::TOLERANCE,
             many,
+            reduction: None,
+            rows: Vec::new(),
+            sparse: SparseTangent::default(),
             frequency: None,
         })
     }
@@ -209,10 +226,8 @@ impl Stability {
 
     /// Exponents by the map over the period, however small the motion. The balance must have been sampled there last, and not be circular.
     pub fn mapped(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unassessed> {
-        if let Some(states) = self.many {
-            return Err(Unassessed::TooManyStates(states));
-        }
         let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
+        self.reduce(balance, speed)?;
         match jumps {
             Some(part) => Err(Unassessed::Jumps(part)),
             None if !self.constant_mass => self.general(balance, x, speed),
@@ -230,11 +245,15 @@ impl Stability {
             return Err(Unassessed::Jumps(part));
         }
         if let Some(states) = self.many {
-            if balance.terms.symmetry != Symmetry::Circular || !self.constant_mass {
+            let circular = balance.terms.symmetry == Symmetry::Circular;
+            if !self.constant_mass {
                 return Err(Unassessed::TooManyStates(states));
             }
-            if is_large(balance.system) {
+            if circular && is_large(balance.system) {
                 return self.counted(balance, x, speed);
+            }
+            if !circular {
+                self.reduce(balance, speed)?;
             }
         }
         if !self.constant_mass {
@@ -280,6 +299,35 @@ impl Stability {
         self.map(balance, x, speed, !places.is_empty())
     }
 
+    /// Of a machine of many states: what it is reduced to at a speed.
+    fn reduce(&mut self, balance: &Balance, speed: f64) -> Result<(), Unassessed> {
+        let Some(states) = self.many else { return Ok(()) };
+        if !self.constant_mass {
+            return Err(Unassessed::TooManyStates(states));
+        }
+        let near = |made: f64| speed.abs() <= FASTER * made && speed.abs() * FASTER >= made;
+        if self.reduction.as_ref().is_some_and(|r| near(r.1)) {
+            return Ok(());
+        }
+        let system = balance.system;
+        let frequency = OF_SPEED * speed.abs();
+        let ports = &balance.nonlinear.basis.rows;
+        let most = MOST_STATES.saturating_sub(self.m) / 2;
+        let found = Reduction::new(system, &Slot::is_linear, ports, frequency, &[0.0, speed], REDUCED, most)
+            .ok_or(Unassessed::TooManyStates(states))?;
+        self.n = found.basis.cols();
+        self.pairs = vec![false; 2 * self.n + self.m];
+        self.rows = ports.iter().map(|r| found.row(r)).collect();
+        self.reduction = Some((found, speed.abs()));
+        (self.speed, self.scale) = (f64::NAN, Vec::new());
+        Ok(())
+    }
+
+    /// The reduction of the machine whose motions were assessed last, where it was reduced.
+    pub fn reduction(&self) -> Option<&Reduction> {
+        self.reduction.as_ref().map(|r| &r.0)
+    }
+
     /// Frequencies of the machine linearised about the mean of the motion last sampled, rad/s.
     pub(in crate::harmonic) fn mean_frequencies(&mut self, balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
         if !self.constant_mass || self.many.is_some() {
@@ -303,11 +351,17 @@ impl Stability {
         }
         let system = balance.system;
         let (n, m) = (self.n, self.m);
-        let (q, z) = (vec![0.0; n], vec![0.0; m]);
+        let (q, z) = (vec![0.0; system.n()], vec![0.0; m]);
         let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-        system.tangent(&at, false, &mut self.tangent, &mut self.scratch, Slot::is_linear);
+        if let Some((reduction, _)) = &self.reduction {
+            system.tangent(&at, false, &mut self.sparse, &mut self.scratch, Slot::is_linear);
+            projected(&reduction.basis, &self.sparse, &mut self.tangent);
+        } else {
+            system.tangent(&at, false, &mut self.tangent, &mut self.scratch, Slot::is_linear);
+            self.rows.clone_from(&balance.nonlinear.basis.rows);
+        }
         self.constant = first_order(&self.tangent).ok_or(Unassessed::Massless)?;
-        let rows = &balance.nonlinear.basis.rows;
+        let rows = &self.rows;
         let mut g = Mat::zeros(n, rows.len());
         for (j, row) in rows.iter().enumerate() {
             for &(i, x) in row {
@@ -343,7 +397,7 @@ impl Stability {
 
     /// Lists how tangents of the nonlinear coordinates enter A.
     fn list_entries(&mut self, balance: &Balance) {
-        let (n, rows) = (self.n, &balance.nonlinear.basis.rows);
+        let (n, rows) = (self.n, &self.rows);
         let derivatives = if balance.nonlinear.members.iter().any(|m| m.uses.velocity) { 2 } else { 1 };
         self.entries.clear();
         for row in n..self.input.rows() {

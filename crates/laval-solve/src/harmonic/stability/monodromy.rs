@@ -107,7 +107,14 @@ impl Stability {
         let terms = &balance.terms;
         let blocks = self.blocks(balance, switches);
         // a turn by a quarter mixes x and y: with blocks apart the half turn keeps them apart
-        let parts = if blocks.len() > 1 { terms.symmetry.order().min(2) } else { terms.symmetry.order() };
+        // and coordinates of a reduced machine do not turn in pairs: all of them change their sign in half a turn
+        let vectors = |c: &crate::model::system::GlobalDof| c.dof.kind.leads_pair() || c.dof.kind.ends_pair();
+        let signs = balance.system.coordinates().iter().chain(balance.system.states()).all(vectors);
+        let parts = match terms.symmetry.order() {
+            order if self.reduction().is_some() => order.min(if signs { 2 } else { 1 }),
+            order if blocks.len() > 1 => order.min(2),
+            order => order,
+        };
         let pace = balance.pace(speed);
         let base = pace.frequency.abs();
         let period = TAU / base / parts as f64;
@@ -180,6 +187,10 @@ impl Stability {
     fn turned_back(&self, block: &[usize], map: &Mat, angle: f64) -> Mat {
         let (s, co) = if angle == PI { (0.0, -1.0) } else { angle.sin_cos() };
         let mut out = map.clone();
+        if self.reduction().is_some() && angle == PI {
+            out.data_mut().iter_mut().for_each(|x| *x = -*x);
+            return out;
+        }
         for (i, &state) in block.iter().enumerate() {
             let second = state > 0 && self.pairs[state - 1];
             if !(self.pairs[state] || second) {

@@ -18,6 +18,8 @@ use crate::solve::motion::Motion;
 use crate::solve::motion::envelope::{Peak, Window};
 use crate::solve::motion::trajectory::{Left, Tilting, Trajectory, Use};
 use crate::solve::programme::Spin;
+use crate::solve::reduced_machine::ReducedMachine;
+use crate::solve::reduction::Reduced;
 use crate::text;
 use laval_num::ode::Run;
 use laval_num::text::Text;
@@ -52,10 +54,12 @@ pub struct MotionState {
 impl MotionState {
     pub(in crate::study) fn of(motion: &Motion, t: f64, y: &[f64]) -> Self {
         let (n, m) = (motion.system().n(), motion.system().m());
+        // of the machine as it is written
+        let whole = |x: &[f64]| motion.system().projection().map_or_else(|| x.to_vec(), |p| p.all(x));
         MotionState {
             t,
-            coordinates: y[..n].to_vec(),
-            rates: y[n..2 * n].to_vec(),
+            coordinates: whole(&y[..n]),
+            rates: whole(&y[n..2 * n]),
             states: y[2 * n..2 * n + m].to_vec(),
             spin: motion.spin(t, y),
         }
@@ -65,8 +69,9 @@ impl MotionState {
     ///
     /// # Errors
     /// A state of a machine with another number of coordinates or internal states.
-    pub(in crate::study) fn write(&self, motion: &Motion, y: &mut [f64]) -> Result<(), Diagnostic> {
-        let (n, m) = (motion.system().n(), motion.system().m());
+    pub(in crate::study) fn write(&self, motion: &Motion, reduced: Option<&ReducedMachine>, y: &mut [f64]) -> Result<(), Diagnostic> {
+        let m = motion.system().m();
+        let n = motion.system().projection().map_or(motion.system().n(), |p| p.coordinates.len());
         if (self.coordinates.len(), self.rates.len(), self.states.len()) != (n, n, m) {
             let message = text!(
                 "a state of {coordinates} coordinates and {states} internal states is not one of this machine, which has {n} and in time {m}",
@@ -77,9 +82,9 @@ impl MotionState {
             );
             return Err(Diagnostic::error("transient.start", message).help(text!("continue from a motion of the same machine")));
         }
-        y[..n].copy_from_slice(&self.coordinates);
-        y[n..2 * n].copy_from_slice(&self.rates);
-        y[2 * n..2 * n + m].copy_from_slice(&self.states);
+        let whole = [&self.coordinates[..], &self.rates, &self.states].concat();
+        let own = reduced.map_or(whole.clone(), |r| r.state(&whole));
+        y[..own.len()].copy_from_slice(&own);
         if let Some(k) = motion.spin_start() {
             (y[k], y[k + 1]) = (self.spin.phase, self.spin.speed);
         }
@@ -200,6 +205,8 @@ pub struct MotionRecord {
     pub spectra: Vec<SpectrumWindow>,
     /// With spectra: natural frequencies of the machine linearised at rest.
     pub natural: Vec<NaturalFrequency>,
+    /// What the machine was reduced to.
+    pub reduced: Option<Reduced>,
     /// Unbalance of a machine with parts that balance by themselves.
     pub balancing: Option<Balancing>,
     /// Its motion to be played.
@@ -217,6 +224,8 @@ pub(in crate::study) struct Beside<'s> {
     pub spectra: Vec<SpectrumWindow>,
     /// With spectra: natural frequencies of the machine linearised at rest.
     pub natural: Vec<NaturalFrequency>,
+    /// What the machine was reduced to.
+    pub reduced: Option<Reduced>,
 }
 
 impl MotionRecord {
@@ -226,17 +235,23 @@ impl MotionRecord {
         let rows = || trajectory.states.chunks_exact(dim);
         let series =
             |name: &str, unit: &str, i: usize| Series { name: name.into(), unit: unit.into(), values: rows().map(|y| y[i]).collect() };
-        let coordinates = system.coordinates();
+        // coordinates of the machine as it is written, of one that was reduced too
+        let projection = system.projection();
+        let coordinates = projection.map_or(system.coordinates(), |p| &p.coordinates);
+        let seen = |from: usize, i: usize| -> Vec<f64> {
+            rows().map(|y| projection.map_or_else(|| y[from + i], |p| p.one(i, &y[from..from + n]))).collect()
+        };
+        let coordinate = |(i, c): (usize, &GlobalDof)| Series { name: c.name.clone(), unit: c.dof.unit.into(), values: seen(0, i) };
+        let rate = |(i, c): (usize, &GlobalDof)| Series { name: format!("{}'", c.name), unit: per_second(c.dof.unit), values: seen(n, i) };
         // displacements of stations that are no coordinates
-        let combined = system.stations().iter().filter(|s| s.lateral.first().is_none());
+        let combined = system.stations().iter().filter(|s| s.columns().iter().any(|name| coordinates.iter().all(|c| c.name != *name)));
         let point = |s: &Station| {
-            let names = s.columns(system).into_iter().enumerate();
+            let names = s.columns().into_iter().enumerate();
             names
                 .map(|(k, name)| Series { name, unit: "m".into(), values: rows().map(|y| s.lateral.of(y)[k]).collect() })
                 .collect::<Vec<_>>()
         };
         let points = combined.flat_map(point);
-        let rate = |(i, c): (usize, &GlobalDof)| series(&format!("{}'", c.name), &per_second(c.dof.unit), n + i);
         // memory states are many and mean nothing one by one
         let own = system.slots().iter().flat_map(|slot| slot.states.start..slot.states.end - slot.memory);
         let states = own.map(|i| series(&system.states()[i].name, system.states()[i].dof.unit, 2 * n + i)).collect();
@@ -244,13 +259,13 @@ impl MotionRecord {
         MotionRecord {
             times: trajectory.times.clone(),
             spin: trajectory.times.iter().zip(rows()).map(|(&t, y)| motion.spin(t, y)).collect(),
-            coordinates: coordinates.iter().enumerate().map(|(i, c)| series(&c.name, c.dof.unit, i)).chain(points).collect(),
+            coordinates: coordinates.iter().enumerate().map(coordinate).chain(points).collect(),
             rates: if beside.velocities { coordinates.iter().enumerate().map(rate).collect() } else { Vec::new() },
             states,
             observed: if beside.observables { observed(motion, trajectory) } else { Vec::new() },
             last_turns: beside.last_turns,
             end_state: MotionState::of(motion, trajectory.run.t, &trajectory.state),
-            rest: beside.start.rest.clone(),
+            rest: projection.map_or_else(|| beside.start.rest.clone(), |p| p.all(&beside.start.rest)),
             undeflected: beside.start.undeflected.clone(),
             run: trajectory.run.clone(),
             stiff: trajectory.stiff,
@@ -266,6 +281,7 @@ impl MotionRecord {
             moved_roots: beside.moved_roots,
             spectra: beside.spectra,
             natural: beside.natural,
+            reduced: beside.reduced,
             animation: if balancing.is_some() { animation::played(motion, trajectory) } else { None },
             balancing,
         }

@@ -5,6 +5,7 @@ use crate::model::field::{Field, FieldKind, Values};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Axis, System, Workspace};
 use crate::outcome::{Arg, Finding};
+use crate::solve::reduced_machine::ReducedMachine;
 use crate::solve::rest::{hanging, rest};
 use crate::text;
 use crate::text::Text;
@@ -46,6 +47,19 @@ impl Start {
                 undeflected: loaded.then(|| d.message.to_string()),
             },
         }
+    }
+
+    /// The start of a motion that is followed on a reduced machine, and its state, from what the file says of the whole machine.
+    pub fn on(self, reduced: Option<&ReducedMachine>, entries: &[(Entry, f64)], y: &mut [f64]) -> Self {
+        let Some(reduced) = reduced else {
+            self.write(entries, y);
+            return self;
+        };
+        let mut whole = vec![0.0; 2 * self.rest.len() + self.states.len()];
+        self.write(entries, &mut whole);
+        let own = reduced.state(&whole);
+        y[..own.len()].copy_from_slice(&own);
+        Start { rest: reduced.coordinates(&self.rest), places: Vec::new(), ..self }
     }
 
     /// Writes the start and what the file says into a state.

@@ -26,6 +26,7 @@ use crate::outcome::{Arg, End, Finding, Outcome};
 use crate::solve::motion::envelope::{Course, Growth, Window, growth};
 use crate::solve::motion::trajectory::{Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
+use crate::solve::reduced_machine::ReducedMachine;
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, Study};
@@ -204,7 +205,9 @@ kick = { "drum.x'" = "20 mm/s" }
 
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
         let Some(timed) = context.timed(system, speeds(system, self.speed))? else { return Ok(()) };
-        let motion = Motion::new(&timed, self.law(&timed))?;
+        let reduced = self.reduced(&timed);
+        let system: &System = reduced.as_ref().map_or(&timed, |r| &r.system);
+        let motion = Motion::new(system, self.law(system))?;
         history::admit(&motion, self.settings.method)
     }
 
@@ -212,15 +215,16 @@ kick = { "drum.x'" = "20 mm/s" }
         let s = &self.settings;
         let exact = system;
         let timed = context.timed(system, speeds(system, self.speed))?.ok_or_else(history::stopped)?;
-        let system: &System = &timed;
+        let reduced = self.reduced(&timed);
+        let system: &System = reduced.as_ref().map_or(&timed, |r| &r.system);
         let mut motion = Motion::new(system, self.law(system))?;
         let no_account = motion.keep_account().err();
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
-        let start = Start::new(system, self.speed);
+        let entries = start::renumbered(&self.initial, exact, &timed);
+        let start = Start::new(&timed, self.speed).on(reduced.as_ref(), &entries, &mut y);
         match &self.from {
-            Some(state) => state.write(&motion, &mut y)?,
+            Some(state) => state.write(&motion, reduced.as_ref(), &mut y)?,
             None => {
-                start.write(&start::renumbered(&self.initial, exact, system), &mut y);
                 if let Some(k) = motion.spin_start() {
                     (y[k], y[k + 1]) = (s.phase, self.speed);
                 }
@@ -249,7 +253,7 @@ kick = { "drum.x'" = "20 mm/s" }
             windows: WINDOWS,
             rest: &start.rest,
             bound: history::bound(system, &start, &y),
-            kick: self.kick.clone(),
+            kick: self.kick.clone().map(|(t, rates)| (t, reduced.as_ref().map_or(rates.clone(), |r| r.coordinates(&rates)))),
             max_steps: context.work_limit,
             cancel: &|| context.cancelled(),
             progress: &history::progress(context, self.duration),
@@ -267,6 +271,7 @@ kick = { "drum.x'" = "20 mm/s" }
             last_turns,
             moved_roots,
             natural: spectra::natural(exact, &spectra),
+            reduced: reduced.as_ref().map(|r| r.reduced),
             spectra,
         };
         let record = MotionRecord::of(&mut motion, &trajectory, beside);
@@ -295,6 +300,14 @@ kick = { "drum.x'" = "20 mm/s" }
 }
 
 impl Transient {
+    /// A machine of many coordinates as one of few.
+    fn reduced(&self, timed: &System) -> Option<ReducedMachine> {
+        match self.law(timed) {
+            SpinLaw::Programme(p) => ReducedMachine::of(timed, p.largest_speed()),
+            SpinLaw::Free => None,
+        }
+    }
+
     /// The same study from the state at the end of another motion of the machine, in place of `initial`, at its speed; time begins anew at 0.
     ///
     /// ```

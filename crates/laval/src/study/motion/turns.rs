@@ -53,7 +53,7 @@ impl Turns {
         if times.len() != self.0.len() || stations.is_empty() {
             return None;
         }
-        let names = stations.iter().flat_map(|s| s.columns(motion.system()));
+        let names = stations.iter().flat_map(|s| s.columns());
         Some(LastTurns { times, coordinates: names.zip(path).map(|(name, values)| Series { name, unit: "m".into(), values }).collect() })
     }
 }

@@ -5,6 +5,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, End, Finding, Message, Outcome};
 use crate::solve::motion::envelope::{Course, Growth, Peak, Window, growth_of};
 use crate::solve::motion::trajectory::Left;
+use crate::solve::reduction::Reduced;
 use crate::study::motion::record::{MotionRecord, UsedForm, ValidityUse};
 use crate::study::shared::support::larger;
 use laval_num::ode;
@@ -156,6 +157,13 @@ pub(in crate::study) fn time_forms(forms: &[UsedForm], mut outcome: Outcome) -> 
     outcome
 }
 
+/// What the machine was reduced to for motions in time.
+pub(in crate::study) fn reduced_to(reduced: Option<Reduced>, outcome: Outcome) -> Outcome {
+    let Some(r) = reduced else { return outcome };
+    let finding = Finding::info("reduced", "history-reduced").arg("coordinates", Arg::count(r.coordinates));
+    outcome.finding(finding.arg("frequency", Arg::frequency(r.frequency)).value(r.error, ""))
+}
+
 /// What a motion uses of the validity of a part. One that is outside only while the rotor starts or stops, as the layer of a liquid that is not held on its wall then, is
 /// valid above a speed; one that starts outside and is inside from some time on is valid later.
 fn validity(system: &System, record: &MotionRecord, used: &ValidityUse) -> Finding {
@@ -203,6 +211,7 @@ pub(in crate::study) fn common_findings(system: &System, record: &MotionRecord, 
     let balance = energy::findings(record);
     let validity = record.validity.iter().map(|u| validity(system, record, u));
     let mut outcome = time_forms(&record.forms, balance.into_iter().chain(validity).fold(outcome, Outcome::finding));
+    outcome = reduced_to(record.reduced, outcome);
     if !record.contacts.is_empty() {
         let count = record.contacts.len();
         let finding = Finding::info("contacts", "history-contacts").value(count as f64, "").arg("count", Arg::count(count));

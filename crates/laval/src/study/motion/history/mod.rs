@@ -4,7 +4,9 @@ pub mod energy;
 mod findings;
 mod tables;
 
-pub(in crate::study) use findings::{ProbeMotion, common_findings, end, last_moment, probe_motions, stop, time_forms, unbounded};
+pub(in crate::study) use findings::{
+    ProbeMotion, common_findings, end, last_moment, probe_motions, reduced_to, stop, time_forms, unbounded,
+};
 pub(in crate::study) use tables::{Columns, shown, sound};
 
 use super::start::Start;

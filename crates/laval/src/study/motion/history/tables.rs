@@ -109,10 +109,10 @@ fn motion_figures(
         _ => ("motion", &record.coordinates),
     };
     let mut lateral = Figure::new("lateral", "Lateral motion of the bodies", "history-alt-lateral").x(Axis::new("time", "s"));
-    let reach = most(bodies.iter().flat_map(|s| s.columns(system)).flat_map(|name| values(shown, &name)).copied());
+    let reach = most(bodies.iter().flat_map(|s| s.columns()).flat_map(|name| values(shown, &name)).copied());
     let mut plane = Panel::new(Axis::new("y", "m").metres(reach));
     for b in bodies {
-        let own = b.columns(system);
+        let own = b.columns();
         let size = most(own.iter().flat_map(|name| values(&record.coordinates, name)).copied());
         let line = |column: &String| Line::new("motion", "t", column).name(Arg::name(column));
         lateral = lateral.panel(

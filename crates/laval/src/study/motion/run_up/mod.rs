@@ -33,6 +33,7 @@ use crate::solve::motion::envelope::Window;
 use crate::solve::motion::trajectory::{Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
+use crate::solve::reduced_machine::ReducedMachine;
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::NARROWEST;
@@ -174,7 +175,9 @@ hold = "2 s"
                 .help(text!("use a transient study, or take the free drive away")));
         }
         let timed = system.timed(Speeds::Changing)?;
-        let motion = Motion::new(&timed, SpinLaw::Programme(self.programme.clone()))?;
+        let reduced = ReducedMachine::of(&timed, self.programme.largest_speed());
+        let system: &System = reduced.as_ref().map_or(&timed, |r| &r.system);
+        let motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
         history::admit(&motion, self.settings.method)
     }
 
@@ -182,12 +185,13 @@ hold = "2 s"
         self.admit(system)?;
         let s = &self.settings;
         let (exact, timed) = (system, system.timed(Speeds::Changing)?);
-        let system: &System = &timed;
+        let reduced = ReducedMachine::of(&timed, self.programme.largest_speed());
+        let system: &System = reduced.as_ref().map_or(&timed, |r| &r.system);
         let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
         let no_account = motion.keep_account().err();
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
-        let start = Start::new(system, self.programme.at(0.0).speed);
-        start.write(&start::renumbered(&self.initial, exact, system), &mut y);
+        let entries = start::renumbered(&self.initial, exact, &timed);
+        let start = Start::new(&timed, self.programme.at(0.0).speed).on(reduced.as_ref(), &entries, &mut y);
         let last = self.programme.at(self.t_end);
         history::announce(context, self.t_end, (last.phase - self.programme.at(0.0).phase) / self.t_end);
         let requested = history::spaced(self.t_end, s.points);
@@ -226,6 +230,7 @@ hold = "2 s"
             last_turns,
             moved_roots: moved_roots(exact, &timed, last.speed, context),
             natural: spectra::natural(exact, &spectra),
+            reduced: reduced.as_ref().map(|r| r.reduced),
             spectra,
         };
         let record = MotionRecord::of(&mut motion, &trajectory, beside);

@@ -139,9 +139,12 @@ impl Spectra {
     /// Takes the samples out of a trajectory, which keeps the outputs requested besides: the spectra of the whole windows.
     pub fn taken(&self, motion: &Motion, start: &Start, trajectory: &mut Trajectory, outputs: &[f64]) -> Vec<Window> {
         let mut record = Record::default();
-        let rest = self.body.lateral.of(&start.rest);
+        // of the machine that moves, which may be a reduced one
+        let stations = motion.system().stations();
+        let lateral = stations.iter().find(|s| s.name == self.body.name).map_or(&self.body.lateral, |s| &s.lateral);
+        let rest = lateral.of(&start.rest);
         separated(trajectory, self.times(), outputs, |t, y| {
-            let at = self.body.lateral.of(y);
+            let at = lateral.of(y);
             record.push(t, motion.spin(t, y), (at[0] - rest[0], at[1] - rest[1]))
         });
         analyse::windows(self, &record)

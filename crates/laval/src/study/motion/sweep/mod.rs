@@ -17,7 +17,7 @@ mod refine;
 mod report;
 mod rows;
 
-use super::history::{METHOD, time_forms};
+use super::history::{METHOD, reduced_to, time_forms};
 use super::record::{SettledMotion, UsedForm, exact_parts};
 use super::start::{self, Entry, INITIAL, Start};
 use super::steady_state::columns::cells;
@@ -32,6 +32,8 @@ use crate::model::system::{Drive, Station, System};
 use crate::model::timed::Speeds;
 use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
+use crate::solve::reduced_machine::ReducedMachine;
+use crate::solve::reduction::Reduced;
 use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
 use crate::study::shared::size::{KEPT, LISTED, Size};
@@ -225,15 +227,19 @@ start = "up_and_down"
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);
+        // a start is written in the coordinates of the whole machine
+        let whole = if initial.is_empty() { ReducedMachine::of(&own, self.fastest()) } else { None };
+        let reduced = whole.as_ref().map(|r| r.reduced);
+        let own = whole.map_or(own, |r| r.system);
         let members = Members {
             budget: Budget::new(context.work_limit),
             study: self,
             initial,
             method: method(&own, self.rules.method, self.fastest()),
+            probes: probes::all(&own),
             system: Arc::new(own),
             speeds: self.speed.linspace(DEFAULT_POINTS),
             stations: system.stations(),
-            probes: probes::all(system),
         };
         let (steps, ways) = (members.speeds.len(), self.ways.len());
         let followed = self.ways.iter().any(|w| *w != Way::Rest);
@@ -255,12 +261,12 @@ start = "up_and_down"
         let motions = Collected::of(&results)?;
         let end = context.end(motions.end == End::Reached);
         let undeflected = Start::new(&members.system, members.speeds[0]).undeflected;
-        Ok(SweepResult { motions, undeflected, forms: exact_parts(&members.system), end })
+        Ok(SweepResult { motions, undeflected, forms: exact_parts(&members.system), reduced, end })
     }
 
     fn report(&self, system: &System, result: &SweepResult, name: &str) -> Result<Outcome, Diagnostic> {
         let shown = Shown { study: self, system, stations: system.stations(), probes: probes::all(system) };
-        Ok(time_forms(&result.forms, report::report(&shown, result, name)?))
+        Ok(reduced_to(result.reduced, time_forms(&result.forms, report::report(&shown, result, name)?)))
     }
 }
 
@@ -274,6 +280,8 @@ pub struct SweepResult {
     pub undeflected: Option<String>,
     /// Rational forms that stood for exact parts.
     pub forms: Vec<UsedForm>,
+    /// What the machine was reduced to.
+    pub reduced: Option<Reduced>,
     /// How the study ended.
     pub end: End,
 }

@@ -112,6 +112,11 @@ impl Shown<'_> {
             };
             out.push(finding.arg("why", stability::unassessed(why)));
         }
+        if let Some(r) = response.reduced.filter(|_| known > 0) {
+            let finding =
+                Finding::info("stability_reduced", "nonlinear-response-stability-reduced").arg("coordinates", Arg::count(r.coordinates));
+            out.push(finding.arg("frequency", Arg::frequency(r.frequency)).value(r.error, ""));
+        }
         if known > 0 {
             out.extend(self.unstable(response));
             out.extend(self.elsewhere(response, request));
