@@ -17,5 +17,6 @@ mod physics;
 mod program;
 mod report_in_browser;
 mod separation;
+mod shaft;
 mod spatial_liquid;
 mod store;

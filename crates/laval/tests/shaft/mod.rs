@@ -1,0 +1,8 @@
+//! Shafts of finite elements: matrices, modes, critical speeds, responses and sag against published rotors and closed forms.
+
+mod closed_forms;
+mod definition;
+mod elements;
+mod machines;
+mod reduced;
+mod rotors;

@@ -1,0 +1,149 @@
+//! Machines of many coordinates as machines of few: statics, modes, motions and exponents against the whole machine.
+
+use crate::common::files::{findings, load, run_all};
+use laval::model::system::System;
+use laval::solve::harmonic::branches::response::{Request, Response, respond};
+use laval::solve::pencil::Linearised;
+use laval::solve::reduced_machine::ReducedMachine;
+use laval::solve::rest::rest;
+use laval::study::{Cancel, Context};
+use laval_num::complex::C64;
+use laval_num::work::watched;
+use std::sync::atomic::AtomicBool;
+
+/// A lying rotor with two discs; cubic bearings of different stiffness in x and y, dampers beside them, a linear seal with cross-coupling.
+fn machine(elements: usize) -> String {
+    let bearing = |name: &str, at: f64| {
+        format!(
+            "[[part]]\nkind = \"bearing_cubic\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at} }}, \"ground\"]\nlaw = \"per_axis\"\n\
+             stiffness = {{ x = 4e6, y = 6e6 }}\ncubic_stiffness = 4e14\n\
+             [[part]]\nkind = \"damper\"\nname = \"{name} damping\"\nbetween = [{{ body = \"shaft\", at = {at} }}, \"ground\"]\ndamping = 900.0\n"
+        )
+    };
+    let disc = |name: &str, at: f64, unbalance: f64| {
+        format!(
+            "[[part]]\nkind = \"disc\"\nname = \"{name}\"\non = {{ body = \"shaft\", at = {at} }}\nmass = 14.0\npolar_inertia = 0.12\ndiametral_inertia = 0.07\nunbalance = {unbalance:?}\n"
+        )
+    };
+    format!(
+        "[machine]\nname = \"rotor\"\nspeed = 300.0\naxis = \"horizontal\"\n\
+         [[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = {elements}\nstiffness_damping = 2e-6\n\
+         section = {{ length = [0.2, 0.3, 0.2], outer_diameter = [0.04, 0.05, 0.04] }}\n{}{}{}{}\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"seal\"\nbetween = [{{ body = \"shaft\", at = 0.35 }}, \"ground\"]\nkxx = 2e5\nkyy = 2e5\nkxy = 6e4\nkyx = -6e4\n",
+        disc("left", 0.2, 4e-4),
+        disc("right", 0.5, 2e-4),
+        bearing("lower", 0.0),
+        bearing("upper", 0.7),
+    )
+}
+
+fn modes(system: &System, speed: f64, limit: f64) -> Vec<C64> {
+    let all = Linearised::new(system, &rest(system, speed).unwrap()).unwrap().spectrum().unwrap().modes;
+    let mut out: Vec<C64> = all.iter().map(|m| m.value).filter(|s| s.im > 0.0 && s.im < limit).collect();
+    out.sort_by(|a, b| a.im.total_cmp(&b.im));
+    out
+}
+
+/// Sag under weight, modes up to the frequency, and coordinates there and back.
+#[test]
+fn statics_and_modes() {
+    let whole = load(&machine(8)).system;
+    let own = ReducedMachine::of(&whole, 300.0).unwrap();
+    assert!(own.system.n() <= whole.n() / 2 && own.reduced.error < 1e-4 && own.reduced.frequency == 2400.0, "{:?}", own.reduced);
+    let (sag, lifted) = (rest(&whole, 300.0).unwrap().q, own.system.projection().unwrap().all(&rest(&own.system, 300.0).unwrap().q));
+    let size = sag.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let far = |list: &[f64]| list.iter().zip(&sag).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    // exact at the ports, the bearings; between them what the modes hold
+    for (a, b) in whole.stations().iter().zip(own.system.stations()).filter(|(a, _)| a.flexible && a.position != 0.35) {
+        let ([x, y], [u, v]) = (a.lateral.of(&sag), b.lateral.of(&rest(&own.system, 300.0).unwrap().q));
+        assert!((x - u).hypot(y - v) < 1e-7 * size, "{}", a.name);
+    }
+    assert!(far(&lifted) < 1e-4 * size, "{:e}", far(&lifted) / size);
+    for speed in [0.0, 150.0, 300.0] {
+        let (a, b) = (modes(&whole, speed, 2300.0), modes(&own.system, speed, 2300.0));
+        assert!(a.len() >= 6 && a.len() == b.len(), "{a:?} {b:?}");
+        for (x, y) in a.iter().zip(&b) {
+            assert!((*x - *y).abs() < 1e-4 * x.abs(), "{speed}: {x:?} {y:?}");
+        }
+    }
+    // what moves as the reduced machine can comes back as it was
+    let x: Vec<f64> = (0..own.system.n()).map(|i| (1.3 * i as f64).cos() * 1e-4).collect();
+    let back = own.coordinates(&own.system.projection().unwrap().all(&x));
+    assert!(x.iter().zip(&back).all(|(a, b)| (a - b).abs() < 1e-11), "{x:?} {back:?}");
+}
+
+const STUDY: &str = r#"
+[[study]]
+kind = "transient"
+speed = "300 rad/s"
+duration = "0.2 s"
+initial = { "shaft.node_1.x" = "20 um", "shaft.node_1.y'" = "0.01 m/s" }
+"#;
+
+/// A motion of the reduced machine is that of a machine of few elements that is integrated as it is; its energy is kept, and its coordinates are those of the shaft.
+#[test]
+fn motions() {
+    let of = |elements: usize| {
+        let text = STUDY.replace("initial", "points = 200\ninitial");
+        run_all(&(machine(elements) + &text)).swap_remove(0)
+    };
+    let (few, many) = (of(6), of(8));
+    assert!(findings(&few, "reduced").is_empty());
+    assert_eq!(findings(&many, "reduced").len(), 1);
+    let column = |o: &laval::outcome::Outcome, name: &str| -> Vec<f64> {
+        let table = o.find_table("motion").unwrap();
+        let c = table.column(name).unwrap_or_else(|| panic!("{name}: {:?}", table.columns().iter().map(|c| &c.name).collect::<Vec<_>>()));
+        (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+    };
+    for name in ["left.x", "shaft at 700 mm.y"] {
+        let (a, b) = (column(&few, name), column(&many, name));
+        let size = a.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let far = a.iter().zip(&b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        assert!(size > 1e-6 && far < 5e-3 * size, "{name}: {:e}", far / size);
+    }
+    assert!(many.find_table("motion").unwrap().column("shaft.node_5.tilt_x").is_some());
+    let kept =
+        |o: &laval::outcome::Outcome| findings(o, "energy_balance").iter().filter_map(|f| f.value).fold(0.0f64, |m, x| m.max(x.abs()));
+    assert!(kept(&many) < 1e-6, "{:e}", kept(&many));
+}
+
+/// Twice the elements are twice the work of a motion, not eight times.
+#[test]
+fn work_of_a_motion_grows_with_the_elements() {
+    let cost = |elements: usize| {
+        let loaded = load(&(machine(elements) + STUDY));
+        let stop = Cancel::default();
+        watched(Some(&stop), u64::MAX, || loaded.studies[0].study.run(&loaded.system, &Context::quiet("study")).map(|_| ()))
+            .unwrap()
+            .unwrap();
+        stop.spent() as f64
+    };
+    let all = [8, 16, 32].map(cost);
+    assert!(all.windows(2).all(|w| w[1] / w[0] < 2f64.powf(1.3)), "{all:?}");
+}
+
+/// Stability of motions that are not circular: exponents of the reduced machine are those of few elements but for the error of these, and every state has them.
+#[test]
+fn exponents_of_motions_that_are_not_circular() {
+    let of = |elements: usize| -> Response {
+        let system = load(&machine(elements).replace("horizontal", "vertical")).system;
+        respond(&system, &Request::over(250.0, 420.0), &AtomicBool::new(false), &|_| {}).unwrap()
+    };
+    let (few, many) = (of(1), of(4));
+    let reduced = many.reduced.unwrap();
+    assert!(few.reduced.is_none() && reduced.error < 1e-3 && reduced.coordinates <= 32, "{reduced:?}");
+    let states = |r: &Response| r.branches.iter().flat_map(|b| b.points.clone()).collect::<Vec<_>>();
+    assert!(many.unassessed.is_none() && states(&many).iter().all(|p| p.exponents.is_some()));
+    let unstable = |r: &Response| states(r).iter().filter(|p| p.exponents.as_ref().is_some_and(|e| !e.stable())).count();
+    assert_eq!(unstable(&few) == 0, unstable(&many) == 0);
+    // growth of the least stable exponent over the speed, on the branches from below
+    let growth = |r: &Response, w: f64| {
+        let all = states(r);
+        let near = all.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs())).unwrap();
+        (near.speed, near.exponents.as_ref().unwrap().growth())
+    };
+    for w in [260.0, 300.0, 340.0, 400.0] {
+        let ((va, a), (vb, b)) = (growth(&few, w), growth(&many, w));
+        assert!((va - vb).abs() < 3.0 && (a - b).abs() < 0.05 * a.abs() + 0.3, "{w}: {va} {a}, {vb} {b}");
+    }
+}
