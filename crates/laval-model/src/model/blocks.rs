@@ -251,7 +251,7 @@ impl<S: Scalar> Blocks<S> {
     pub fn reset(&mut self, n: usize, m: usize, speed: S) {
         self.reset_band(n, m, usize::MAX, speed);
     }
-    /// The same of a part whose coordinates are coupled over this distance in their order ([`Part::reach`](super::part::Part::reach)).
+    /// The same of a part whose coordinates are coupled over this distance in their order ([`Extent::reach`](super::capability::Extent::reach)).
     #[inline(always)]
     pub fn reset_band(&mut self, n: usize, m: usize, reach: usize, speed: S) {
         self.speed = speed;
