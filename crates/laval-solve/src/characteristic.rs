@@ -26,7 +26,7 @@ use std::sync::Arc;
 const MOST_STEPS: usize = 25;
 /// Step over the step before from which on the vectors of a test are exact enough for the root that it leads to.
 const SHRUNK: f64 = 1e-4;
-/// Step over the root from which on what is left is rounding once steps no longer shrink.
+/// Relative step below which Newton's method has converged when its steps stop decreasing.
 const NEAR: f64 = 1e-9;
 
 /// Axes in which a state is at rest.
