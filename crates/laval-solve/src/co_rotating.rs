@@ -4,7 +4,7 @@ use super::characteristic::{Equilibrium, Frame};
 use super::rest::{instead, rest, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, Rows};
-use crate::model::system::{Slot, System, Workspace};
+use crate::model::system::{Axis, Slot, System, Workspace};
 use laval_model::text;
 use laval_model::text::Text;
 use laval_num::complex::{C64, c};
@@ -138,7 +138,7 @@ fn impedance_changes(system: &System, slot: &Slot, speed: f64) -> bool {
 
 /// Why a part has a preferred direction, as far as its parameters tell.
 fn reason(system: &System, slot: &Slot, speed: f64) -> Text {
-    if !slot.weight.is_empty() && !changes(system, slot, speed, false) {
+    if system.machine.axis == Axis::Horizontal && !slot.weight.is_empty() && !changes(system, slot, speed, false) {
         return text!("the weight of \"{name}\" pulls to one side (axis = \"horizontal\")", name = slot.name);
     }
     let slots = &system.param_slots()[slot.params.clone()];

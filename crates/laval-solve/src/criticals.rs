@@ -54,7 +54,7 @@ impl Critical {
     }
     /// An unbalance can drive the mode: in a machine without preferred direction it drives forward whirls alone.
     pub fn driven_by_unbalance(&self) -> bool {
-        self.order == 1.0 && !matches!(self.sector, Some(Sector::Backward | Sector::Axial))
+        self.order == 1.0 && self.whirl.is_lateral() && !matches!(self.sector, Some(Sector::Backward | Sector::Axial))
     }
 }
 
@@ -69,11 +69,16 @@ const TOLERANCE: f64 = 1e-13;
 /// Halvings of a step along which a root is followed.
 const DEPTH: usize = 6;
 
-/// Crossings of the frequencies of a sweep with multiples of the speed (order above 0), solved for on the characteristic function.
+/// Crossings of the frequencies of a sweep with multiples of the speed (order above 0), solved for on the characteristic function. Vibrations along or about
+/// the axis have no crossing of order 1: no unbalance drives them.
 pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -> Vec<Critical> {
     let mut out: Vec<Critical> = Vec::new();
     for &order in orders {
         for (branch, b) in found.branches.iter().enumerate() {
+            let along = |p: &(f64, MachineMode)| matches!(p.1.whirl, Whirl::Axial | Whirl::Torsional);
+            if order == 1.0 && b.points.iter().all(along) {
+                continue;
+            }
             let mut points: Vec<(f64, MachineMode)> = Vec::new();
             for (k, p) in b.points.iter().enumerate() {
                 points.push(p.clone());

@@ -2,6 +2,7 @@
 
 use super::characteristic::{coordinate_sectors, state_sectors};
 use super::sectors::{Sector, Sectors, circular};
+use crate::model::part::DofKind;
 use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::eig;
@@ -11,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// below a fortieth of its long one.
 pub const FLAT: f64 = 0.05;
 
-/// Direction a mode whirls in.
+/// Direction a mode whirls in, or that it moves along or about the axis alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Whirl {
     /// With the spin.
@@ -20,7 +21,11 @@ pub enum Whirl {
     Backward,
     /// Both, at different places or in a line that is straight within [`FLAT`].
     Mixed,
-    /// No oscillation, or none across the axis.
+    /// It moves along the axis alone.
+    Axial,
+    /// It moves about the axis alone.
+    Torsional,
+    /// No oscillation, or none of bodies.
     None,
 }
 
@@ -31,12 +36,18 @@ impl Whirl {
             Whirl::Forward => "forward",
             Whirl::Backward => "backward",
             Whirl::Mixed => "mixed",
+            Whirl::Axial => "axial",
+            Whirl::Torsional => "torsional",
             Whirl::None => "none",
         }
     }
+    /// It moves points across the axis.
+    pub fn is_lateral(self) -> bool {
+        matches!(self, Whirl::Forward | Whirl::Backward | Whirl::Mixed)
+    }
     /// At a spin speed: at standstill there is nothing to whirl with or against.
     pub fn at(self, speed: f64) -> Whirl {
-        if speed == 0.0 { Whirl::None } else { self }
+        if speed == 0.0 && self.is_lateral() { Whirl::None } else { self }
     }
     /// In a sentence, before or behind a noun: `forward whirl`; where neither direction leads with the forward share of the squared amplitudes.
     pub fn of(self, noun: &str, forward_share: f64) -> String {
@@ -47,6 +58,7 @@ impl Whirl {
             }
             Whirl::Mixed => format!("mixed {noun} with forward share {forward_share:.3}"),
             Whirl::None => format!("{noun} of no direction"),
+            Whirl::Axial | Whirl::Torsional => format!("{} vibration", self.word()),
             _ => format!("{} {noun}", self.word()),
         }
     }
@@ -100,7 +112,12 @@ pub(super) struct Unknowns {
     pub states: Sectors,
     /// Typical sizes of the coordinates.
     typical: Vec<f64>,
+    /// Those along the axis and those about it.
+    along: [Vec<usize>; 2],
 }
+
+/// Share of the largest coordinate of a mode, each over its typical size, below which the others do not count beside it.
+const HARDLY: f64 = 1e-6;
 
 impl Unknowns {
     pub fn of(system: &System) -> Self {
@@ -108,6 +125,8 @@ impl Unknowns {
             coordinates: coordinate_sectors(system),
             states: state_sectors(system, &(0..system.m()).collect::<Vec<_>>()),
             typical: system.coordinates().iter().map(|c| c.dof.typical).collect(),
+            along: [DofKind::Axial, DofKind::Twist]
+                .map(|kind| (0..system.n()).filter(|&i| system.coordinates()[i].dof.kind == kind).collect()),
         }
     }
 
@@ -188,6 +207,10 @@ impl Unknowns {
             .collect();
         let (f2, b2) = circles.iter().fold((0.0, 0.0), |(f, b), c| (f + c.0 * c.0, b + c.1 * c.1));
         let largest = circles.iter().map(|c| c.0 + c.1).fold(0.0, f64::max);
+        let [axial, torsional] = [0, 1].map(|k| self.along[k].iter().map(|&i| q[i].abs() / self.typical[i]).fold(0.0, f64::max));
+        if axial.max(torsional) > 0.0 && largest <= HARDLY * axial.max(torsional) {
+            return (if axial > torsional { Whirl::Axial } else { Whirl::Torsional }, 0.5);
+        }
         if value.im == 0.0 || largest < 1e-12 {
             return (Whirl::None, 0.5);
         }

@@ -86,18 +86,21 @@ impl ReducedMachine {
             projected(basis, &at(system, given, is_inside), &mut t);
             t
         };
-        let quarter = std::f64::consts::FRAC_PI_2;
+        let (quarter, half) = (std::f64::consts::FRAC_PI_2, std::f64::consts::PI);
         let (still, turning, later) = (over([0.0; 3]), over([1.0, 0.0, 0.0]), over([1.0, quarter, 0.0]));
-        let (accelerated, beyond) = (over([0.0, 0.0, 1.0]), over([0.0, quarter, 1.0]));
+        let (accelerated, beyond, behind) = (over([0.0, 0.0, 1.0]), over([0.0, quarter, 1.0]), over([0.0, half, 1.0]));
         let less = |a: &Mat, b: &Mat| Mat::from_fn(a.rows(), a.cols(), |i, j| a[(i, j)] - b[(i, j)]);
         let load = |t: &TangentOf<Mat>| -> Vec<f64> { still.force.iter().zip(&t.force).map(|(f, g)| f - g).collect() };
+        let constant: Vec<f64> = load(&accelerated).iter().zip(load(&behind)).map(|(a, b)| 0.5 * (a + b)).collect();
+        let beside = |t: &TangentOf<Mat>| load(t).iter().zip(&constant).map(|(x, c)| x - c).collect();
+        let (cos, sin) = (beside(&accelerated), beside(&beyond));
         let structure = Structure {
             gyroscopic: less(&turning.v, &still.v),
             circulatory: less(&turning.q, &still.q),
             spin_accel_stiffness: less(&accelerated.q, &still.q),
             force: still.force.iter().map(|f| -f).collect(),
             turning: [load(&turning), load(&later)],
-            spin_accel: [load(&accelerated), load(&beyond)],
+            spin_accel: [constant, cos, sin],
             mass: still.a,
             damping: still.v,
             stiffness: still.q,

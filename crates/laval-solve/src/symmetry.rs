@@ -155,20 +155,14 @@ fn impedance_force(system: &System, slot: &Slot, speed: f64, s: C64, amplitude: 
 
 /// Raises `worst` to the largest difference of rows over the size of the rows of their kind.
 fn note(worst: &mut f64, kinds: &[DofKind], x: &[f64], y: &[f64]) {
-    let class = |k: DofKind| match k {
-        DofKind::VectorX | DofKind::VectorY => 0,
-        DofKind::TiltX | DofKind::TiltY => 1,
-        DofKind::Axial => 2,
-        DofKind::Scalar => 3,
-    };
-    let mut size = [0.0; 4];
+    let mut size = [0.0; DofKind::CLASSES];
     for (&k, x) in kinds.iter().zip(x) {
-        size[class(k)] += x.abs();
+        size[k.class()] += x.abs();
     }
     let all: f64 = size.iter().sum();
     for ((&k, x), y) in kinds.iter().zip(x).zip(y) {
         // rows that are zero but for rounding do not speak for themselves
-        let scale = size[class(k)].max(1e-6 * all);
+        let scale = size[k.class()].max(1e-6 * all);
         let change = if x == y { 0.0 } else { (x - y).abs() / scale };
         if change > *worst || change.is_nan() {
             *worst = change;

@@ -34,13 +34,15 @@ pub fn settle<T>(roots: &mut [T], value: impl Fn(&T) -> C64, rank: impl Fn(&T) -
     }
 }
 
-/// Forward, mixed, backward, none.
+/// Forward, mixed, backward, axial, torsional, none.
 pub fn rank(whirl: Whirl) -> u8 {
     match whirl {
         Whirl::Forward => 0,
         Whirl::Mixed => 1,
         Whirl::Backward => 2,
-        Whirl::None => 3,
+        Whirl::Axial => 3,
+        Whirl::Torsional => 4,
+        Whirl::None => 5,
     }
 }
 

@@ -4,7 +4,7 @@ use super::field::Attach;
 use super::inertia;
 use super::machine::{GRAVITY, Machine};
 use super::params::{ParamSlot, inadmissible};
-use super::part::{Dof, DofKind, ErasedPart, Layout, Link, PortKind};
+use super::part::{COMPONENTS, Dof, DofKind, ErasedPart, Layout, Link};
 use super::slot::{GlobalDof, PartInput, Slot};
 use super::system::{Axis, System};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -139,9 +139,9 @@ impl System {
         });
     }
 
-    /// Rows of x, y, tilt_x, tilt_y of a point over global coordinates; empty rows for the ground.
-    pub(super) fn point_rows(&self, slot: usize, attach: &Attach) -> Result<[Vec<(usize, f64)>; 4], Box<Diagnostic>> {
-        let mut rows: [Vec<(usize, f64)>; 4] = Default::default();
+    /// Rows of the components of the motion of a point over global coordinates; empty rows for the ground.
+    pub(super) fn point_rows(&self, slot: usize, attach: &Attach) -> Result<[Vec<(usize, f64)>; COMPONENTS.len()], Box<Diagnostic>> {
+        let mut rows: [Vec<(usize, f64)>; COMPONENTS.len()] = Default::default();
         let Some(name) = &attach.body else { return Ok(rows) };
         let Some(body) = self.slots.iter().position(|s| &s.name == name) else {
             let bodies: Vec<&str> = self.slots.iter().filter(|s| s.layout.body).map(|s| s.name.as_str()).collect();
@@ -226,7 +226,7 @@ impl System {
         let slot = &self.slots[k];
         let mut map = Vec::new();
         for port in &slot.layout.ports {
-            let rows = match &port.link {
+            let mut rows = match &port.link {
                 Link::On(a) => self.point_rows(k, a)?,
                 Link::Between(a, b) => {
                     if a == b {
@@ -242,21 +242,19 @@ impl System {
                     first
                 }
             };
-            let wanted = match port.kind {
-                PortKind::Point => 2,
-                PortKind::PointAndTilt => 4,
-            };
-            map.extend(rows.into_iter().take(wanted));
+            map.extend(port.kind.components().map(|i| std::mem::take(&mut rows[i])));
         }
         map.extend(slot.own.clone().map(|g| vec![(g, 1.0)]));
         Ok(map)
     }
 
     fn local_weight(&self, map: &[Vec<(usize, f64)>]) -> Vec<f64> {
-        if self.machine.axis == Axis::Vertical {
+        let upwards = if self.machine.axis == Axis::Vertical { DofKind::Axial } else { DofKind::VectorY };
+        let moves = |&(g, _): &(usize, f64)| self.coordinates[g].dof.kind == upwards;
+        if !map.iter().flatten().any(moves) {
             return Vec::new();
         }
-        let share = |&(g, c): &(usize, f64)| if self.coordinates[g].dof.kind == DofKind::VectorY { c * GRAVITY } else { 0.0 };
+        let share = |x: &(usize, f64)| if moves(x) { x.1 * GRAVITY } else { 0.0 };
         map.iter().map(|row| row.iter().map(share).sum()).collect()
     }
 }

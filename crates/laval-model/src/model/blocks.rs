@@ -157,7 +157,7 @@ pub struct Memory<S> {
 /// Linear form at spin speed W, for `n` coordinates and `m` internal states:
 ///
 /// ```text
-/// rows:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (gc cos(phase) + gs sin(phase))
+/// rows:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (g0 + gc cos(phase) + gs sin(phase))
 /// z' = A z + Aq q + Av v + Aa a + z0 + W' (hc cos(phase) + hs sin(phase))     (memory states, listed apart, come last in z)
 /// ```
 #[derive(Clone, Debug)]
@@ -198,6 +198,8 @@ pub struct Blocks<S> {
     pub force_cos: Vec<S>,
     /// fs: force on sin(phase).
     pub force_sin: Vec<S>,
+    /// g0: force per spin acceleration.
+    pub spin_accel_force: Vec<S>,
     /// gc: force per spin acceleration on cos(phase).
     pub spin_accel_cos: Vec<S>,
     /// gs: force per spin acceleration on sin(phase).
@@ -237,6 +239,7 @@ impl<S: Scalar> Default for Blocks<S> {
             force: Vec::new(),
             force_cos: Vec::new(),
             force_sin: Vec::new(),
+            spin_accel_force: Vec::new(),
             spin_accel_cos: Vec::new(),
             spin_accel_sin: Vec::new(),
             spin_accel_rate_cos: Vec::new(),
@@ -275,7 +278,14 @@ impl<S: Scalar> Blocks<S> {
         for f in [&mut self.rate, &mut self.spin_accel_rate_cos, &mut self.spin_accel_rate_sin] {
             refill(f, m, S::zero());
         }
-        for f in [&mut self.force, &mut self.force_cos, &mut self.force_sin, &mut self.spin_accel_cos, &mut self.spin_accel_sin] {
+        for f in [
+            &mut self.force,
+            &mut self.force_cos,
+            &mut self.force_sin,
+            &mut self.spin_accel_force,
+            &mut self.spin_accel_cos,
+            &mut self.spin_accel_sin,
+        ] {
             refill(f, n, S::zero());
         }
     }
@@ -306,7 +316,7 @@ impl<S: Scalar> Blocks<S> {
     /// Derivative of force row `i` with respect to the spin acceleration, at a point.
     #[inline(always)]
     pub fn spin_accel_row(&self, i: usize, at: &super::context::At<S>, (sin, cos): (S, S)) -> S {
-        let mut r = -(self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
+        let mut r = -(self.spin_accel_force[i] + self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
         r += self.spin_accel_stiffness.row_dot(i, at.q);
         for j in 0..self.state.rows() {
             r += self.spin_accel_state_force[(i, j)] * at.z[j];
@@ -331,7 +341,7 @@ impl<S: Scalar> Blocks<S> {
                 r += (self.state_force[(i, j)] + at.spin_accel * self.spin_accel_state_force[(i, j)]) * at.z[j];
             }
             r -= self.force[i] + self.force_cos[i] * cos + self.force_sin[i] * sin;
-            r -= at.spin_accel * (self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
+            r -= at.spin_accel * (self.spin_accel_force[i] + self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
             force[i] += r;
         }
         for i in 0..m {

@@ -7,7 +7,7 @@ use super::blocks::Blocks;
 use super::erased::{D1, D8, Erased, Evaluate};
 use super::lanes::{Inertial, InertialArgs};
 use super::params::Family;
-use super::part::{At, DofKind, Layout, Params, Part, Physics, PortKind, Rows};
+use super::part::{At, DofKind, Params, Part, Physics, Rows};
 use laval_num::lanes::Slots;
 use laval_num::scalar::Scalar;
 
@@ -139,15 +139,6 @@ pub fn check<P: Part>(part: &P, params: &Params<P, f64>, options: &Options) -> V
     bench.failures
 }
 
-/// Kinds of the local coordinates: those of the ports, then the part's own.
-pub fn local_kinds(layout: &Layout) -> Vec<DofKind> {
-    let port = |kind: PortKind| match kind {
-        PortKind::Point => vec![DofKind::VectorX, DofKind::VectorY],
-        PortKind::PointAndTilt => vec![DofKind::VectorX, DofKind::VectorY, DofKind::TiltX, DofKind::TiltY],
-    };
-    layout.ports.iter().flat_map(|p| port(p.kind)).chain(layout.own.iter().map(|d| d.kind)).collect()
-}
-
 fn turn(kinds: &[DofKind], x: &mut [f64], angle: f64) {
     let (s, co) = angle.sin_cos();
     for i in (0..x.len()).filter(|&i| kinds[i].leads_pair()) {
@@ -158,10 +149,11 @@ fn turn(kinds: &[DofKind], x: &mut [f64], angle: f64) {
 impl<'a, P: Part> Bench<'a, P> {
     fn new(part: &'a P, params: Vec<f64>, options: &'a Options) -> Self {
         let layout = Part::layout(part);
-        let kinds = local_kinds(&layout);
+        let kinds = layout.kinds();
         let port = kinds.len() - layout.own.len();
-        let lengths =
-            kinds[..port].iter().map(|k| if matches!(k, DofKind::TiltX | DofKind::TiltY) { options.tilt } else { options.length });
+        let lengths = kinds[..port]
+            .iter()
+            .map(|k| if matches!(k, DofKind::TiltX | DofKind::TiltY | DofKind::Twist) { options.tilt } else { options.length });
         let q: Vec<f64> = lengths.chain(layout.own.iter().map(|d| d.typical)).collect();
         let mut scale = q.clone();
         scale.extend(q.iter().map(|x| x * options.rate));

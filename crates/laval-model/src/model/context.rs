@@ -17,11 +17,25 @@ pub enum DofKind {
     TiltY,
     /// Along the axis: unchanged by turning.
     Axial,
+    /// Rotation about the axis relative to the spin: unchanged by turning.
+    Twist,
     /// Unchanged by turning: a rotor-relative angle, a pressure.
     Scalar,
 }
 
 impl DofKind {
+    /// Number of [classes](Self::class).
+    pub const CLASSES: usize = 5;
+    /// Kinds that compare with each other: displacements, tilts, displacements along the axis, rotations about it, others.
+    pub fn class(self) -> usize {
+        match self {
+            DofKind::VectorX | DofKind::VectorY => 0,
+            DofKind::TiltX | DofKind::TiltY => 1,
+            DofKind::Axial => 2,
+            DofKind::Twist => 3,
+            DofKind::Scalar => 4,
+        }
+    }
     /// First of a pair that turns together with the coordinate after it.
     pub fn leads_pair(self) -> bool {
         matches!(self, DofKind::VectorX | DofKind::TiltX)
@@ -58,6 +72,14 @@ impl Dof {
     pub fn tilt() -> Vec<Self> {
         Self::pair("tilt_", DofKind::TiltX, "rad", 1e-2)
     }
+    /// `axial`: displacement along the axis, upwards.
+    pub fn axial() -> Self {
+        Dof { name: "axial".into(), kind: DofKind::Axial, unit: "m", typical: 1e-3 }
+    }
+    /// `twist`: rotation about the axis relative to the spin.
+    pub fn twist() -> Self {
+        Dof { name: "twist".into(), kind: DofKind::Twist, unit: "rad", typical: 1e-2 }
+    }
     /// A pair `<prefix>x`, `<prefix>y` that turns; `kind` is the kind of its first component.
     pub fn pair(prefix: &str, kind: DofKind, unit: &'static str, typical: f64) -> Vec<Self> {
         let second = if kind == DofKind::TiltX { DofKind::TiltY } else { DofKind::VectorY };
@@ -65,22 +87,43 @@ impl Dof {
     }
 }
 
-/// What of a body's motion a port sees.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PortKind {
-    /// x, y of the point.
-    Point,
-    /// x, y of the point and the two components of the body's tilt.
-    PointAndTilt,
+/// Components of the motion of a point of a body, in this order: x, y, the two of the tilt, axial, twist.
+pub const COMPONENTS: [DofKind; 6] = [DofKind::VectorX, DofKind::VectorY, DofKind::TiltX, DofKind::TiltY, DofKind::Axial, DofKind::Twist];
+
+/// Which components of a body's motion a port sees; its local coordinates are these in the order of [`COMPONENTS`]. A component that the body does not have
+/// is zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PortKind {
+    /// x and y of the point.
+    pub lateral: bool,
+    /// Both components of the tilt.
+    pub tilt: bool,
+    /// Displacement along the axis.
+    pub axial: bool,
+    /// Rotation about the axis relative to the spin.
+    pub twist: bool,
 }
 
 impl PortKind {
+    /// x, y of the point.
+    pub const POINT: Self = PortKind { lateral: true, tilt: false, axial: false, twist: false };
+    /// x, y of the point and the two components of the body's tilt.
+    pub const POINT_AND_TILT: Self = PortKind { tilt: true, ..Self::POINT };
+    /// All six.
+    pub const ALL: Self = PortKind { lateral: true, tilt: true, axial: true, twist: true };
+
+    /// Indices of its components among [`COMPONENTS`].
+    pub fn components(self) -> impl Iterator<Item = usize> {
+        let sees = [self.lateral, self.lateral, self.tilt, self.tilt, self.axial, self.twist];
+        (0..sees.len()).filter(move |&i| sees[i])
+    }
+    /// Their kinds.
+    pub fn kinds(self) -> impl Iterator<Item = DofKind> {
+        self.components().map(|i| COMPONENTS[i])
+    }
     /// Number of local coordinates.
     pub fn size(self) -> usize {
-        match self {
-            PortKind::Point => 2,
-            PortKind::PointAndTilt => 4,
-        }
+        self.components().count()
     }
 }
 
@@ -137,17 +180,19 @@ impl Layout {
     }
     /// How each local coordinate turns: those of the ports, then its own.
     pub fn kinds(&self) -> Vec<DofKind> {
-        use DofKind::{TiltX, TiltY, VectorX, VectorY};
-        let ports = self.ports.iter().flat_map(|p| [VectorX, VectorY, TiltX, TiltY].into_iter().take(p.kind.size()));
-        ports.chain(self.own.iter().map(|d| d.kind)).collect()
+        self.ports.iter().flat_map(|p| p.kind.kinds()).chain(self.own.iter().map(|d| d.kind)).collect()
+    }
+    /// A part on one port.
+    pub fn on(kind: PortKind, link: Link) -> Self {
+        Layout { ports: vec![Port { kind, link }], ..Self::default() }
     }
     /// A part on one port that sees x and y.
     pub fn point(link: Link) -> Self {
-        Layout { ports: vec![Port { kind: PortKind::Point, link }], ..Self::default() }
+        Self::on(PortKind::POINT, link)
     }
     /// A part on one port that sees x, y and tilt.
     pub fn point_and_tilt(link: Link) -> Self {
-        Layout { ports: vec![Port { kind: PortKind::PointAndTilt, link }], ..Self::default() }
+        Self::on(PortKind::POINT_AND_TILT, link)
     }
     /// A body with these coordinates.
     pub fn body(own: Vec<Dof>) -> Self {

@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// All linear parts over the coordinates and the states of the blocks, as values on one pattern of entries. Memory states stay with their parts.
 ///
 /// ```text
-/// rows of coordinates:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (gc cos(phase) + gs sin(phase))
+/// rows of coordinates:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (g0 + gc cos(phase) + gs sin(phase))
 /// rows of states:       z' = A z + Aq q + Av v + Aa a + z0 + W' (hc cos(phase) + hs sin(phase))
 /// ```
 #[derive(Clone, Debug)]
@@ -52,6 +52,8 @@ pub struct Loads<S> {
     pub force_cos: Vec<S>,
     /// fs: force on sin(phase), N.
     pub force_sin: Vec<S>,
+    /// g0: force per spin acceleration.
+    pub spin_accel_force: Vec<S>,
     /// gc: force per spin acceleration on cos(phase).
     pub spin_accel_cos: Vec<S>,
     /// gs: force per spin acceleration on sin(phase).
@@ -71,6 +73,7 @@ impl<S: Scalar> Loads<S> {
             force: v(),
             force_cos: v(),
             force_sin: v(),
+            spin_accel_force: v(),
             spin_accel_cos: v(),
             spin_accel_sin: v(),
             rate: v(),
@@ -79,7 +82,14 @@ impl<S: Scalar> Loads<S> {
         }
     }
     fn reset(&mut self, n: usize, m: usize) {
-        for f in [&mut self.force, &mut self.force_cos, &mut self.force_sin, &mut self.spin_accel_cos, &mut self.spin_accel_sin] {
+        for f in [
+            &mut self.force,
+            &mut self.force_cos,
+            &mut self.force_sin,
+            &mut self.spin_accel_force,
+            &mut self.spin_accel_cos,
+            &mut self.spin_accel_sin,
+        ] {
             refill(f, n, S::zero());
         }
         for f in [&mut self.rate, &mut self.spin_accel_rate_cos, &mut self.spin_accel_rate_sin] {
@@ -216,7 +226,7 @@ impl<S: Scalar> LinearModel<S> {
                 }
             }
             r -= loads.force[i] + loads.force_cos[i] * cos + loads.force_sin[i] * sin;
-            r -= at.spin_accel * (loads.spin_accel_cos[i] * cos + loads.spin_accel_sin[i] * sin);
+            r -= at.spin_accel * (loads.spin_accel_force[i] + loads.spin_accel_cos[i] * cos + loads.spin_accel_sin[i] * sin);
             force[i] += r;
         }
         for (i, rate) in rate.iter_mut().enumerate() {
@@ -300,6 +310,7 @@ impl System {
                 (&b.force, &mut loads.force),
                 (&b.force_cos, &mut loads.force_cos),
                 (&b.force_sin, &mut loads.force_sin),
+                (&b.spin_accel_force, &mut loads.spin_accel_force),
                 (&b.spin_accel_cos, &mut loads.spin_accel_cos),
                 (&b.spin_accel_sin, &mut loads.spin_accel_sin),
             ] {

@@ -13,7 +13,9 @@ pub use super::capability::frequency::{Domain, Words};
 pub use super::capability::movable::{Correction, Outline};
 pub use super::capability::scope::{Beyond, Tabulated};
 pub use super::capability::time_form::Fitted;
-pub use super::context::{At, Dof, DofKind, Energy, Layout, Link, Observed, Physics, Port, PortKind, Rows, TimeForm, Uses, Validity};
+pub use super::context::{
+    At, COMPONENTS, Dof, DofKind, Energy, Layout, Link, Observed, Physics, Port, PortKind, Rows, TimeForm, Uses, Validity,
+};
 pub use super::params::{Parametric, Params};
 
 /// A part with its type forgotten.

@@ -19,7 +19,7 @@ use std::sync::{Arc, OnceLock};
 /// A linear structure by its matrices over coordinates of its own, at any spin speed W and acceleration W':
 ///
 /// ```text
-/// M a + (C + W G) v + (K + W N + W' K') q = f0 + (W^2 fc + W' gc) cos(phase) + (W^2 fs + W' gs) sin(phase)
+/// M a + (C + W G) v + (K + W N + W' K') q = f0 + W' g0 + (W^2 fc + W' gc) cos(phase) + (W^2 fs + W' gs) sin(phase)
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Structure {
@@ -39,8 +39,8 @@ pub struct Structure {
     pub force: Vec<f64>,
     /// fc and fs, N s^2.
     pub turning: [Vec<f64>; 2],
-    /// gc and gs.
-    pub spin_accel: [Vec<f64>; 2],
+    /// g0, gc and gs.
+    pub spin_accel: [Vec<f64>; 3],
 }
 
 impl Part for Structure {
@@ -77,7 +77,9 @@ impl Part for Structure {
         for i in 0..n {
             b.force[i] = S::cst(self.force[i]);
             (b.force_cos[i], b.force_sin[i]) = (w2.scale(self.turning[0][i]), w2.scale(self.turning[1][i]));
-            (b.spin_accel_cos[i], b.spin_accel_sin[i]) = (S::cst(self.spin_accel[0][i]), S::cst(self.spin_accel[1][i]));
+            let [constant, cos, sin] = &self.spin_accel;
+            b.spin_accel_force[i] = S::cst(constant[i]);
+            (b.spin_accel_cos[i], b.spin_accel_sin[i]) = (S::cst(cos[i]), S::cst(sin[i]));
         }
     }
     fn energy<S: Scalar>(&self, (): &(), _: &At<S>) -> Option<Energy<S>> {

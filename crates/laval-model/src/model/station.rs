@@ -98,7 +98,7 @@ fn all(system: &System) -> Vec<Station> {
         let positions = nodes.map_or_else(|| vec![0.0], |nodes| named(system, &slot.name, &nodes));
         let digits = distinct_digits(&positions);
         for position in positions {
-            let Ok([x, y, tilt_x, tilt_y]) = system.point_rows(k, &Attach::at(slot.name.clone(), position)) else { continue };
+            let Ok([x, y, tilt_x, tilt_y, ..]) = system.point_rows(k, &Attach::at(slot.name.clone(), position)) else { continue };
             if x.is_empty() || y.is_empty() {
                 continue;
             }

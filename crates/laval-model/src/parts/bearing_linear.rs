@@ -12,6 +12,8 @@
 //!
 //! `stiffness = k` is short for kxx = kyy = k, `damping = c` for cxx = cyy = c.
 //!
+//! Along the axis `Fz = -kzz z - czz z'`, at every speed.
+//!
 //! Symbols: kxx kxy kyx kyy stiffness, N/m; cxx cxy cyx cyy damping, N s/m; W spin speed, rad/s, from x towards y. `kxy = -dFx/dy`;
 //! `kxy > 0 > kyx` drives forward whirl.
 //!
@@ -28,7 +30,7 @@ use crate::model::capability::Scope;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::Family;
-use crate::model::part::{At, Beyond, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Tabulated, Validity};
+use crate::model::part::{At, Beyond, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, PortKind, Tabulated, Validity};
 use crate::params;
 use crate::text;
 use crate::text::Text;
@@ -47,6 +49,8 @@ params! {
         cxy: scalar, "N s/m", Bounds::within(1e12), default 0.0, "force in -x per velocity in y";
         cyx: scalar, "N s/m", Bounds::within(1e12), default 0.0, "force in -y per velocity in x";
         cyy: scalar, "N s/m", Bounds::within(1e12), default 0.0, "damping in y against y";
+        kzz: scalar, "N/m", Bounds::up_to(1e15), default 0.0, "stiffness along the axis, at every speed; when given, the bearing acts on axial motion";
+        czz: scalar, "N s/m", Bounds::up_to(1e12), default 0.0, "damping along the axis, with kzz";
     }
 }
 
@@ -126,7 +130,12 @@ impl Table {
 pub struct BearingLinear {
     link: Link,
     table: Option<Table>,
+    /// It acts along the axis.
+    axial: bool,
 }
+
+/// Local coordinate of the displacement along the axis.
+const AXIAL: usize = 2;
 
 /// Coefficients and their derivatives over speed.
 struct Coefficients<S> {
@@ -137,11 +146,15 @@ struct Coefficients<S> {
 impl BearingLinear {
     /// With constant coefficients.
     pub fn constant(link: Link) -> Self {
-        BearingLinear { link, table: None }
+        BearingLinear { link, table: None, axial: false }
     }
     /// With coefficients over speed; the parameters stay at their defaults.
     pub fn tabulated(link: Link, table: Table) -> Self {
-        BearingLinear { link, table: Some(table) }
+        BearingLinear { link, table: Some(table), axial: false }
+    }
+    /// With kzz and czz.
+    pub fn axial(self) -> Self {
+        BearingLinear { axial: true, ..self }
     }
     #[inline(always)]
     fn coefficients<S: Scalar>(&self, p: &BearingLinearParams<S>, speed: S) -> Coefficients<S> {
@@ -248,9 +261,11 @@ cyy = "3e4 N s/m"
             Some("linear") => Beyond::Linear,
             _ => Beyond::Refuse,
         };
+        let axial = params.get("kzz").is_some_and(|x| x != 0.0);
+        let along = |bearing: BearingLinear| if axial { bearing.axial() } else { bearing };
         let given: Vec<&str> = NAMES.into_iter().filter(|name| params.get(name).is_some_and(|x| x != 0.0)).collect();
         let Some(columns) = values.columns("table") else {
-            if given.is_empty() {
+            if given.is_empty() && !axial {
                 diagnostics.push(
                     Diagnostic::error("bearing_linear.empty", text!("the bearing has no coefficient: all eight are zero"))
                         .at(values.span.clone())
@@ -264,7 +279,7 @@ cyy = "3e4 N s/m"
                         .help(text!("constant coefficients hold at every speed: take beyond away, or give a table over speed")),
                 );
             }
-            return Some(BearingLinear::constant(link));
+            return Some(along(BearingLinear::constant(link)));
         };
         if let Some(name) = given.first() {
             let name = SHORT.into_iter().find(|s| s.1.contains(name) && values.number(s.0).is_some()).map_or(*name, |s| s.0);
@@ -275,7 +290,7 @@ cyy = "3e4 N s/m"
             );
         }
         match Table::new(columns.get("speed").map_or(&[][..], Vec::as_slice), |name| columns.get(name).cloned()) {
-            Ok(table) => Some(BearingLinear::tabulated(link, table.beyond(beyond))),
+            Ok(table) => Some(along(BearingLinear::tabulated(link, table.beyond(beyond)))),
             Err(wrong) => {
                 for message in wrong {
                     diagnostics.push(Diagnostic::error("bearing_linear.table", message).at(values.span_of("table")));
@@ -289,7 +304,7 @@ cyy = "3e4 N s/m"
         Arc::new(self)
     }
     fn layout(&self) -> Layout {
-        Layout::point(self.link.clone())
+        Layout::on(PortKind { axial: self.axial, ..PortKind::POINT }, self.link.clone())
     }
     fn physics(&self) -> Physics {
         Physics::Linear
@@ -303,6 +318,10 @@ cyy = "3e4 N s/m"
                 b.damping[(i, j)] = k[4 + 2 * i + j];
             }
         }
+        if self.axial {
+            b.stiffness[(AXIAL, AXIAL)] = p.kzz;
+            b.damping[(AXIAL, AXIAL)] = p.czz;
+        }
     }
     /// The symmetric part of K stores; the skew part and a change of K with speed bring power in (from the drive, through the film).
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
@@ -313,9 +332,13 @@ cyy = "3e4 N s/m"
         };
         let damping = apply(&value[4..], at.v);
         let skew = (value[1] - value[2]).scale(0.5);
+        let (stored, dissipated) = match self.axial {
+            true => ((p.kzz * at.q[AXIAL].square()).scale(0.5), p.czz * at.v[AXIAL].square()),
+            false => (S::zero(), S::zero()),
+        };
         Some(Energy {
-            stored: quadratic(&value[..4]),
-            dissipated: at.v[0] * damping[0] + at.v[1] * damping[1],
+            stored: stored + quadratic(&value[..4]),
+            dissipated: dissipated + at.v[0] * damping[0] + at.v[1] * damping[1],
             supplied: skew * (at.v[1] * at.q[0] - at.v[0] * at.q[1]) + at.spin_accel * quadratic(&slope[..4]),
         })
     }
@@ -334,8 +357,11 @@ cyy = "3e4 N s/m"
         }
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
+        if !self.axial && (p.kzz != 0.0 || p.czz != 0.0) {
+            return vec![("kzz", text!("this bearing was built without kzz"))];
+        }
         let constants = BearingLinearFamily::to_vec(p);
-        if self.table.is_some() && constants.iter().any(|x| *x != 0.0) {
+        if self.table.is_some() && constants[..NAMES.len()].iter().any(|x| *x != 0.0) {
             return vec![("table", text!("the coefficients come from the table: a constant beside it has no effect"))];
         }
         Vec::new()
@@ -390,7 +416,7 @@ mod tests {
 
     #[test]
     fn coefficients_stand_where_the_convention_says() {
-        let p = BearingLinearParams { kxx: 1.0, kxy: 2.0, kyx: 3.0, kyy: 4.0, cxx: 5.0, cxy: 6.0, cyx: 7.0, cyy: 8.0 };
+        let p = BearingLinearParams { kxx: 1.0, kxy: 2.0, kyx: 3.0, kyy: 4.0, cxx: 5.0, cxy: 6.0, cyx: 7.0, cyy: 8.0, kzz: 0.0, czz: 0.0 };
         let mut b = Blocks::default();
         b.reset(2, 0, 100.0);
         BearingLinear::constant(link()).linear(&p, 100.0, &mut b);
@@ -508,10 +534,12 @@ mod tests {
 crate::conformance! {
     BearingLinear {
         constant: BearingLinear::constant(tests::link()),
-            BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -3e5, kyy: 2e6, cxx: 500.0, cxy: -60.0, cyx: 70.0, cyy: 800.0 },
+            BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -3e5, kyy: 2e6, cxx: 500.0, cxy: -60.0, cyx: 70.0, cyy: 800.0, kzz: 0.0, czz: 0.0 },
             Options::anisotropic();
         isotropic: BearingLinear::constant(tests::link()),
-            BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -2e5, kyy: 1e6, cxx: 500.0, cxy: -60.0, cyx: 60.0, cyy: 500.0 },
+            BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -2e5, kyy: 1e6, cxx: 500.0, cxy: -60.0, cyx: 60.0, cyy: 500.0, kzz: 0.0, czz: 0.0 },
+            Options::default();
+        axial: BearingLinear::constant(tests::link()).axial(), BearingLinearParams { kxx: 1e6, kyy: 1e6, kzz: 2e5, czz: 90.0, ..BearingLinearParams::new() },
             Options::default();
         tabulated: BearingLinear::tabulated(tests::link(), tests::table()), BearingLinearParams::new(),
             Options { speed: 650.0, ..Options::anisotropic() };

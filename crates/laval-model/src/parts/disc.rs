@@ -20,7 +20,9 @@
 //! C + |U|^2/m + |sum u_k (z_k - h)|^2/A + (A - C) tau^2      in place of the factor of W': moments of inertia are those with the masses that make the unbalances
 //! ```
 //!
-//! Validity: tilt up to 0.1 rad, where its sine is 0.2 % less than the angle; spin row linear in skew.
+//! Along the axis `m u''`, about it `C (theta'' + W')` with theta the rotation relative to the spin, which adds `C theta''` to the torque.
+//!
+//! Validity: the unbalance does not couple with the rotation relative to the spin; tilt up to 0.1 rad, where its sine is 0.2 % less than the angle; spin row linear in skew.
 //!
 //! Theory: `docs/theory/machine.md#rigid-disc`.
 //!
@@ -31,7 +33,7 @@ use crate::model::blocks::{Blocks, rotating};
 use crate::model::capability::body::{BodyParameters, BodyPart};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Validity};
+use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, PortKind, Validity};
 use crate::params;
 use crate::text;
 use crate::text::Text;
@@ -71,6 +73,8 @@ struct Unbalance {
 /// See the [module](self).
 pub struct Disc {
     tilts: bool,
+    /// Of a disc with coordinates of its own: it moves along the axis, it twists. What another body carries moves as that body does.
+    along: [bool; 2],
     /// The point of another body that carries it; a disc without one has coordinates of its own.
     on: Option<Attach>,
     unbalances: Vec<Unbalance>,
@@ -79,11 +83,22 @@ pub struct Disc {
 impl Disc {
     /// Two coordinates: x, y.
     pub fn planar() -> Self {
-        Disc { tilts: false, on: None, unbalances: Vec::new() }
+        Disc { tilts: false, along: [false; 2], on: None, unbalances: Vec::new() }
     }
     /// Four coordinates: x, y and tilt; needs the inertias.
     pub fn tilting() -> Self {
-        Disc { tilts: true, on: None, unbalances: Vec::new() }
+        Disc { tilts: true, ..Self::planar() }
+    }
+    /// With displacement along the axis and rotation about it as well.
+    pub fn coordinates(self, axial: bool, torsional: bool) -> Self {
+        Disc { along: [axial, torsional], ..self }
+    }
+    /// Local coordinates of the displacement along the axis and of the rotation about it.
+    #[inline(always)]
+    fn axis(&self) -> [Option<usize>; 2] {
+        let first = if self.tilts { 4 } else { 2 };
+        let [axial, twist] = if self.on.is_some() { [true; 2] } else { self.along };
+        [axial.then_some(first), twist.then_some(first + usize::from(axial))]
     }
     /// Fixed to a point of another body, as a shaft: it moves with it and has no coordinates of its own.
     pub fn on(self, attach: Attach) -> Self {
@@ -149,6 +164,13 @@ skew = "0.1 mrad"                   # dynamic unbalance
             "",
             "the point of a shaft or of another body that it is fixed to and moves with; without it the disc has coordinates of its own",
         ),
+        Field::optional("axial", FieldKind::Flag, "false", "a disc with coordinates of its own also moves along its axis"),
+        Field::optional(
+            "torsional",
+            FieldKind::Flag,
+            "false",
+            "a disc with coordinates of its own also twists: twist is its rotation relative to the spin",
+        ),
         Field::optional(
             "unbalances",
             FieldKind::Columns(UNBALANCES),
@@ -159,7 +181,15 @@ skew = "0.1 mrad"                   # dynamic unbalance
 
     fn build(values: &Values, _: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
         let tilts = values.number("diametral_inertia").is_some_and(|x| x > 0.0);
-        let disc = Disc { tilts, on: values.attach("on").filter(|a| a.body.is_some()), unbalances: Vec::new() };
+        let along = ["axial", "torsional"].map(|name| values.flag(name) == Some(true));
+        let disc = Disc { tilts, along, on: values.attach("on").filter(|a| a.body.is_some()), unbalances: Vec::new() };
+        if let (Some(_), Some(name)) = (&disc.on, ["axial", "torsional"].into_iter().find(|n| values.written(n))) {
+            diagnostics.push(
+                Diagnostic::error("disc.on", text!("{name} has no effect on a disc that another body carries", name))
+                    .at(values.span_of(name))
+                    .help(text!("it moves as that body does: say {name} of the body", name)),
+            );
+        }
         let Some(columns) = values.columns("unbalances") else { return Some(disc) };
         let sizes = columns.get("unbalance")?;
         let entry = |name: &str, k: usize| columns.get(name).and_then(|c| c.get(k)).copied().unwrap_or(0.0);
@@ -194,13 +224,14 @@ skew = "0.1 mrad"                   # dynamic unbalance
     fn layout(&self) -> Layout {
         if let Some(attach) = &self.on {
             let link = Link::On(attach.clone());
-            let layout = if self.tilts { Layout::point_and_tilt(link) } else { Layout::point(link) };
-            return Layout { body: true, ..layout };
+            return Layout { body: true, ..Layout::on(PortKind { tilt: self.tilts, ..PortKind::ALL }, link) };
         }
         let mut own = Dof::lateral();
         if self.tilts {
             own.extend(Dof::tilt());
         }
+        own.extend(self.along[0].then(Dof::axial));
+        own.extend(self.along[1].then(Dof::twist));
         Layout::body(own)
     }
 
@@ -239,11 +270,22 @@ skew = "0.1 mrad"                   # dynamic unbalance
             b.add_rotating([(3, h), (2, -h)], static_unbalance, one, one);
             b.add_rotating([(2, one), (3, one)], rotating(p.skew, p.skew_phase), a - cp, a - cp.scale(0.5));
         }
+        let [axial, twist] = self.axis();
+        if let Some(i) = axial {
+            b.mass[(i, i)] = p.mass;
+        }
+        if let Some(i) = twist {
+            b.mass[(i, i)] = p.polar_inertia;
+            b.spin_accel_force[i] = -p.polar_inertia;
+        }
     }
 
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         let mut r = self.spin_inertia(p) * at.spin_accel + self.carried(p, at.phase, at.a);
+        if let Some(i) = self.axis()[1] {
+            r += p.polar_inertia * at.a[i];
+        }
         if self.tilts {
             let (a, cp) = (p.diametral_inertia, p.polar_inertia);
             r += (at.a[2] * at.q[3] - at.q[2] * at.a[3]) * cp.scale(0.5);
@@ -267,6 +309,13 @@ skew = "0.1 mrad"                   # dynamic unbalance
             let skew = Complex::cis(at.phase + p.skew_phase).scale(p.skew);
             t += (a * rate.norm_sqr()).scale(0.5) + (cp * w * (rate.re * theta.im - theta.re * rate.im)).scale(0.5);
             t += (a - cp.scale(0.5)) * w * (rate.conj() * skew.mul_i()).re - cp.scale(0.5) * w * w * (theta.conj() * skew).re;
+        }
+        let [axial, twist] = self.axis();
+        if let Some(i) = axial {
+            t += (p.mass * at.v[i].square()).scale(0.5);
+        }
+        if let Some(i) = twist {
+            t += p.polar_inertia * at.v[i] * (w + at.v[i].scale(0.5));
         }
         Some(Energy { stored: t, ..Energy::zero() })
     }
@@ -306,12 +355,15 @@ skew = "0.1 mrad"                   # dynamic unbalance
 }
 
 impl BodyPart for Disc {
-    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 4]> {
-        let mut columns = vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]];
+    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 6]> {
+        let mut columns = vec![[1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]];
         if self.tilts {
             // x + z beta, y - z alpha
-            columns.extend([[0.0, -z, 1.0, 0.0], [z, 0.0, 0.0, 1.0]]);
+            columns.extend([[0.0, -z, 1.0, 0.0, 0.0, 0.0], [z, 0.0, 0.0, 1.0, 0.0, 0.0]]);
         }
+        let [axial, twist] = self.axis();
+        columns.extend(axial.map(|_| [0.0, 0.0, 0.0, 0.0, 1.0, 0.0]));
+        columns.extend(twist.map(|_| [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]));
         columns
     }
     fn lacks_spin_inertia(&self, p: &Params<Self, f64>) -> Option<&'static str> {
@@ -430,6 +482,10 @@ crate::conformance! {
                 skew: 0.02, skew_phase: -0.4, centre_of_mass: 0.06,
             },
             Options::default();
+        axial_and_torsional: Disc::tilting().coordinates(true, true),
+            DiscParams { polar_inertia: 0.02, diametral_inertia: 0.013, unbalance: 3e-4, ..DiscParams::new(2.4) },
+            Options::default();
+        carried: Disc::planar().on(Attach::on("shaft")), DiscParams { polar_inertia: 0.02, ..DiscParams::new(2.4) }, Options::default();
         planar_unbalances: Disc::planar().unbalanced(2e-4, 0.3, 0.0).unbalanced(1e-4, 2.0, 0.0),
             DiscParams { eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscParams::new(2.4) },
             Options::default();

@@ -83,8 +83,8 @@ damping = "900 N s/m"
 }
 
 impl BodyPart for Foundation {
-    fn shape(&self, _: &Params<Self, f64>, _: f64) -> Vec<[f64; 4]> {
-        vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]]
+    fn shape(&self, _: &Params<Self, f64>, _: f64) -> Vec<[f64; 6]> {
+        vec![[1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]]
     }
     fn parameters(&self) -> BodyParameters {
         BodyParameters { mass: Some("mass"), unbalance: None, stiffness: Some("stiffness") }

@@ -4,6 +4,7 @@ pub mod balancer_ball;
 pub mod bearing_cubic;
 pub mod bearing_hertz;
 pub mod bearing_linear;
+pub mod coupling;
 pub mod damper;
 pub mod disc;
 pub mod foundation;
@@ -51,6 +52,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<stop::Stop>(),
         kind::<liquid::Liquid>(),
         kind::<balancer_ball::BallBalancer>(),
+        kind::<coupling::Coupling>(),
         kind::<motor::Motor>(),
         kind::<spin_load::SpinLoad>(),
     ]

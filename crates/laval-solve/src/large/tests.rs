@@ -88,9 +88,9 @@ impl Part for Chain {
 }
 
 impl BodyPart for Chain {
-    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 4]> {
+    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 6]> {
         let link = (z.round().max(0.0) as usize).min(self.0 - 1);
-        let mut rows = vec![[0.0; 4]; 2 * self.0];
+        let mut rows = vec![[0.0; 6]; 2 * self.0];
         (rows[2 * link][0], rows[2 * link + 1][1]) = (1.0, 1.0);
         rows
     }

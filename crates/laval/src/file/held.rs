@@ -5,7 +5,7 @@ use crate::model::blocks::Blocks;
 use crate::model::erased::Evaluate;
 use crate::model::field::Attach;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
-use crate::model::part::{At, DofKind, Link, Physics, PortKind, Rows};
+use crate::model::part::{At, DofKind, Link, Physics, Rows};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::text;
@@ -17,6 +17,7 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
     for slot in system.slots() {
         let before = out.0.len();
         tilt_without_effect(system, slot, out);
+        axis_without_effect(system, slot, out);
         if out.0.len() == before {
             clamped(system, slot, out);
         }
@@ -32,9 +33,22 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
         if names.is_empty() {
             continue;
         }
+        let all = |of: &[DofKind]| free.iter().filter(own).all(|&i| of.contains(&system.coordinates()[i].dof.kind));
         // springs that act on displacement alone hold a body and not its tilt
-        let tilts = free.iter().filter(own).all(|&i| matches!(system.coordinates()[i].dof.kind, DofKind::TiltX | DofKind::TiltY));
-        let (message, help) = match tilts {
+        let (message, help) = match all(&[DofKind::TiltX, DofKind::TiltY]) {
+            _ if all(&[DofKind::Twist]) => (
+                text!(
+                    "nothing holds the rotation of \"{name}\" about the axis: it may turn faster or slower than the spin",
+                    name = slot.name
+                ),
+                text!(
+                    "a coupling with torsional_stiffness to \"ground\" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz"
+                ),
+            ),
+            _ if all(&[DofKind::Axial]) => (
+                text!("nothing holds \"{name}\" along the axis", name = slot.name),
+                text!("give a bearing its kzz, or a coupling its axial_stiffness"),
+            ),
             true => (
                 text!(
                     "nothing holds the tilt of \"{name}\" ({names}), alone or with that of the bodies it is joined to",
@@ -66,7 +80,7 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
     let mut first = 0;
     let mut tilts = Vec::new();
     for port in &slot.layout.ports {
-        if port.kind == PortKind::PointAndTilt {
+        if port.kind.tilt {
             tilts.extend([first + 2, first + 3]);
         }
         first += port.kind.size();
@@ -76,7 +90,7 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
         return;
     }
     let params = system.param_slots()[slot.params.clone()].iter().zip(&system.params()[slot.params.clone()]);
-    for (p, _) in params.filter(|(p, x)| p.unit == "N m/rad" && **x != 0.0) {
+    for (p, _) in params.filter(|(p, x)| p.unit == "N m/rad" && !p.name.starts_with("torsional") && **x != 0.0) {
         let message = text!("{name} of \"{slot}\" has no effect: what it is joined to does not tilt", name = p.name, slot = slot.name);
         out.push(
             Diagnostic::warning("part.no_tilt", message)
@@ -86,14 +100,41 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
     }
 }
 
+/// A part that acts along or about the axis, on bodies that have no such coordinate.
+fn axis_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
+    // what a body carries moves as that body does
+    if slot.layout.body {
+        return;
+    }
+    let kinds = slot.layout.kinds();
+    for kind in [DofKind::Axial, DofKind::Twist] {
+        let of: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i] == kind).collect();
+        if !of.iter().all(|&i| slot.map[i].is_empty()) || !of.iter().any(|&i| acts(system, slot, i)) {
+            continue;
+        }
+        let name = &slot.name;
+        let (message, help) = match kind {
+            DofKind::Axial => (
+                text!("\"{name}\" acts along the axis without effect: what it is joined to does not move along it", name),
+                text!("say axial = true of the shaft or disc"),
+            ),
+            _ => (
+                text!("\"{name}\" acts about the axis without effect: what it is joined to does not twist", name),
+                text!("say torsional = true of the shaft or disc"),
+            ),
+        };
+        out.push(Diagnostic::warning("part.no_axis", message).at(slot.span.clone()).help(help));
+    }
+}
+
 /// A part between two points that acts on tilt, at a body that does not tilt and could: it holds against a clamp. What is carried by one body may be planar.
 fn clamped(system: &System, slot: &Slot, out: &mut Diagnostics) {
     let mut first = 0;
     for port in &slot.layout.ports {
-        let tilts = first + 2..first + port.kind.size();
+        let tilts = first + 2..first + 4;
         first += port.kind.size();
         let Link::Between(a, b) = &port.link else { continue };
-        if port.kind != PortKind::PointAndTilt || !tilts.clone().any(|i| acts(system, slot, i)) {
+        if !port.kind.tilt || !tilts.clone().any(|i| acts(system, slot, i)) {
             continue;
         }
         let stiff = |a: &&Attach| {
@@ -204,7 +245,9 @@ fn free_rigidly(system: &System, typical: &[f64], bodies: &[usize], (pattern, no
             continue;
         };
         let (first, base) = (kept.len(), slot.own.start);
-        kept.extend(slot.own.clone().take(4));
+        let size = slot.own.len() / nodes.len().max(1);
+        kept.extend(slot.own.clone().take(size));
+        let place = |kind: DofKind| first + (base..base + size).position(|i| system.coordinates()[i].dof.kind == kind).unwrap_or_default();
         let mut node = None;
         for i in own {
             let kind = system.coordinates()[i].dof.kind;
@@ -218,7 +261,8 @@ fn free_rigidly(system: &System, typical: &[f64], bodies: &[usize], (pattern, no
                 DofKind::VectorY => vec![(first + 1, 1.0), (first + 2, -z)],
                 DofKind::TiltX => vec![(first + 2, 1.0)],
                 DofKind::TiltY => vec![(first + 3, 1.0)],
-                _ => Vec::new(),
+                DofKind::Axial | DofKind::Twist => vec![(place(kind), 1.0)],
+                DofKind::Scalar => Vec::new(),
             };
             over[i].iter_mut().for_each(|(k, x)| *x *= typical[base + *k - first]);
         }

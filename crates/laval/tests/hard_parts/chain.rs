@@ -77,17 +77,17 @@ impl Part for Chain {
 }
 
 impl BodyPart for Chain {
-    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 4]> {
+    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 6]> {
         let step = LENGTH / N as f64;
         // link k stands at (k + 1) step
         let place = (z / step - 1.0).clamp(0.0, (N - 1) as f64);
         let below = (place.floor() as usize).min(N - 2);
         let t = place - below as f64;
-        let mut rows = vec![[0.0; 4]; 2 * N];
+        let mut rows = vec![[0.0; 6]; 2 * N];
         for (k, weight, slope) in [(below, 1.0 - t, -1.0 / step), (below + 1, t, 1.0 / step)] {
             // tilt about x is minus the slope of y
-            rows[2 * k] = [weight, 0.0, 0.0, slope];
-            rows[2 * k + 1] = [0.0, weight, -slope, 0.0];
+            rows[2 * k][..4].copy_from_slice(&[weight, 0.0, 0.0, slope]);
+            rows[2 * k + 1][..4].copy_from_slice(&[0.0, weight, -slope, 0.0]);
         }
         rows
     }

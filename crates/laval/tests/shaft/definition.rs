@@ -25,6 +25,11 @@ pub fn numbers(v: &Value) -> Vec<f64> {
 
 /// A rotor with its shaft, discs, pedestals and bearings; `more` parts and lines of `[machine]` besides.
 pub fn rotor(definition: &Value, machine: &str, more: &str) -> System {
+    load(&(text(definition, machine, "") + more)).system
+}
+
+/// Its file; `shaft` lines of the shaft besides.
+pub fn text(definition: &Value, machine: &str, shaft: &str) -> String {
     let nodes = numbers(&definition["nodes_pos_m"]);
     let mut text = format!("[machine]\nname = \"rotor\"\n{machine}\n");
     let elements = list(&definition["shaft"]);
@@ -39,7 +44,7 @@ pub fn rotor(definition: &Value, machine: &str, more: &str) -> System {
         text,
         "[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 1\ncone = \"mid_section\"\nshear = \"{shear}\"\nmodulus = {:?}\nshear_modulus = {:?}\n\
          density = {:?}\naxial_force = {:?}\nmass_damping = {mass:?}\nstiffness_damping = {stiffness:?}\nrotating_damping = {turning:?}\n\
-         section = {{ length = [{}], outer_diameter = [{}], inner_diameter = [{}] }}",
+         section = {{ length = [{}], outer_diameter = [{}], inner_diameter = [{}] }}\n{shaft}",
         number(&first["E"]),
         number(&first["G"]),
         number(&first["rho"]),
@@ -89,5 +94,5 @@ pub fn rotor(definition: &Value, machine: &str, more: &str) -> System {
             }
         }
     }
-    load(&(text + more)).system
+    text
 }

@@ -243,6 +243,8 @@ page-whirl = { $whirl ->
         [forward] forward
         [backward] backward
         [mixed] mixed
+        [axial] along the axis
+        [torsional] torsional
        *[none] no whirl
     }
 page-decrement = decrement { $decrement }

@@ -4,5 +4,7 @@ whirl-direction = { $whirl ->
         [backward] backward whirl
         [mixed] mixed whirl with { $forward_share } forward share
         [straight] mixed whirl on a straight line
+        [axial] axial vibration
+        [torsional] torsional vibration
        *[none] vibration
     }

@@ -194,6 +194,8 @@ page-whirl = { $whirl ->
         [forward] тура
         [backward] кері
         [mixed] аралас
+        [axial] осьтік
+        [torsional] бұралу
        *[none] прецессиясыз
     }
 page-decrement = декремент { $decrement }

@@ -4,5 +4,7 @@ whirl-direction = { $whirl ->
         [backward] кері прецессия
         [mixed] аралас прецессия, тура бөлігі { $forward_share }
         [straight] түзу бойымен аралас прецессия
+        [axial] осьтік тербеліс
+        [torsional] бұралу тербелісі
        *[none] тербеліс
     }

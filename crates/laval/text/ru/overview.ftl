@@ -246,6 +246,8 @@ page-whirl = { $whirl ->
         [forward] прямая
         [backward] обратная
         [mixed] смешанная
+        [axial] осевая
+        [torsional] крутильная
        *[none] без прецессии
     }
 page-decrement = декремент { $decrement }

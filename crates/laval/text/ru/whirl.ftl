@@ -4,5 +4,7 @@ whirl-direction = { $whirl ->
         [backward] обратная прецессия
         [mixed] смешанная прецессия с долей прямой { $forward_share }
         [straight] смешанная прецессия по прямой линии
+        [axial] осевые колебания
+        [torsional] крутильные колебания
        *[none] колебания
     }

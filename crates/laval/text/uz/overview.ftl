@@ -193,6 +193,8 @@ page-whirl = { $whirl ->
         [forward] to‘g‘ri pretsessiya
         [backward] teskari pretsessiya
         [mixed] aralash pretsessiya
+        [axial] o‘q bo‘ylab
+        [torsional] buralma
        *[none] pretsessiyasiz
     }
 page-decrement = dekrement { $decrement }

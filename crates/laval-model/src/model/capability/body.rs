@@ -17,9 +17,9 @@ pub struct BodyParameters {
 
 /// A part that other parts attach to; its layout says so too ([`Layout::body`](super::super::part::Layout::body)).
 pub trait BodyPart: Parametric {
-    /// Rows of the map from the local coordinates to x, y, tilt_x, tilt_y of the point at `position` (m): 4 entries for each local coordinate, those of the
-    /// ports first.
-    fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 4]>;
+    /// Rows of the map from the local coordinates to the [`COMPONENTS`](super::super::context::COMPONENTS) of the motion of the point at `position` (m): six
+    /// entries for each local coordinate, those of the ports first.
+    fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 6]>;
     /// Positions of the nodes of a body that bends, m, rising; `None` of a rigid body.
     fn nodes(&self) -> Option<Vec<f64>> {
         None
@@ -56,7 +56,7 @@ pub mod erased {
     /// See the [trait of the author](super::BodyPart).
     #[allow(missing_docs)]
     pub trait BodyPart {
-        fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]>;
+        fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 6]>;
         fn nodes(&self) -> Option<Vec<f64>>;
         fn turns(&self) -> bool;
         fn divided(&self, positions: &[f64]) -> Option<Arc<dyn Erased>>;
@@ -66,7 +66,7 @@ pub mod erased {
     }
 
     impl<T: super::BodyPart> BodyPart for T {
-        fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]> {
+        fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 6]> {
             super::BodyPart::shape(self, &T::Family::from_slice(p), position)
         }
         fn nodes(&self) -> Option<Vec<f64>> {

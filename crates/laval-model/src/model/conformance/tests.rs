@@ -6,6 +6,7 @@ use crate::model::blocks::{Axes, Memory};
 use crate::model::capability::{FrequencyDomain, VaryingInertia};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::part::Layout;
 use crate::model::part::{Dof, Energy, Link, TimeForm, Uses, Validity};
 use crate::params;
 use laval_num::complex::Complex;

@@ -88,7 +88,7 @@ pub struct Plane<S> {
 }
 
 /// Points and weights of Gauss' rule of five points on [0, 1].
-const GAUSS: [(f64, f64); 5] = [
+pub(super) const GAUSS: [(f64, f64); 5] = [
     (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
     (0.5, 0.284_444_444_444_444_44),
@@ -112,7 +112,7 @@ impl<S: Scalar> Element<S> {
         let (o, i) = (Self::at(self.outer, share).square(), Self::at(self.inner, share).square());
         ((o - i).scale(PI / 4.0), (o * o - i * i).scale(PI / 64.0))
     }
-    fn is_uniform(&self) -> bool {
+    pub(super) fn is_uniform(&self) -> bool {
         (self.outer[0] - self.outer[1]).is_nothing() && (self.inner[0] - self.inner[1]).is_nothing()
     }
     /// kappa G at mid-length, Pa; `None` without shear deflection.

@@ -7,11 +7,13 @@
 //! M q'' + (a M + b K + c K) q' + W G q' + (K + P Ka + T) q + (W c N + W'/2 G) q = 0,   N = -K R,   R: (x, y) -> (-y, x), (alpha, beta) -> (-beta, alpha)
 //! G[X, Y] = Gp S, G[Y, X] = -S Gp
 //! torque row:  Jp W' + q''' G q / 2 - c (R q)' K (q' - W R q)      (' of a vector: transposed)
+//! along and about the axis, as far as it has these coordinates ([`line`]):  Ma u'' + (a Ma + (b + c) Ka) u' + Ka u = 0,
+//!   Mt (theta'' + W') + (b + c) Kt theta' + Kt theta = 0,   torque row: + 1' Mt theta''
 //! T: T int (d_alpha' beta - d_beta' alpha) dz, end torques of fixed direction
 //! ```
 //!
 //! Symbols: M, K mass and elastic stiffness; P axial force, N, tension positive; T torque, N m; a, b damping in fixed axes, 1/s and s; c damping of the
-//! material, in axes that turn with the rotor, s; Jp moment of inertia about the axis, kg m^2; W spin speed, rad/s.
+//! material, in axes that turn with the rotor, s; u displacement along the axis, m; theta rotation about it relative to the spin, rad; Jp moment of inertia about the axis, kg m^2; W spin speed, rad/s.
 //!
 //! Validity: slopes up to 0.1 rad; sections round; cones as slender beams.
 //!
@@ -21,7 +23,9 @@
 //! E. S. Zorzi, H. D. Nelson, J. Eng. Power 99 (1977) 71 (rotating damping).
 
 pub mod element;
+pub mod line;
 mod mesh;
+mod places;
 #[cfg(test)]
 mod tests;
 
@@ -37,7 +41,9 @@ use crate::text;
 use crate::text::Text;
 use element::{Cone, Element, M4, Material, Plane, Shear};
 use laval_num::scalar::Scalar;
+use line::Line;
 use mesh::Mesh;
+use places::{Ends, SIGN, add_cross, add_line, add_planes, form, line_form, planes, slip};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -93,10 +99,8 @@ const MOST_ELEMENTS: i64 = 500;
 const MOST: usize = 1000;
 /// Largest slope, rad, whose square is left out.
 const SMALL: f64 = 0.1;
-/// Coordinates of a node, and distance of coupled ones: those of two neighbouring nodes.
-const NODE: usize = 4;
-/// Signs of the plane of y.
-const SIGN: [f64; 4] = [1.0, -1.0, 1.0, -1.0];
+/// Coordinates of a node of a shaft that bends only.
+const BENDING: usize = 4;
 
 /// See the [module](self).
 #[derive(Clone, Debug, PartialEq)]
@@ -107,6 +111,10 @@ pub struct Shaft {
     elements: Option<usize>,
     shear: Shear,
     cone: Cone,
+    /// It also moves along its axis.
+    axial: bool,
+    /// It also twists.
+    torsional: bool,
     mesh: Mesh,
 }
 
@@ -120,6 +128,8 @@ impl Shaft {
             elements: None,
             shear: Shear::Cowper,
             cone: Cone::Flexibility,
+            axial: false,
+            torsional: false,
             mesh,
         }
     }
@@ -136,6 +146,22 @@ impl Shaft {
     pub fn cone(self, cone: Cone) -> Self {
         Shaft { cone, ..self }
     }
+    /// With displacement along the axis and rotation about it as well.
+    pub fn coordinates(self, axial: bool, torsional: bool) -> Self {
+        Shaft { axial, torsional, ..self }
+    }
+    /// Coordinates of a node: x, y, tilt_x, tilt_y, then axial and twist as far as it has them.
+    fn node(&self) -> usize {
+        BENDING + usize::from(self.axial) + usize::from(self.torsional)
+    }
+    /// Place of the rotation about the axis among them.
+    fn twist(&self) -> usize {
+        BENDING + usize::from(self.axial)
+    }
+    /// Coordinates of an element.
+    fn ends(&self, k: usize) -> Ends {
+        Ends { lower: self.node() * k, upper: self.node() * (k + 1) }
+    }
 
     /// An element by its number.
     #[inline(always)]
@@ -151,9 +177,9 @@ impl Shaft {
             cone: self.cone,
         }
     }
-    /// The matrices of all elements, with the first coordinate of each; neighbours that are alike are computed once.
+    /// The matrices of all elements, with the coordinates of each; neighbours that are alike are computed once.
     #[inline(always)]
-    fn each<S: Scalar>(&self, p: &Params<Self, S>, mut f: impl FnMut(usize, &Element<S>, &Plane<S>)) {
+    fn each<S: Scalar>(&self, p: &Params<Self, S>, mut f: impl FnMut(Ends, &Element<S>, &Plane<S>)) {
         let mut last: Option<(usize, Element<S>, Plane<S>)> = None;
         for k in 0..self.mesh.pieces.len() {
             let piece = self.mesh.pieces[k];
@@ -167,7 +193,7 @@ impl Shaft {
                 let element = self.element(p, k);
                 (k, element, element.plane())
             });
-            f(NODE * k, &element, &plane);
+            f(self.ends(k), &element, &plane);
             last = Some((k, element, plane));
         }
     }
@@ -180,57 +206,6 @@ fn taper<S: Scalar>(start: S, end: S, (from, to): (f64, f64)) -> [S; 2] {
         return [start, start];
     }
     [start.scale(1.0 - from) + end.scale(from), start.scale(1.0 - to) + end.scale(to)]
-}
-
-/// Coordinates of an element from its first one: those of the plane of x, those of the plane of y.
-const PLANE_X: [usize; 4] = [0, 3, 4, 7];
-const PLANE_Y: [usize; 4] = [1, 2, 5, 6];
-
-/// Adds `factor m` to both planes.
-#[inline(always)]
-fn add_planes<S: Scalar>(grid: &mut crate::model::blocks::Grid<S>, first: usize, m: &M4<S>, factor: S) {
-    for i in 0..4 {
-        for j in 0..4 {
-            let x = factor * m[i][j];
-            grid[(first + PLANE_X[i], first + PLANE_X[j])] += x;
-            grid[(first + PLANE_Y[i], first + PLANE_Y[j])] += x.scale(SIGN[i] * SIGN[j]);
-        }
-    }
-}
-
-/// Adds `[0, factor m S; -factor S m, 0]` over both planes.
-#[inline(always)]
-fn add_cross<S: Scalar>(grid: &mut crate::model::blocks::Grid<S>, first: usize, m: &M4<S>, factor: S) {
-    for i in 0..4 {
-        for j in 0..4 {
-            let x = factor * m[i][j];
-            grid[(first + PLANE_X[i], first + PLANE_Y[j])] += x.scale(SIGN[j]);
-            grid[(first + PLANE_Y[i], first + PLANE_X[j])] += x.scale(-SIGN[i]);
-        }
-    }
-}
-
-/// Deflections and slopes of both planes of an element.
-#[inline(always)]
-fn planes<S: Scalar>(first: usize, q: &[S]) -> [[S; 4]; 2] {
-    let mut out = [[S::zero(); 4]; 2];
-    for i in 0..4 {
-        out[0][i] = q[first + PLANE_X[i]];
-        out[1][i] = q[first + PLANE_Y[i]].scale(SIGN[i]);
-    }
-    out
-}
-
-/// `a' m b`.
-#[inline(always)]
-fn form<S: Scalar>(a: &[S; 4], m: &M4<S>, b: &[S; 4]) -> S {
-    let mut out = S::zero();
-    for (row, &x) in m.iter().zip(a) {
-        for (&m, &y) in row.iter().zip(b) {
-            out += x * m * y;
-        }
-    }
-    out
 }
 
 impl Part for Shaft {
@@ -279,6 +254,18 @@ material = "steel"
             "flexibility",
             "elements of conical sections",
         ),
+        Field::optional(
+            "axial",
+            FieldKind::Flag,
+            "false",
+            "it also moves along its axis; something must hold it there, such as kzz of a bearing",
+        ),
+        Field::optional(
+            "torsional",
+            FieldKind::Flag,
+            "false",
+            "it also twists: twist is the rotation relative to the spin; a coupling to \"ground\" joins it to a drive that turns at the spin speed",
+        ),
     ];
 
     fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -316,7 +303,8 @@ material = "steel"
             _ => Shear::Cowper,
         };
         let cone = if values.choice("cone") == Some("mid_section") { Cone::MidSection } else { Cone::Flexibility };
-        let shaft = Shaft::new(lengths, outer).shear(shear).cone(cone);
+        let own = |name: &str| values.flag(name) == Some(true);
+        let shaft = Shaft::new(lengths, outer).shear(shear).cone(cone).coordinates(own("axial"), own("torsional"));
         let Some(n) = values.integer("elements") else { return Some(shaft) };
         let n = n.clamp(1, MOST_ELEMENTS) as usize;
         if n * lengths.len() > MOST {
@@ -330,9 +318,10 @@ material = "steel"
         Arc::new(self)
     }
     fn layout(&self) -> Layout {
-        let mut own = Vec::with_capacity(NODE * self.mesh.nodes.len());
+        let mut own = Vec::with_capacity(self.node() * self.mesh.nodes.len());
         for k in 1..=self.mesh.nodes.len() {
-            let node = Dof::lateral().into_iter().chain(Dof::tilt());
+            let along = self.axial.then(Dof::axial).into_iter().chain(self.torsional.then(Dof::twist));
+            let node = Dof::lateral().into_iter().chain(Dof::tilt()).chain(along);
             own.extend(node.map(|d| Dof { name: format!("node_{k}.{}", d.name), ..d }));
         }
         Layout::body(own)
@@ -345,26 +334,42 @@ material = "steel"
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let one = S::one();
         let (fixed, turning) = (p.stiffness_damping, p.rotating_damping);
-        self.each(p, |first, element, plane| {
-            add_planes(&mut b.mass, first, &plane.mass, one);
-            add_planes(&mut b.stiffness, first, &plane.stiffness, one);
-            add_planes(&mut b.damping, first, &plane.mass, p.mass_damping);
-            add_planes(&mut b.damping, first, &plane.stiffness, fixed + turning);
-            add_cross(&mut b.gyroscopic, first, &plane.gyroscopic, one);
-            add_cross(&mut b.spin_accel_stiffness, first, &plane.gyroscopic, S::cst(0.5));
+        self.each(p, |ends, element, plane| {
+            add_planes(&mut b.mass, ends, &plane.mass, one);
+            add_planes(&mut b.stiffness, ends, &plane.stiffness, one);
+            add_planes(&mut b.damping, ends, &plane.mass, p.mass_damping);
+            add_planes(&mut b.damping, ends, &plane.stiffness, fixed + turning);
+            add_cross(&mut b.gyroscopic, ends, &plane.gyroscopic, one);
+            add_cross(&mut b.spin_accel_stiffness, ends, &plane.gyroscopic, S::cst(0.5));
             if !turning.is_nothing() {
-                add_cross(&mut b.circulatory, first, &plane.stiffness, turning);
+                add_cross(&mut b.circulatory, ends, &plane.stiffness, turning);
             }
             if !p.axial_force.is_nothing() {
-                add_planes(&mut b.stiffness, first, &plane.axial, p.axial_force);
+                add_planes(&mut b.stiffness, ends, &plane.axial, p.axial_force);
             }
             if !p.torque.is_nothing() {
-                let t = element.torque();
+                let (t, x, y) = (element.torque(), ends.x(), ends.y());
                 for i in 0..4 {
                     for j in 0..4 {
-                        b.stiffness[(first + PLANE_Y[i], first + PLANE_X[j])] += p.torque.scale(-SIGN[i] * t[i][j]);
-                        b.stiffness[(first + PLANE_X[i], first + PLANE_Y[j])] += p.torque.scale(SIGN[j] * t[i][j]);
+                        b.stiffness[(y[i], x[j])] += p.torque.scale(-SIGN[i] * t[i][j]);
+                        b.stiffness[(x[i], y[j])] += p.torque.scale(SIGN[j] * t[i][j]);
                     }
+                }
+            }
+            if self.axial {
+                let (line, at) = (element.axial(), ends.along(BENDING));
+                add_line(&mut b.mass, at, &line.mass, one);
+                add_line(&mut b.stiffness, at, &line.stiffness, one);
+                add_line(&mut b.damping, at, &line.mass, p.mass_damping);
+                add_line(&mut b.damping, at, &line.stiffness, fixed + turning);
+            }
+            if self.torsional {
+                let (line, at) = (element.torsional(), ends.along(self.twist()));
+                add_line(&mut b.mass, at, &line.mass, one);
+                add_line(&mut b.stiffness, at, &line.stiffness, one);
+                add_line(&mut b.damping, at, &line.stiffness, fixed + turning);
+                for (&i, row) in at.iter().zip(&line.mass) {
+                    b.spin_accel_force[i] -= row[0] + row[1];
                 }
             }
         });
@@ -373,13 +378,19 @@ material = "steel"
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         let mut r = S::zero();
-        self.each(p, |first, element, plane| {
-            let ([qx, qy], [vx, vy], [ax, ay]) = (planes(first, at.q), planes(first, at.v), planes(first, at.a));
+        self.each(p, |ends, element, plane| {
+            let ([qx, qy], [vx, vy], [ax, ay]) = (planes(ends, at.q), planes(ends, at.v), planes(ends, at.a));
             r += element.inertia().1 * at.spin_accel;
             r += (form(&ax, &plane.gyroscopic, &qy) - form(&ay, &plane.gyroscopic, &qx)).scale(0.5);
             if !p.rotating_damping.is_nothing() {
                 let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
                 r -= p.rotating_damping * (form(&qx, &plane.stiffness, &sy) - form(&qy, &plane.stiffness, &sx));
+            }
+            if self.torsional {
+                let Line { mass, .. } = element.torsional();
+                for (i, row) in ends.along(self.twist()).into_iter().zip(mass) {
+                    r += (row[0] + row[1]) * at.a[i];
+                }
             }
         });
         r
@@ -391,8 +402,8 @@ material = "steel"
             return None;
         }
         let (mut stored, mut dissipated) = (S::zero(), S::zero());
-        self.each(p, |first, element, plane| {
-            let ([qx, qy], [vx, vy]) = (planes(first, at.q), planes(first, at.v));
+        self.each(p, |ends, element, plane| {
+            let ([qx, qy], [vx, vy]) = (planes(ends, at.q), planes(ends, at.v));
             let both = |m: &M4<S>, x: &[S; 4], y: &[S; 4]| form(x, m, x) + form(y, m, y);
             let moving = both(&plane.mass, &vx, &vy);
             stored += (moving + both(&plane.stiffness, &qx, &qy) + p.axial_force * both(&plane.axial, &qx, &qy)).scale(0.5);
@@ -401,13 +412,28 @@ material = "steel"
             dissipated += p.mass_damping * moving + p.stiffness_damping * both(&plane.stiffness, &vx, &vy);
             let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
             dissipated += p.rotating_damping * both(&plane.stiffness, &sx, &sy);
+            let material = p.stiffness_damping + p.rotating_damping;
+            if self.axial {
+                let (line, place) = (element.axial(), ends.along(BENDING));
+                let moving = line_form(place, &line.mass, at.v);
+                stored += (moving + line_form(place, &line.stiffness, at.q)).scale(0.5);
+                dissipated += p.mass_damping * moving + material * line_form(place, &line.stiffness, at.v);
+            }
+            if self.torsional {
+                let (line, place) = (element.torsional(), ends.along(self.twist()));
+                stored += (line_form(place, &line.mass, at.v) + line_form(place, &line.stiffness, at.q)).scale(0.5);
+                for (&i, row) in place.iter().zip(&line.mass) {
+                    stored += at.speed * (row[0] + row[1]) * at.v[i];
+                }
+                dissipated += material * line_form(place, &line.stiffness, at.v);
+            }
         });
         Some(Energy { stored, dissipated, ..Energy::zero() })
     }
 
     fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
         // NaN stays
-        let slope = at.q.chunks_exact(NODE).map(|q| q[2].hypot(q[3])).fold(0.0, |m, x| if x <= m { m } else { x });
+        let slope = at.q.chunks_exact(self.node()).map(|q| q[2].hypot(q[3])).fold(0.0, |m, x| if x <= m { m } else { x });
         out.push(Validity { what: "slope over 0.1 rad", ratio: slope / SMALL });
     }
 
@@ -459,20 +485,9 @@ material = "steel"
     }
 }
 
-/// Rates seen from axes that turn with the rotor: `v - W R q`, over deflections and slopes of both planes.
-#[inline(always)]
-fn slip<S: Scalar>(speed: S, [qx, qy]: [[S; 4]; 2], [vx, vy]: [[S; 4]; 2]) -> [[S; 4]; 2] {
-    let mut out = [vx, vy];
-    for i in 0..4 {
-        out[0][i] += speed * qy[i];
-        out[1][i] -= speed * qx[i];
-    }
-    out
-}
-
 impl Extent for Shaft {
     fn reach(&self) -> usize {
-        2 * NODE - 1
+        2 * self.node() - 1
     }
     fn rows(&self) -> usize {
         self.lengths.len()
@@ -480,23 +495,26 @@ impl Extent for Shaft {
 }
 
 impl BodyPart for Shaft {
-    fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 4]> {
-        let mut out = vec![[0.0; 4]; NODE * self.mesh.nodes.len()];
+    fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 6]> {
+        let mut out = vec![[0.0; 6]; self.node() * self.mesh.nodes.len()];
+        let along = [(self.axial, BENDING, 4), (self.torsional, self.twist(), 5)];
         if let Some(node) = self.mesh.node(position) {
-            for i in 0..NODE {
-                out[NODE * node + i][i] = 1.0;
-            }
+            let first = self.node() * node;
+            (0..BENDING).for_each(|i| out[first + i][i] = 1.0);
+            along.iter().filter(|x| x.0).for_each(|&(_, place, component)| out[first + place][component] = 1.0);
             return out;
         }
         let (k, share) = self.mesh.place(position);
-        let [deflection, slope] = self.element(p, k).shape(share);
-        for i in 0..4 {
-            let (x, y) = (&PLANE_X[i], &PLANE_Y[i]);
+        let (element, ends) = (self.element(p, k), self.ends(k));
+        let ([deflection, slope], line) = (element.shape(share), element.line_shape(share));
+        for (i, (x, y)) in ends.x().into_iter().zip(ends.y()).enumerate() {
             // x = N u and beta = R u; y = N S u and alpha = -R S u
-            out[NODE * k + x][0] = deflection[i];
-            out[NODE * k + x][3] = slope[i];
-            out[NODE * k + y][1] = SIGN[i] * deflection[i];
-            out[NODE * k + y][2] = -SIGN[i] * slope[i];
+            (out[x][0], out[x][3]) = (deflection[i], slope[i]);
+            (out[y][1], out[y][2]) = (SIGN[i] * deflection[i], -SIGN[i] * slope[i]);
+        }
+        for (n, (_, place, component)) in line.into_iter().zip(along).filter(|x| x.1.0) {
+            let [lower, upper] = ends.along(place);
+            (out[lower][component], out[upper][component]) = (1.0 - n, n);
         }
         out
     }
@@ -518,6 +536,10 @@ crate::conformance! {
         damped: tests::shaft().shear(Shear::Hutchinson).cone(Cone::MidSection),
             tests::params(ShaftParams { rotating_damping: 2e-5, mass_damping: 3.0, stiffness_damping: 1e-5, axial_force: 4e4, ..ShaftParams::new() }),
             Options::default();
+        axial_and_torsional: tests::shaft().coordinates(true, true),
+            tests::params(ShaftParams { rotating_damping: 2e-5, mass_damping: 3.0, stiffness_damping: 1e-5, ..ShaftParams::new() }),
+            Options::default();
+        torsional: tests::shaft().coordinates(false, true).cone(Cone::MidSection), tests::params(ShaftParams::new()), Options::default();
         twisted: tests::shaft().shear(Shear::None), tests::params(ShaftParams { torque: 2e3, ..ShaftParams::new() }), Options { energy: false, ..Options::default() };
     }
 }

@@ -51,21 +51,15 @@ pub(super) fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed:
     let (v, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
     let at = At { q: &q, v: &v, a: &v, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
     let rows = &nonlinear.basis.rows;
-    let class = |k: DofKind| match k {
-        DofKind::VectorX | DofKind::VectorY => 0,
-        DofKind::TiltX | DofKind::TiltY => 1,
-        DofKind::Axial => 2,
-        DofKind::Scalar => 3,
-    };
     // of what a row combines, the softest: K_gg / B_g^2
     let mut largest = |which: &dyn Fn(&Slot) -> bool, inertia: f64| {
         system.tangent(&at, false, &mut tangent, &mut scratch, which);
-        let mut size = [0.0f64; 4];
+        let mut size = [0.0f64; DofKind::CLASSES];
         for (row, &kind) in rows.iter().zip(&nonlinear.kinds) {
             let of = |&(g, b): &(usize, f64)| (tangent.q[(g, g)].abs() + inertia * speed * speed * tangent.a[(g, g)].abs()) / (b * b);
             let softest = row.iter().map(of).filter(|k| k.is_finite() && *k > 0.0).fold(f64::INFINITY, f64::min);
             if softest.is_finite() {
-                size[class(kind)] = size[class(kind)].max(softest);
+                size[kind.class()] = size[kind.class()].max(softest);
             }
         }
         size
@@ -76,6 +70,6 @@ pub(super) fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed:
         .kinds
         .iter()
         .take(rows.len())
-        .map(|&kind| [nonlinear_parts[class(kind)], all[class(kind)]].into_iter().find(|k| *k > 0.0).or(lateral).unwrap_or(1.0))
+        .map(|&kind| [nonlinear_parts[kind.class()], all[kind.class()]].into_iter().find(|k| *k > 0.0).or(lateral).unwrap_or(1.0))
         .collect()
 }

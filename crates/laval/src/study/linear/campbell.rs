@@ -174,7 +174,7 @@ pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64
 const MOST_NAMED: usize = 14;
 
 /// How the figure draws a mode: by its direction of whirl, or grey where it does not show as a resonance or is one of many waves.
-const MOTIONS: &[&str] = &[WHIRLS[0], WHIRLS[1], WHIRLS[2], WHIRLS[3], DAMPED, WAVES];
+const MOTIONS: &[&str] = &[WHIRLS[0], WHIRLS[1], WHIRLS[2], WHIRLS[3], WHIRLS[4], WHIRLS[5], DAMPED, WAVES];
 const GREY: &[&str] = &[DAMPED, WAVES];
 /// Beyond [`HEAVY`].
 const DAMPED: &str = "damping ratio above 0.2";
@@ -412,7 +412,7 @@ impl<'a> Shown<'a> {
             .float("damping_ratio", "", "damping ratio", column(MachineMode::damping_ratio))
             .text(
                 "whirl",
-                "direction of whirl; none without oscillation across the axis, and at standstill",
+                "direction of whirl; axial, torsional: along or about the axis alone; none without oscillation, and across the axis at standstill",
                 rows.iter().map(|r| r.2.whirl.at(r.1).word().into()).collect(),
             )
             .text(

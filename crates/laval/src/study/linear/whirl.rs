@@ -20,7 +20,7 @@ pub(in crate::study) fn growing(finding: Finding, m: &MachineMode, speed: f64) -
     let word = match m.whirl.at(speed) {
         _ if !(m.frequency() > 0.0) => "none",
         w @ (Whirl::Forward | Whirl::Backward) => w.word(),
-        Whirl::Mixed | Whirl::None => "vibration",
+        Whirl::Mixed | Whirl::Axial | Whirl::Torsional | Whirl::None => "vibration",
     };
     let finding = finding.arg("whirl", Arg::word(word));
     if word == "none" { finding } else { finding.arg("frequency", Arg::frequency(m.frequency())) }

@@ -2,7 +2,7 @@
 
 use super::Facts;
 use crate::outcome::Mode;
-use crate::solve::pencil::{MachineMode, Whirl};
+use crate::solve::pencil::MachineMode;
 use crate::solve::sectors::circular;
 use laval_num::order::SortByNumber;
 
@@ -44,11 +44,6 @@ fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
     let share = |x: f64| if largest > 0.0 { x / largest } else { 0.0 };
     let shown = axes.into_iter().filter(|a| share(a.1) >= HARDLY);
     let (orbits, angles) = shown.map(|(n, a, b, angle)| ((n, share(a), share(b)), angle)).unzip();
-    let whirl = match m.whirl.at(speed) {
-        Whirl::Forward => "forward",
-        Whirl::Backward => "backward",
-        Whirl::Mixed => "mixed",
-        Whirl::None => "none",
-    };
+    let whirl = m.whirl.at(speed).word();
     Mode { growth: m.growth(), grows: m.growth() > 0.0, frequency: m.frequency(), whirl, orbits, angles }
 }

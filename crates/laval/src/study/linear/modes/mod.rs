@@ -134,4 +134,4 @@ impl Study for Modes {
 }
 
 /// Directions of whirl as classes of figures.
-pub(in crate::study) const WHIRLS: &[&str] = &["forward", "backward", "mixed", "none"];
+pub(in crate::study) const WHIRLS: &[&str] = &["forward", "backward", "mixed", "axial", "torsional", "none"];

@@ -85,7 +85,7 @@ impl<'a> Shown<'a> {
             .float_if_any("log_decrement", "", "logarithmic decrement; NaN without oscillation", column(log_decrement))
             .text(
                 "whirl",
-                "direction of whirl with respect to the spin; none without oscillation across the axis, and at standstill",
+                "direction of whirl with respect to the spin; axial, torsional: along or about the axis alone; none without oscillation, and across the axis at standstill",
                 modes.iter().map(|m| m.whirl.at(speed).word().into()).collect(),
             )
             .flag("stable", "growth rate not above growth_threshold", modes.iter().map(|m| !self.grows(m)).collect())

@@ -51,7 +51,7 @@ pub(in crate::study) fn natural(system: &System, windows: &[Window]) -> Vec<Natu
         let w = &windows[if count > 1 { k * (windows.len() - 1) / (count - 1) } else { 0 }];
         let Ok(spectrum) = rest(system, w.speed).and_then(|about| modes_about(system, &about, false)) else { continue };
         for (side, not) in [(1, Whirl::Backward), (-1, Whirl::Forward)] {
-            let own = spectrum.modes.iter().filter(|m| m.whirl != Whirl::None && m.whirl != not && m.frequency() > 0.0);
+            let own = spectrum.modes.iter().filter(|m| m.whirl.is_lateral() && m.whirl != not && m.frequency() > 0.0);
             let mut all: Vec<f64> = own.map(|m| m.frequency()).collect();
             all.sort_by(f64::total_cmp);
             let line =

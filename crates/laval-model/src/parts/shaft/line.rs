@@ -1,0 +1,73 @@
+//! Matrices of a shaft element along its axis (displacement) and about it (rotation), over the values at both ends.
+//!
+//! ```text
+//! k = 1/int 1/a dz,   n(z) = k int_0^z 1/a dt,   N = (1 - n, n),   M = int m N'N dz,   K = k [1 -1; -1 1]
+//! ```
+//!
+//! Along the axis a = E A and m = rho A, about it a = 2 G I and m = 2 rho I. The mid-section form of a cone takes A and I of a cylinder with the means of the
+//! two end sections.
+
+use super::element::{Cone, Element, GAUSS};
+use laval_num::scalar::Scalar;
+
+/// Matrices over the values at both ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<S> {
+    /// Consistent inertia.
+    pub mass: [[S; 2]; 2],
+    /// Stiffness.
+    pub stiffness: [[S; 2]; 2],
+}
+
+impl<S: Scalar> Element<S> {
+    /// Along the axis: kg, N/m.
+    pub fn axial(&self) -> Line<S> {
+        let (modulus, density) = (self.material.modulus, self.material.density);
+        self.line(|x| self.section(x).0, modulus, density)
+    }
+    /// About the axis: kg m^2, N m/rad.
+    pub fn torsional(&self) -> Line<S> {
+        let (modulus, density) = (self.material.shear_modulus, self.material.density);
+        self.line(|x| self.section(x).1.scale(2.0), modulus, density)
+    }
+    /// Share of the motion of the second end at a share of the length, along the axis and about it.
+    pub fn line_shape(&self, share: f64) -> [S; 2] {
+        if self.cone == Cone::MidSection || self.is_uniform() {
+            return [S::cst(share); 2];
+        }
+        let share_of = |a: &dyn Fn(f64) -> S| softness(a, share) / softness(a, 1.0);
+        [share_of(&|x| self.section(x).0), share_of(&|x| self.section(x).1)]
+    }
+
+    fn line(&self, section: impl Fn(f64) -> S, modulus: S, density: S) -> Line<S> {
+        let l = self.length;
+        let (k, mass) = if self.cone == Cone::MidSection || self.is_uniform() {
+            let mean = (section(0.0) + section(1.0)).scale(0.5);
+            let m = (density * mean).scale(l / 6.0);
+            ((modulus * mean).scale(1.0 / l), [[m.scale(2.0), m], [m, m.scale(2.0)]])
+        } else {
+            let whole = softness(&section, 1.0);
+            let mut mass = [[S::zero(); 2]; 2];
+            for (x, weight) in GAUSS {
+                let n = softness(&section, x) / whole;
+                let (m, shape) = ((density * section(x)).scale(weight * l), [S::one() - n, n]);
+                for i in 0..2 {
+                    for j in 0..2 {
+                        mass[i][j] += m * shape[i] * shape[j];
+                    }
+                }
+            }
+            (modulus / whole.scale(l), mass)
+        };
+        Line { mass, stiffness: [[k, -k], [-k, k]] }
+    }
+}
+
+/// `int_0^x 1/a dt`.
+fn softness<S: Scalar>(a: &(impl Fn(f64) -> S + ?Sized), x: f64) -> S {
+    let mut out = S::zero();
+    for (share, weight) in GAUSS {
+        out += (S::one() / a(share * x)).scale(weight * x);
+    }
+    out
+}
