@@ -3,10 +3,12 @@
 pub mod balancer_ball;
 pub mod bearing_cubic;
 pub mod bearing_hertz;
+pub mod bearing_journal;
 pub mod bearing_linear;
 pub mod coupling;
 pub mod damper;
 pub mod disc;
+pub mod film;
 pub mod foundation;
 pub mod liquid;
 pub mod motor;
@@ -15,6 +17,7 @@ pub mod shaft_lumped;
 pub mod shaft_span;
 pub mod shaft_viscoelastic;
 pub mod spin_load;
+pub mod squeeze_film;
 pub mod stop;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -45,6 +48,8 @@ pub fn registry() -> Vec<PartKind> {
         kind::<bearing_linear::BearingLinear>(),
         kind::<bearing_cubic::BearingCubic>(),
         kind::<bearing_hertz::BearingHertz>(),
+        kind::<bearing_journal::BearingJournal>(),
+        kind::<squeeze_film::SqueezeFilm>(),
         kind::<shaft::Shaft>(),
         kind::<shaft_lumped::ShaftLumped>(),
         kind::<shaft_span::ShaftSpan>(),

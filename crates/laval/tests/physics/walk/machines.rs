@@ -37,7 +37,7 @@ pub const CASES: &[Case] = &[
     case(
         "seal",
         "bearing_linear",
-        "kxx = \"2e6 N/m\"\nkxy = \"1e5 N/m\"\nkyx = \"-1e5 N/m\"\nkyy = \"3e6 N/m\"\ncxx = 200\ncxy = 20\ncyx = -20\ncyy = 300",
+        "kxx = \"2e6 N/m\"\nkxy = \"1e5 N/m\"\nkyx = \"-1e5 N/m\"\nkyy = \"3e6 N/m\"\ncxx = 200\ncxy = 20\ncyx = -20\ncyy = 300\nkzz = 1e6\nczz = 50",
     ),
     case("round_seal", "bearing_linear", "kxx = -\nkxy = -\nkyx = -\nkyy = -\ncxx = -\ncyy = -\nstiffness = 2e6\ndamping = 200"),
     case(
@@ -81,6 +81,16 @@ pub const CASES: &[Case] = &[
             "shaft",
             "section = { length = [0.3], outer_diameter = [0.02] }\nelements = 1\nmodulus = 2e11\nshear_modulus = 8e10\ndensity = 7800\naxial_force = 5e4\ntorque = 400\n\
              rotating_damping = 2e-5\nmass_damping = 20\nstiffness_damping = 2e-5",
+        )
+    },
+    Case {
+        beside: "[[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 1.5\ndiametral_inertia = 2e-3\npolar_inertia = 3e-3\naxial = true\ntorsional = true\n\
+                 [[part]]\nkind = \"shaft_lumped\"\nname = \"link\"\nbetween = [\"wheel\", \"drum\"]\nstiffness = 3e6\ntilt_stiffness = 2e3\n",
+        ..case(
+            "joint",
+            "coupling",
+            "between = [\"wheel\", \"ground\"]\nstiffness = 1e6\ndamping = 50\ntilt_stiffness = 1e3\ntilt_damping = 0.1\naxial_stiffness = 1e6\naxial_damping = 20\n\
+             torsional_stiffness = 1e3\ntorsional_damping = 0.1",
         )
     },
     case("stop", "stop", "gap = \"15 um\"\nstiffness = 1e6"),
