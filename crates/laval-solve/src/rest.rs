@@ -281,10 +281,15 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
     if r.iter().all(|&r| r == 0.0) {
         return Ok(at);
     }
-    // a rotor without torque stays where it is about its axis, whether a coupling holds it there or nothing does
-    let twists: Vec<usize> = (0..n).filter(|&i| system.coordinates()[i].dof.kind == DofKind::Twist).collect();
-    let untwisted = twists.iter().all(|&i| r[i] == 0.0 && x[i] == 0.0) && system.slots().iter().all(Slot::is_linear);
-    let held = &if untwisted { [held, &twists].concat() } else { held.to_vec() };
+    // without a load along the axis, or a torque, a rotor stays where it is in that direction, whether something holds it there or nothing does
+    let mut held = held.to_vec();
+    for kind in [DofKind::Axial, DofKind::Twist] {
+        let of: Vec<usize> = (0..n).filter(|&i| system.coordinates()[i].dof.kind == kind).collect();
+        if of.iter().all(|&i| r[i] == 0.0 && x[i] == 0.0) && system.slots().iter().all(Slot::is_linear) {
+            held.extend(of);
+        }
+    }
+    let held = &held[..];
     let mut last = f64::INFINITY;
     for iteration in 1..=60 {
         let mut k = t.stiffness_entries();

@@ -93,6 +93,8 @@ pub const CASES: &[Case] = &[
              torsional_stiffness = 1e3\ntorsional_damping = 0.1",
         )
     },
+    case("journal", "bearing_journal", "clearance = \"0.2 mm\""),
+    case("ring", "squeeze_film", "clearance = \"0.3 mm\""),
     case("stop", "stop", "gap = \"15 um\"\nstiffness = 1e6"),
     case(
         "water",
