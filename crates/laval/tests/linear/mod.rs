@@ -10,6 +10,7 @@ mod memory;
 mod model_planar;
 mod modes;
 mod nonlinear_forces;
+mod oil_films;
 mod one_speed;
 mod operation;
 mod optimum;

@@ -85,16 +85,16 @@ pub const CASES: &[Case] = &[
     },
     Case {
         beside: "[[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 1.5\ndiametral_inertia = 2e-3\npolar_inertia = 3e-3\naxial = true\ntorsional = true\n\
-                 [[part]]\nkind = \"shaft_lumped\"\nname = \"link\"\nbetween = [\"wheel\", \"drum\"]\nstiffness = 3e6\ntilt_stiffness = 2e3\n",
+                 [[part]]\nkind = \"shaft_lumped\"\nname = \"link\"\nbetween = [\"wheel\", \"ground\"]\nstiffness = 3e6\ntilt_stiffness = 2e3\n",
         ..case(
             "joint",
             "coupling",
-            "between = [\"wheel\", \"ground\"]\nstiffness = 1e6\ndamping = 50\ntilt_stiffness = 1e3\ntilt_damping = 0.1\naxial_stiffness = 1e6\naxial_damping = 20\n\
+            "between = [\"drum\", \"wheel\"]\nstiffness = 1e6\ndamping = 50\ntilt_stiffness = 1e3\ntilt_damping = 0.1\naxial_stiffness = 1e6\naxial_damping = 20\n\
              torsional_stiffness = 1e3\ntorsional_damping = 0.1",
         )
     },
-    case("journal", "bearing_journal", "clearance = \"0.2 mm\""),
-    case("ring", "squeeze_film", "clearance = \"0.3 mm\""),
+    case("journal", "bearing_journal", "clearance = \"0.5 mm\"\nviscosity = \"5 mPa s\""),
+    case("ring", "squeeze_film", "clearance = \"0.6 mm\"\nviscosity = \"2 mPa s\""),
     case("stop", "stop", "gap = \"15 um\"\nstiffness = 1e6"),
     case(
         "water",

@@ -132,6 +132,8 @@ pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
         &[
             "free_ring.tilt_damping",
             "inner_damper.*",
+            "joint.damping",
+            "joint.tilt_damping",
             "lossy_shaft.material_damping",
             "round_shaft.material_damping",
             "water.wave_damping",
