@@ -126,7 +126,7 @@ mod tests {
         SqueezeFilmParams { diameter: 0.1, length: 0.03, clearance: 1e-4, viscosity: 0.02 }
     }
 
-    /// On a circle about the centre a full film damps with pi mu R L^3/(2 c^3 m^1.5), with damping alone.
+    /// On a circle about the centre a full film damps with pi mu R L^3/(c^3 m^1.5), with damping alone.
     #[test]
     fn a_circle_about_the_centre() {
         let (p, e, w): (_, f64, f64) = (params(), 0.5, 300.0);

@@ -80,7 +80,7 @@ fn onset_of_oil_whirl() {
     assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
 }
 
-/// A full film damps a circle of the radius e c by `pi mu R L^3/(2 c^3 (1 - e^2)^1.5)`: the amplitude solves one equation.
+/// A full film damps a circle of the radius e c by `pi mu R L^3/(c^3 (1 - e^2)^1.5)`: the amplitude solves one equation.
 #[test]
 fn circles_in_a_squeeze_film() {
     let (mass, k, u, mu) = (10.0, 1e6, 4e-3, 0.002);
@@ -97,7 +97,7 @@ fn circles_in_a_squeeze_film() {
     for row in 0..table.rows() {
         let (w, r) = (speed.number(row).unwrap(), size.number(row).unwrap());
         let e = r / C;
-        let c = PI * mu * D / 2.0 * L.powi(3) / (2.0 * C.powi(3) * (1.0 - e * e).powf(1.5));
+        let c = PI * mu * D / 2.0 * L.powi(3) / (C.powi(3) * (1.0 - e * e).powf(1.5));
         let expected = u * w * w / (k - mass * w * w).hypot(c * w);
         assert!((r / expected - 1.0).abs() < 1e-6, "{} at {w}: {r} {expected}", size.name);
         largest = largest.max(e);
