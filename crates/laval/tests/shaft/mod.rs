@@ -6,3 +6,5 @@ mod elements;
 mod machines;
 mod reduced;
 mod rotors;
+mod statics;
+mod support_map;
