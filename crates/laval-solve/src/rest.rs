@@ -378,13 +378,13 @@ fn sink(system: &System, start: &Equilibrium, held: &[usize]) -> Option<Equilibr
     None
 }
 
-fn not_held(system: &System, speed: f64) -> Diagnostic {
+pub(super) fn not_held(system: &System, speed: f64) -> Diagnostic {
     let free = instead(system, speed);
     Diagnostic::error("rest.not_held", text!("the machine has no equilibrium under its loads: some coordinate is not held by any stiffness"))
         .help(text!("attach a bearing, shaft or foundation to every body that carries a load; masses that move freely, such as the balls of a balancer, have no equilibrium at rest: {free}", free))
 }
 
-fn no_equilibrium(step: f64) -> Diagnostic {
+pub(super) fn no_equilibrium(step: f64) -> Diagnostic {
     Diagnostic::error(
         "rest.not_found",
         text!("no equilibrium was found (Newton's method stopped with a step of {step} typical sizes)", step = text::number(step, 2)),

@@ -14,6 +14,9 @@ use laval::solve::linear_response::response;
 use laval::solve::pencil::Linearised;
 use laval::solve::rest::rest;
 use laval::solve::roots::{Request, roots};
+use laval::solve::statics::own;
+use laval::solve::statics::supports::supports;
+use laval::solve::support_map::{Spin, SupportMap};
 use laval::solve::sweep::sweep;
 use processor::processor;
 use std::time::Instant;
@@ -34,7 +37,9 @@ fn least<T>(runs: usize, mut f: impl FnMut() -> T) -> (f64, Option<T>) {
 
 fn main() {
     println!("processor: {}", processor());
-    println!("stations  coordinates  modes, counted  their number  50 speeds  criticals  200 responses  all modes, full (ms)");
+    println!(
+        "stations  coordinates  modes, counted  their number  50 speeds  criticals  200 responses  20 stiffnesses  all modes, full (ms)"
+    );
     for stations in [26, 51, 101, 201, 501] {
         let system = shaft(stations, true, false);
         let state = |w: f64| rest(&system, w);
@@ -47,9 +52,16 @@ fn main() {
         let crossings = |f| least(1, || criticals(&system, &state, f, &[1.0])).0;
         let critical = followed.and_then(Result::ok).as_ref().map_or(f64::NAN, crossings);
         let (responses, _) = least(runs, || (0..200).filter_map(|k| response(&system, &state, 20.0 + 2.5 * f64::from(k)).ok()).count());
+        // four critical speeds at each stiffness of the supports, from the assembly on
+        let supported = shaft(stations, false, false);
+        let (map, _) = least(runs, || {
+            let at = own(&supported, SPEED).ok()?;
+            let map = SupportMap::new(&supported, &supports(&supported, &at), &at).ok()?;
+            Some((0..20).map(|k| map.roots(1e5 * 2f64.powi(k), Spin::Synchronous, (0, 4)).len()).sum::<usize>())
+        });
         let full = if stations > FULL { f64::NAN } else { least(1, || Linearised::new(&system, &about).map(|l| l.spectrum().is_ok())).0 };
         println!(
-            "{stations:8}  {:11}  {modes:14.1}  {count:12}  {campbell:9.1}  {critical:9.1}  {responses:13.1}  {full:12.1}",
+            "{stations:8}  {:11}  {modes:14.1}  {count:12}  {campbell:9.1}  {critical:9.1}  {responses:13.1}  {map:14.1}  {full:12.1}",
             system.n()
         );
     }

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from laval._blocks import Extra, Part, Study
 from laval._types import Lateral, Named, ParameterRange, Point, Quantities, Quantity, Range, Tolerance
 
-__all__ = ['modes', 'campbell', 'critical_speeds', 'stability_map', 'forced_response', 'nonlinear_response', 'bifurcation_loci', 'response_map', 'stationary', 'sensitivity', 'backbone', 'limit_cycles', 'methods', 'transient', 'run_up', 'separation', 'operating_window', 'sweep', 'motion_map', 'basins', 'uncertainty', 'optimum']
+__all__ = ['modes', 'static', 'campbell', 'critical_speeds', 'support_stiffness_map', 'stability_map', 'forced_response', 'nonlinear_response', 'bifurcation_loci', 'response_map', 'stationary', 'sensitivity', 'backbone', 'limit_cycles', 'methods', 'transient', 'run_up', 'separation', 'operating_window', 'sweep', 'motion_map', 'basins', 'uncertainty', 'optimum']
 
 def __getattr__(name: str) -> Any: ...
 def __dir__() -> list[str]: ...
@@ -39,6 +39,28 @@ def modes(
 
         [[study]]
         kind = "modes"
+        speed = "3000 rpm"
+    """
+
+def static(
+    *,
+    name: str | None = None,
+    speed: Quantity | None = None,
+    supports: str | None = None,
+) -> Study:
+    """The machine at rest under its weight (axis = "horizontal" in [machine]) and constant forces: deflection, slope, shear force and bending moment along its shafts, loads of its bearings, mass and moments of inertia. Twice: with the stiffness that the bearings have at a speed, and on rigid supports in their places.
+
+    Args:
+        name: by which others refer to it.
+        speed: speed whose coefficients the bearings have; the machine's when left out, or 0 without one (optional).
+            a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
+        supports: names of the parts that support the rotor, separated by commas; every part with stiffness between what turns and what does not, unless given (optional).
+            a text
+
+    In a machine file::
+
+        [[study]]
+        kind = "static"
         speed = "3000 rpm"
     """
 
@@ -98,6 +120,35 @@ def critical_speeds(
         kind = "critical_speeds"
         speed = { from = "100 rpm", to = "12000 rpm" }
         margin = "20 %"
+    """
+
+def support_stiffness_map(
+    *,
+    name: str | None = None,
+    stiffness: Range | None = None,
+    modes: int | None = None,
+    supports: str | None = None,
+    rest_frequencies: bool | None = None,
+) -> Study:
+    """Undamped critical speeds over the stiffness of the supports: every bearing is replaced by the same stiffness in x and y, without damping and cross terms; pedestals and masses stay. The stiffness of the bearings themselves is laid over it, and where it meets the curves the share of the strain energy in the supports says whether other bearings or another shaft would move the critical speed.
+
+    Args:
+        name: by which others refer to it.
+        stiffness: stiffness of every support, in logarithmic steps; 40 points unless given; three powers of ten on both sides of that of the rotor when left out (optional).
+            one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a stiffness (N/m, N/mm, MN/m), above 0 and at most 1e15 N/m
+        modes: critical speeds at each stiffness (default 4).
+            a whole number from 1 to 20
+        supports: names of the parts that support the rotor, separated by commas; every part with stiffness between what turns and what does not, unless given (optional).
+            a text
+        rest_frequencies: natural frequencies of the rotor at rest as well (default false).
+            true or false
+
+    In a machine file::
+
+        [[study]]
+        kind = "support_stiffness_map"
+        stiffness = { from = "1e5 N/m", to = "1e10 N/m" }
+        modes = 4
     """
 
 def stability_map(

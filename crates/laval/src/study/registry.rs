@@ -7,8 +7,10 @@ use super::{centrifuge, linear, motion, nonlinear, parameters};
 pub fn registry() -> Vec<StudyKind> {
     vec![
         kind::<linear::modes::Modes>(),
+        kind::<linear::statics::Static>(),
         kind::<linear::campbell::Campbell>(),
         kind::<linear::critical_speeds::CriticalSpeeds>(),
+        kind::<linear::support_stiffness_map::SupportStiffnessMap>(),
         kind::<linear::stability_map::StabilityMap>(),
         kind::<linear::forced_response::ForcedResponse>(),
         kind::<nonlinear::nonlinear_response::NonlinearResponse>(),

@@ -39,6 +39,9 @@ damping = "25 N s/m"
 
 const ON_ROTOR: &[&str] = &[
     r#"kind = "modes""#,
+    r#"kind = "static""#,
+    r#"kind = "support_stiffness_map"
+rest_frequencies = true"#,
     r#"kind = "campbell"
 speed = { from = "10 rad/s", to = "900 rad/s", points = 20 }"#,
     r#"kind = "critical_speeds"

@@ -7,3 +7,5 @@ mod elements;
 mod machines;
 mod reduced;
 mod rotors;
+mod statics;
+mod support_map;

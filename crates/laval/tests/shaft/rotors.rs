@@ -12,7 +12,7 @@ use laval::solve::sweep::sweep;
 use laval_num::complex::{C64, c};
 use serde_json::Value;
 
-const ROTORS: [&str; 14] = [
+pub const ROTORS: [&str; 14] = [
     "lalanne_ferraris_3disc",
     "nelson_mcvaugh_iso",
     "overhung_disc_6el",

@@ -448,6 +448,11 @@ diag-without-that-no-roots-can-be-e4c1 = without that no roots can be counted; f
 diag-the-frequencies-of-the-machine-have-ce0d = the frequencies of the machine have no bound from which roots could be counted
 diag-give-frequency-limit-df65 = give frequency_limit
 
+## laval-solve/src/support_map/mod.rs
+
+diag-is-not-given-by-mass-gyroscopic-1bec = "{ $name }" is not given by mass, gyroscopic and stiffness matrices, and it is no support that the map replaces
+diag-name-it-in-supports-if-it-35db = name it in supports if it is one; otherwise campbell and critical_speeds take every part
+
 ## laval-separation/src/batch.rs
 
 diag-no-path-in-space-5c87 = no path in space
@@ -1137,6 +1142,11 @@ diag-at-most-points-in-all-2d77 = at most { $most } points in all
 diag-the-machine-does-not-exist-at-46f1 = the machine does not exist at { $path } = { $x }: { $why }
 diag-narrow-the-range-of-the-parameter-aa3f = narrow the range of the parameter
 
+## laval/src/study/linear/support_stiffness_map/mod.rs
+
+diag-the-machine-has-no-support-that-86fb = the machine has no support that could be replaced
+diag-a-support-is-a-part-with-05ea = a support is a part with stiffness between what turns and what does not; supports names others
+
 ## laval/src/study/motion/basins/axes.rs
 
 diag-must-name-one-initial-value-beside-a61c = { $field } must name one initial value beside the run-up; it names { $given }
@@ -1428,6 +1438,12 @@ diag-needs-at-least-points-6b87 = { $field } needs at least { $least } points
 diag-leave-points-out-for-a-fitting-7f88 = leave points out for a fitting number
 diag-requires-points-which-are-too-many-10f6 = { $field } requires { $points } points, which are too many
 diag-at-most-points-a673 = at most { $most } points
+
+## laval/src/study/shared/supporting.rs
+
+diag-there-is-no-part-8a0d = there is no part "{ $name }"
+diag-does-not-join-a-turning-body-fc00 = "{ $name }" does not join a turning body to anything
+diag-parts-that-join-a-turning-body-fe2b = parts that join a turning body to something: { $names }
 
 ## laval/src/validation/case.rs
 

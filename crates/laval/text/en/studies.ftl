@@ -1,7 +1,9 @@
 # The question that each kind of study answers, as a heading.
+study-static = Deflections and loads at rest
 study-modes = Natural modes at one speed
 study-campbell = Natural frequencies over the speed
 study-critical_speeds = Critical speeds
+study-support_stiffness_map = Critical speeds over the stiffness of the supports
 study-stability_map = Where is the machine stable?
 study-forced_response = Unbalance response
 study-nonlinear_response = Unbalance response with nonlinear parts

@@ -1500,3 +1500,12 @@ diag-not-on-the-body-23cd = денеде емес
 diag-row-has-no-7ab0 = { $who }, { $row }-жол: { $name } жоқ ({ $doc })
 diag-a-compression-of-buckles-it-unless-2945 = { $force } сығу оны майыстырады, егер ұштарының арасындағы мойынтіректер ұстамаса: екі ұшы бекітілгенде ол ең көбі { $limit } көтереді
 diag-hold-it-at-a-second-place-041d = оны екінші жерде ұстаңыз: тағы бір мойынтірек қосыңыз
+
+# Supports of the rotor
+diag-is-not-given-by-mass-gyroscopic-1bec = «{ $name }» масса, гироскоптық және қатаңдық матрицаларымен берілмеген және карта ауыстыратын тірек емес
+diag-name-it-in-supports-if-it-35db = егер ол тірек болса, supports өрісінде атаңыз; әйтпесе campbell мен critical_speeds кез келген бөлікті қабылдайды
+diag-the-machine-has-no-support-that-86fb = машинада ауыстыруға болатын тірек жоқ
+diag-a-support-is-a-part-with-05ea = тірек – айналатын мен айналмайтынның арасындағы қатаңдығы бар бөлік; supports басқаларын атайды
+diag-there-is-no-part-8a0d = «{ $name }» бөлігі жоқ
+diag-does-not-join-a-turning-body-fc00 = «{ $name }» айналатын денені ештеңемен қоспайды
+diag-parts-that-join-a-turning-body-fe2b = айналатын денені бірдеңемен қосатын бөліктер: { $names }

@@ -1,7 +1,9 @@
 # The question that each kind of study answers, as a heading.
+study-static = Тыныштықтағы иілулер мен жүктемелер
 study-modes = Бір айналу жиілігіндегі меншікті модалар
 study-campbell = Айналу жиілігіне тәуелді меншікті жиіліктер
 study-critical_speeds = Сындық айналу жиіліктері
+study-support_stiffness_map = Тіректер қатаңдығына байланысты сындық айналу жиіліктері
 study-stability_map = Машина қай кезде орнықты?
 study-forced_response = Дисбаланстан болатын тербеліс
 study-nonlinear_response = Бейсызық бөлшектері бар машинаның дисбаланстан болатын тербелісі

@@ -1190,3 +1190,12 @@ diag-not-on-the-body-23cd = не на теле
 diag-row-has-no-7ab0 = { $who }, строка { $row }: нет { $name } ({ $doc })
 diag-a-compression-of-buckles-it-unless-2945 = сжатие { $force } вызывает потерю устойчивости, если подшипники между концами его не держат: с обоими заделанными концами он выдерживает не более { $limit }
 diag-hold-it-at-a-second-place-041d = закрепите его во втором месте: добавьте ещё один подшипник
+
+# Supports of the rotor
+diag-is-not-given-by-mass-gyroscopic-1bec = «{ $name }» не задана матрицами масс, гироскопических сил и жёсткости и не является опорой, которую заменяет карта
+diag-name-it-in-supports-if-it-35db = если это опора, назовите её в supports; иначе любую часть принимают campbell и critical_speeds
+diag-the-machine-has-no-support-that-86fb = у машины нет опоры, которую можно заменить
+diag-a-support-is-a-part-with-05ea = опора — часть с жёсткостью между вращающимся и невращающимся; supports называет другие
+diag-there-is-no-part-8a0d = части «{ $name }» нет
+diag-does-not-join-a-turning-body-fc00 = «{ $name }» не соединяет вращающееся тело ни с чем
+diag-parts-that-join-a-turning-body-fe2b = части, которые соединяют вращающееся тело с чем-либо: { $names }

@@ -1,7 +1,9 @@
 # The question that each kind of study answers, as a heading.
+study-static = Прогибы и нагрузки в покое
 study-modes = Собственные моды при одной частоте вращения
 study-campbell = Собственные частоты в зависимости от частоты вращения
 study-critical_speeds = Критические частоты вращения
+study-support_stiffness_map = Критические частоты вращения в зависимости от жёсткости опор
 study-stability_map = Где машина устойчива?
 study-forced_response = Отклик на дисбаланс
 study-nonlinear_response = Отклик на дисбаланс с нелинейными элементами

@@ -1498,3 +1498,12 @@ diag-not-on-the-body-23cd = jismda emas
 diag-row-has-no-7ab0 = { $who }, { $row }-qator: { $name } yo‘q ({ $doc })
 diag-a-compression-of-buckles-it-unless-2945 = { $force } siqish uni egib yuboradi, agar uchlari orasidagi podshipniklar ushlab turmasa: ikkala uchi mahkamlanganda u ko‘pi bilan { $limit } ni ko‘taradi
 diag-hold-it-at-a-second-place-041d = uni ikkinchi joyda ushlang: yana bitta podshipnik qo‘shing
+
+# Supports of the rotor
+diag-is-not-given-by-mass-gyroscopic-1bec = "{ $name }" massa, giroskopik va bikrlik matritsalari bilan berilmagan va xarita almashtiradigan tayanch emas
+diag-name-it-in-supports-if-it-35db = agar u tayanch bo‘lsa, supports maydonida nomlang; aks holda campbell va critical_speeds har qanday qismni qabul qiladi
+diag-the-machine-has-no-support-that-86fb = mashinada almashtirsa bo‘ladigan tayanch yo‘q
+diag-a-support-is-a-part-with-05ea = tayanch – aylanadigan va aylanmaydigan orasidagi bikrligi bor qism; supports boshqalarini nomlaydi
+diag-there-is-no-part-8a0d = "{ $name }" qismi yo‘q
+diag-does-not-join-a-turning-body-fc00 = "{ $name }" aylanuvchi jismni hech narsa bilan bog‘lamaydi
+diag-parts-that-join-a-turning-body-fe2b = aylanuvchi jismni biror narsa bilan bog‘laydigan qismlar: { $names }

@@ -1,7 +1,9 @@
 # Har bir hisob turi javob beradigan savol, sarlavha sifatida.
+study-static = Tinch holatdagi egilishlar va yuklamalar
 study-modes = Bir tezlikdagi xususiy modalar
 study-campbell = Tezlik bo‘yicha xususiy chastotalar
 study-critical_speeds = Kritik aylanish chastotalari
+study-support_stiffness_map = Tayanchlar bikrligiga bog‘liq kritik aylanish chastotalari
 study-stability_map = Mashina qayerda turg‘un?
 study-forced_response = Disbalansga javob
 study-nonlinear_response = Chiziqsiz qismlar bilan disbalansga javob

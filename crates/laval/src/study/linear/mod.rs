@@ -9,4 +9,7 @@ pub(in crate::study) mod growing;
 pub mod modes;
 pub(in crate::study) mod operating;
 pub mod stability_map;
+#[path = "static/mod.rs"]
+pub mod statics;
+pub mod support_stiffness_map;
 pub(in crate::study) mod whirl;

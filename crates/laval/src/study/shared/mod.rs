@@ -10,5 +10,6 @@ pub(in crate::study) mod size;
 pub mod speed_range;
 pub mod stations;
 pub mod support;
+pub(in crate::study) mod supporting;
 pub(in crate::study) mod validity;
 pub(in crate::study) mod watch;

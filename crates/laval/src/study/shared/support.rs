@@ -290,6 +290,11 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
     out
 }
 
+/// What a study of the state itself owes: gaps that are open, parts outside their model.
+pub fn state_remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
+    open(system, about).into_iter().chain(outside(system, about)).collect()
+}
+
 /// Parts with a gap that is open at the state: they add nothing until it closes.
 fn open(system: &System, about: &Equilibrium) -> Vec<Finding> {
     let gap = |slot: &Slot| rest::clearance(system, slot, about).filter(|gap| *gap > 0.0);

@@ -1,0 +1,33 @@
+# The machine at rest under its weight.
+static-sag = { $place ->
+        [along] { $body }, { $position } joyida
+       *[body] { $body }
+    }: { $speed } tezlikdagi tayanchlar bikrligida egilishi { $value }.{ $load ->
+        [force] {" "}Uni doimiy kuchlar yuzaga keltiradi; og‘irlik o‘q bo‘ylab ta’sir qiladi.
+       *[weight] {""}
+    }
+static-rigid-sag = Qattiq tayanchlarda { $place ->
+        [along] { $body }, { $position } joyida
+       *[body] { $body }
+    }: egilishi { $value }.
+static-load = Tayanchning eng katta yuklamasi: { $part }, { $value }. Butun mashinaning og‘irligi { $weight }.
+static-moment = Eng katta eguvchi moment { $value }: { $body }, { $position } joyida.
+static-vertical = { $weight } og‘irlik o‘q bo‘ylab ta’sir qiladi: egilish yo‘q, hech bir podshipnik ko‘ndalang yuklama ko‘tarmaydi.
+static-weightless = Og‘irlik ham, doimiy kuch ham ta’sir qilmaydi: egilish yo‘q.
+static-not-held = Podshipniklar o‘rnidagi qattiq tayanchlarning o‘zi mashinani ushlab turmaydi: ularning natijalari berilmaydi. supports maydonida ko‘proq qismni nomlang.
+static-mass = { $body } va undagi hamma narsa: massasi { $value }{ $tilts ->
+        [yes] , massa markazi { $centre } joyida, inersiya momenti o‘qqa nisbatan { $polar }, unga ko‘ndalang { $diametral }
+       *[no] {""}
+    }.
+
+static-line = { $plane ->
+        [x] x
+       *[y] y
+    }, { $supports ->
+        [rigid] qattiq tayanchlar
+       *[own] tayanchlarning o‘z bikrligi
+    }
+static-alt = { $shafts ->
+        [one] Val
+       *[other] { $shafts } val
+    } bo‘ylab tinch holatdagi egilish, ko‘ndalang kuch va eguvchi moment.
