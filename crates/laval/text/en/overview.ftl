@@ -31,6 +31,7 @@ headline-crosses = { $count ->
         [one] The run-up crosses an unstable range, { $from } to { $to }.
        *[other] The run-up crosses { $count } unstable ranges between { $from } and { $to }.
     }
+headline-crosses-open = On the way up the machine is unstable from { $from } on (examined up to { $to }).
 headline-slip = The run-up crosses { $from } to { $to } without a stable synchronous state.
 
 # Remarks below it.
@@ -38,15 +39,14 @@ remark-here = At { $speed }
 remark-below = On the way up
 remark-above = Above
 remark-unstable = { $open ->
-        [yes] Unstable from { $from } on: { $oscillates ->
-            [yes] whirl at { $frequency }
-           *[no] motion without oscillation
-        } grows by the factor e in { $time }.
-       *[no] Unstable from { $from } to { $to }: { $oscillates ->
-            [yes] whirl at { $frequency }
-           *[no] motion without oscillation
-        } grows by the factor e in { $time }.
-    }
+        [yes] Unstable from { $from } on (examined up to { $to }):
+        [below] Unstable up to { $to } (examined from { $from }):
+        [both] Unstable at all speeds examined, { $from } to { $to }:
+       *[no] Unstable from { $from } to { $to }:
+    } { $oscillates ->
+        [yes] whirl at { $frequency }
+       *[no] motion without oscillation
+    } grows by the factor e in { $time }.
 remark-resonance = Resonance at { $speed }, "{ $body }" { $value }.
 remark-resonance-unbounded = Undamped resonance at { $speed }: the amplitude of "{ $body }" has no bound.
 remark-critical = Critical speed { $speed }.
@@ -120,7 +120,9 @@ distance-stable-throughout = { $from ->
     }
 distance-inside-unstable = { $open ->
         [unknown] the operating speed is in an unstable range
-        [yes] inside, unstable from { $from } on
+        [yes] inside, unstable from { $from } on (examined up to { $to })
+        [below] inside, unstable up to { $to } (examined from { $from })
+        [both] inside, unstable at all speeds examined, { $from } to { $to }
        *[no] inside, unstable from { $from } to { $to }
     }
 distance-inside = among the operating speeds: { $places }
@@ -251,6 +253,7 @@ page-not-resolved = slow growth not resolved
 axis-amplitude = amplitude
 axis-growth = growth rate
 strip-unstable = unstable
+strip-not-examined = stability not examined
 strip-response = unstable response
 strip-jump = jump
 axis-speed-plain = speed

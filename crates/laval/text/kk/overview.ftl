@@ -29,6 +29,7 @@ headline-crosses = { $count ->
         [one] Екпіндеу орнықсыз аралықтан өтеді: { $from } – { $to }.
        *[other] Екпіндеу { $from } – { $to } аралығында жатқан { $count } орнықсыз аралықтан өтеді.
     }
+headline-crosses-open = Екпіндеу кезінде машина { $from } мәнінен бастап орнықсыз ({ $to } мәніне дейін зерттелді).
 headline-slip = Екпіндеу орнықты синхронды күйі жоқ { $from } – { $to } аралығынан өтеді.
 
 # Remarks below it.
@@ -36,15 +37,14 @@ remark-here = { $speed } кезінде
 remark-below = Екпіндеу кезінде
 remark-above = Одан жоғары
 remark-unstable = { $open ->
-        [yes] { $from } мәнінен бастап орнықсыз: { $oscillates ->
-            [yes] прецессия, жиілігі { $frequency }
-           *[no] тербеліссіз қозғалыс
-        }, e есе өсу уақыты { $time }.
-       *[no] { $from } – { $to } аралығында орнықсыз: { $oscillates ->
-            [yes] прецессия, жиілігі { $frequency }
-           *[no] тербеліссіз қозғалыс
-        }, e есе өсу уақыты { $time }.
-    }
+        [yes] { $from } мәнінен бастап орнықсыз ({ $to } мәніне дейін зерттелді):
+        [below] { $to } мәніне дейін орнықсыз ({ $from } мәнінен бастап зерттелді):
+        [both] Зерттелген барлық айналу жиіліктерінде орнықсыз, { $from } – { $to }:
+       *[no] { $from } – { $to } аралығында орнықсыз:
+    } { $oscillates ->
+        [yes] прецессия, жиілігі { $frequency }
+       *[no] тербеліссіз қозғалыс
+    }, e есе өсу уақыты { $time }.
 remark-resonance = Резонанс { $speed } кезінде, «{ $body }» денесі { $value }.
 remark-resonance-unbounded = Демпферленбеген резонанс { $speed } кезінде: «{ $body }» денесінің амплитудасы шексіз.
 remark-critical = Сындық айналу жиілігі { $speed }.
@@ -107,7 +107,9 @@ distance-stable-throughout = { $from ->
     }
 distance-inside-unstable = { $open ->
         [unknown] жұмыстық айналу жиілігі орнықсыз аралықта
-        [yes] ішінде, { $from } мәнінен бастап орнықсыз
+        [yes] ішінде, { $from } мәнінен бастап орнықсыз ({ $to } мәніне дейін зерттелді)
+        [below] ішінде, { $to } мәніне дейін орнықсыз ({ $from } мәнінен бастап зерттелді)
+        [both] ішінде, зерттелген барлық айналу жиіліктерінде орнықсыз, { $from } – { $to }
        *[no] ішінде, { $from } – { $to } аралығында орнықсыз
     }
 distance-no-resonance = { $from ->
@@ -202,6 +204,7 @@ page-not-resolved = баяу өсу анықталмайды
 axis-amplitude = амплитуда
 axis-growth = өсу жылдамдығы
 strip-unstable = орнықсыз
+strip-not-examined = орнықтылық зерттелмеген
 strip-response = орнықсыз жауап
 strip-jump = секіріс
 axis-speed-plain = айналу жиілігі

@@ -33,6 +33,7 @@ headline-crosses = { $count ->
         [few] Разгон проходит через { $count } неустойчивых диапазона между { $from } и { $to }.
        *[other] Разгон проходит через { $count } неустойчивых диапазонов между { $from } и { $to }.
     }
+headline-crosses-open = При разгоне машина неустойчива начиная с { $from } (исследовано до { $to }).
 headline-slip = Разгон проходит диапазон от { $from } до { $to } без устойчивого синхронного состояния.
 
 # Remarks below it.
@@ -40,15 +41,14 @@ remark-here = При { $speed }
 remark-below = При разгоне
 remark-above = Выше
 remark-unstable = { $open ->
-        [yes] Неустойчиво начиная с { $from }: { $oscillates ->
-            [yes] прецессия с частотой { $frequency }
-           *[no] движение без колебаний
-        } растёт в e раз за { $time }.
-       *[no] Неустойчиво от { $from } до { $to }: { $oscillates ->
-            [yes] прецессия с частотой { $frequency }
-           *[no] движение без колебаний
-        } растёт в e раз за { $time }.
-    }
+        [yes] Неустойчиво начиная с { $from } (исследовано до { $to }):
+        [below] Неустойчиво до { $to } (исследовано от { $from }):
+        [both] Неустойчиво при всех исследованных частотах вращения, от { $from } до { $to }:
+       *[no] Неустойчиво от { $from } до { $to }:
+    } { $oscillates ->
+        [yes] прецессия с частотой { $frequency }
+       *[no] движение без колебаний
+    } растёт в e раз за { $time }.
 remark-resonance = Резонанс при { $speed }, «{ $body }» { $value }.
 remark-resonance-unbounded = Резонанс без демпфирования при { $speed }: амплитуда тела «{ $body }» не ограничена.
 remark-critical = Критическая частота вращения { $speed }.
@@ -119,7 +119,9 @@ distance-stable-throughout = { $from ->
     }
 distance-inside-unstable = { $open ->
         [unknown] рабочая частота вращения лежит в неустойчивом диапазоне
-        [yes] внутри, неустойчиво от { $from } и выше
+        [yes] внутри, неустойчиво от { $from } и выше (исследовано до { $to })
+        [below] внутри, неустойчиво до { $to } (исследовано от { $from })
+        [both] внутри, неустойчиво при всех исследованных частотах вращения, от { $from } до { $to }
        *[no] внутри, неустойчиво от { $from } до { $to }
     }
 distance-inside = среди рабочих частот вращения: { $places }
@@ -254,6 +256,7 @@ page-not-resolved = медленный рост не разрешается
 axis-amplitude = амплитуда
 axis-growth = инкремент
 strip-unstable = неустойчиво
+strip-not-examined = устойчивость не исследована
 strip-response = неустойчивый отклик
 strip-jump = скачок
 axis-speed-plain = частота вращения

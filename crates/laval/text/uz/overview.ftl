@@ -29,6 +29,7 @@ headline-crosses = { $count ->
         [1] Tezlashish { $from } – { $to } noturg‘un oralig‘idan o‘tadi.
        *[other] Tezlashish { $from } va { $to } orasidagi { $count } ta noturg‘un oraliqdan o‘tadi.
     }
+headline-crosses-open = Tezlashishda mashina { $from } tezlikdan boshlab noturg‘un ({ $to } gacha tekshirildi).
 headline-slip = Tezlashish turg‘un sinxron holati yo‘q { $from } – { $to } oralig‘idan o‘tadi.
 
 # Uning ostidagi izohlar.
@@ -36,15 +37,14 @@ remark-here = { $speed } tezlikda
 remark-below = Tezlashish yo‘lida
 remark-above = Yuqorida
 remark-unstable = { $open ->
-        [yes] { $from } tezlikdan boshlab noturg‘un: { $oscillates ->
-            [yes] { $frequency } chastotali pretsessiya
-           *[no] tebranishsiz harakat
-        } { $time } ichida e marta o‘sadi.
-       *[no] { $from } – { $to } oralig‘ida noturg‘un: { $oscillates ->
-            [yes] { $frequency } chastotali pretsessiya
-           *[no] tebranishsiz harakat
-        } { $time } ichida e marta o‘sadi.
-    }
+        [yes] { $from } tezlikdan boshlab noturg‘un ({ $to } gacha tekshirildi):
+        [below] { $to } gacha noturg‘un ({ $from } tezlikdan boshlab tekshirildi):
+        [both] Tekshirilgan barcha tezliklarda noturg‘un, { $from } – { $to }:
+       *[no] { $from } – { $to } oralig‘ida noturg‘un:
+    } { $oscillates ->
+        [yes] { $frequency } chastotali pretsessiya
+       *[no] tebranishsiz harakat
+    } { $time } ichida e marta o‘sadi.
 remark-resonance = { $speed } tezlikda rezonans, "{ $body }" jismi: { $value }.
 remark-resonance-unbounded = { $speed } tezlikda so‘nishsiz rezonans: "{ $body }" jismining amplitudasi chegaralanmagan.
 remark-critical = Kritik aylanish chastotasi { $speed }.
@@ -107,7 +107,9 @@ distance-stable-throughout = { $from ->
     }
 distance-inside-unstable = { $open ->
         [unknown] ish tezligi noturg‘un oraliqda
-        [yes] ichida, { $from } tezlikdan boshlab noturg‘un
+        [yes] ichida, { $from } tezlikdan boshlab noturg‘un ({ $to } gacha tekshirildi)
+        [below] ichida, { $to } gacha noturg‘un ({ $from } tezlikdan boshlab tekshirildi)
+        [both] ichida, tekshirilgan barcha tezliklarda noturg‘un, { $from } – { $to }
        *[no] ichida, { $from } dan { $to } gacha noturg‘un
     }
 distance-no-resonance = { $from ->
@@ -201,6 +203,7 @@ page-not-resolved = sekin o‘sish aniqlanmagan
 axis-amplitude = amplituda
 axis-growth = o‘sish sur’ati
 strip-unstable = noturg‘un
+strip-not-examined = turg‘unlik tekshirilmagan
 strip-response = noturg‘un javob
 strip-jump = sakrash
 axis-speed-plain = tezlik

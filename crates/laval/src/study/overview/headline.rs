@@ -21,6 +21,7 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
     let check = |name: &str| page.checks.iter().find(|c| c.what.key == name);
     let over = page.over_speed.as_ref();
     let crossed: Vec<&Unstable> = over.iter().flat_map(|o| &o.unstable).filter(|u| u.to < speed.low).collect();
+    let endless = crossed.iter().find(|u| u.open.1);
     let unstable = check("check-stability").is_some_and(checks::grows);
     let stability = match check("check-stability").map_or(Verdict::NotComputed, |c| c.verdict) {
         Verdict::Failed if !unstable => Verdict::Passed,
@@ -66,6 +67,9 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
         } else if let Some((from, to)) = checks::ranges(facts, "no_stable_state").into_iter().find(|r| r.0 < speed.low && facts.balls) {
             verdict = verdict.max(Verdict::Attention);
             Some(Message::new("headline-slip").arg("from", Arg::speed(from)).arg("to", Arg::speed(to)))
+        } else if let Some(u) = endless {
+            verdict = verdict.max(Verdict::Attention);
+            Some(Message::new("headline-crosses-open").arg("from", Arg::speed(u.from)).arg("to", Arg::speed(u.to)))
         } else if let (Some(first), Some(last)) = (crossed.first(), crossed.last()) {
             verdict = verdict.max(Verdict::Attention);
             let m = Message::new("headline-crosses").arg("count", Arg::count(crossed.len()));
@@ -100,7 +104,7 @@ fn span(key: &str, u: &Unstable) -> Message {
         .arg("to", Arg::speed(u.to))
         .arg("frequency", Arg::frequency(u.frequency))
         .arg("time", Arg::quantity(1.0 / u.growth, "s"))
-        .arg("open", Arg::word(if u.open.1 { "yes" } else { "no" }))
+        .arg("open", checks::open(u))
         .arg("oscillates", Arg::word(if u.frequency > 0.0 { "yes" } else { "no" }))
 }
 
@@ -153,9 +157,9 @@ fn above(over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Mes
 /// The speeds nearest below and above the unstable range of the operating speed that keep the required margin to it, and lie in no other.
 fn outside(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> [Option<f64>; 2] {
     let all = over.map_or(&[][..], |o| &o.unstable);
-    let Some(here) = all.iter().find(|u| u.from <= speed.high && speed.low <= u.to) else { return [None; 2] };
+    let Some(here) = all.iter().find(|u| u.holds(speed.low, speed.high)) else { return [None; 2] };
     let margin = facts.operation.instability_margin.unwrap_or(MARGIN);
-    let known = over.map_or((f64::INFINITY, 0.0), |o| o.range);
+    let known = over.and_then(|o| o.examined).unwrap_or((f64::INFINITY, 0.0));
     let near = |w: f64| all.iter().any(|u| u != here && w * (1.0 + margin) > u.from && w * (1.0 - margin) < u.to);
     // a margin is a share of the operating speed
     let (below, above) = (here.from / (1.0 + margin), here.to / (1.0 - margin));

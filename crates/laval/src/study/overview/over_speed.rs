@@ -1,6 +1,6 @@
 //! Growth, response and jumps over the spin speed.
 
-use super::Facts;
+use super::{Facts, ends};
 use crate::model::probe::Probe;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
@@ -27,13 +27,11 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
     if let Some(row) = facts.stability.get() {
         out.threshold = facts.threshold;
-        out.unstable = unstable(row, facts);
-        // ranges narrower than the steps over the whole range
-        let near = facts.near.iter().flat_map(|row| unstable(row, facts));
-        let found: Vec<Unstable> = near.filter(|u| !out.unstable.iter().any(|k| k.from <= u.to && u.from <= k.to)).collect();
-        out.unstable.extend(found);
-        out.unstable.sort_by_number(|a| a.from);
-        (out.growth_speed, out.growth) = row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).unzip();
+        // about the operating speeds also ranges narrower than the steps over the whole range
+        let all = [Some(row), facts.near.as_ref()].into_iter().flatten().flat_map(|row| unstable(row, facts));
+        out.unstable = united(all.collect());
+        (out.growth_speed, out.growth) = growth(row, facts).into_iter().unzip();
+        out.examined = ends(&out.growth_speed);
     }
     out.unstable_response = unstable_responses(facts, &out.unstable);
     let forced = facts.forced.as_ref().map(|f| &f.curve);
@@ -146,17 +144,53 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
     out
 }
 
+/// Growth along the speed, with that about the operating speeds where it goes on from there: the whole range may have ended early.
+fn growth(row: &Row, facts: &Facts) -> Vec<(f64, f64)> {
+    let of = |row: &Row| row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).collect::<Vec<_>>();
+    let mut out = of(row);
+    out.sort_by_number(|p| p.0);
+    let last = out.last().map_or(0.0, |p| p.0);
+    let mut near = facts.near.as_ref().map(of).unwrap_or_default();
+    near.sort_by_number(|p| p.0);
+    if near.first().is_some_and(|p| p.0 <= last) {
+        out.extend(near.into_iter().filter(|p| p.0 > last));
+    }
+    out
+}
+
+/// Unstable ranges of several examinations, those that overlap as one. A range that one of them leaves open ends where another found its end.
+fn united(mut all: Vec<Unstable>) -> Vec<Unstable> {
+    all.sort_by_number(|u| u.from);
+    let mut out: Vec<Unstable> = Vec::new();
+    for u in all {
+        match out.last_mut() {
+            // between the last speed of one and the first of the next nothing was examined: not stable
+            Some(k) if u.from <= k.to || k.open.1 && u.open.0 => {
+                if u.to > k.to {
+                    (k.to, k.open.1) = (u.to, u.open.1);
+                }
+                if u.growth > k.growth {
+                    (k.growth, k.frequency) = (u.growth, u.frequency);
+                }
+            }
+            _ => out.push(u),
+        }
+    }
+    out
+}
+
 /// Ranges above the threshold, with what grows most in each.
 fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
     let sign = facts.sign;
+    let (Some(first), Some(last)) = (row.samples.first(), row.samples.last()) else { return Vec::new() };
     let one = |(from, to): (f64, f64)| {
         let samples = row.samples.iter().filter(|s| (from..=to).contains(&s.speed)).map(|s| s.value);
         let peaks = row.peaks.iter().filter(|p| (from..=to).contains(&p.speed)).map(|p| p.value);
         let edges = row.edges.iter().filter(|e| e.speed == from || e.speed == to).map(|e| e.value);
         let worst = samples.chain(peaks).chain(edges).max_by(|a, b| a.re.total_cmp(&b.re))?;
-        let (low, high) = if sign > 0.0 { (from, to) } else { (-to, -from) };
-        let open = (low <= facts.range.0, high >= facts.range.1 && !row.stopped);
-        Some(Unstable { from: low, to: high, open, growth: worst.re, frequency: worst.im.abs() })
+        let open = (from == first.speed, to == last.speed);
+        let (from, to, open) = if sign > 0.0 { (from, to, open) } else { (-to, -from, (open.1, open.0)) };
+        Some(Unstable { from, to, open, growth: worst.re, frequency: worst.im.abs() })
     };
     let mut out: Vec<Unstable> = ranges(row, facts.threshold).into_iter().filter_map(one).collect();
     out.sort_by_number(|a| a.from);
@@ -166,6 +200,14 @@ fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
 /// Ranges between located edges, and those of samples that lie outside of them: counted spectra have samples alone.
 fn ranges(row: &Row, threshold: f64) -> Vec<(f64, f64)> {
     let mut out = row.unstable_ranges(threshold);
+    // a row that ended early may lack the edge at which its last range ends
+    let last = row.samples.last().filter(|s| !row.unstable(s, threshold));
+    if let (Some(range), Some(last)) = (out.last_mut(), last)
+        && range.1 == last.speed
+    {
+        let inside = row.samples.iter().filter(|s| s.speed >= range.0 && row.unstable(s, threshold));
+        range.1 = inside.map(|s| s.speed).fold(range.0, f64::max);
+    }
     let mut run: Option<(f64, f64)> = None;
     for s in &row.samples {
         let located = out.iter().any(|r| (r.0..=r.1).contains(&s.speed));
@@ -202,4 +244,25 @@ fn unstable_responses(facts: &Facts, linear: &[Unstable]) -> Vec<(f64, f64)> {
     out.sort_by(|a, b| a.0.total_cmp(&b.0));
     out.dedup();
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn range(from: f64, to: f64, open: (bool, bool), growth: f64) -> Unstable {
+        Unstable { from, to, open, growth, frequency: growth }
+    }
+
+    /// An end is that of an examination that found it, else the last speed examined.
+    #[test]
+    fn overlapping_ranges_are_one_and_keep_an_open_end() {
+        let early = range(20.0, 28.0, (false, true), 1.0);
+        assert_eq!(united(vec![range(24.0, 36.0, (true, true), 2.0), early.clone()]), [range(20.0, 36.0, (false, true), 2.0)]);
+        assert_eq!(united(vec![early.clone(), range(24.0, 30.0, (true, false), 0.5)]), [range(20.0, 30.0, (false, false), 1.0)]);
+        // neither found an end between them
+        assert_eq!(united(vec![early.clone(), range(30.0, 36.0, (true, true), 0.5)]), [range(20.0, 36.0, (false, true), 1.0)]);
+        let apart = [early, range(30.0, 36.0, (false, true), 0.5)];
+        assert_eq!(united(apart.to_vec()), apart);
+    }
 }

@@ -3,15 +3,25 @@
 use super::super::margins::{self, Nearest};
 use super::super::operating::Operating;
 use super::super::{Facts, MARGIN, ends};
-use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
+use crate::outcome::{Arg, Check, Message, OverSpeed, Unstable, Verdict};
+
+/// On which sides an unstable range has no known end.
+pub(in super::super) fn open(u: &Unstable) -> Arg {
+    Arg::word(match u.open {
+        (true, true) => "both",
+        (true, false) => "below",
+        (false, true) => "yes",
+        (false, false) => "no",
+    })
+}
 
 /// The unstable range that holds the lowest of the operating speeds that lie in one.
 fn inside(over: &OverSpeed, speed: Operating) -> Message {
     let m = Message::new("distance-inside-unstable");
-    let Some(u) = over.unstable.iter().find(|u| u.to >= speed.low && u.from <= speed.high) else {
+    let Some(u) = over.unstable.iter().find(|u| u.holds(speed.low, speed.high)) else {
         return m.arg("open", Arg::word("unknown"));
     };
-    m.arg("open", Arg::word(if u.open.1 { "yes" } else { "no" })).arg("from", Arg::speed(u.from)).arg("to", Arg::speed(u.to))
+    m.arg("open", open(u)).arg("from", Arg::speed(u.from)).arg("to", Arg::speed(u.to))
 }
 
 /// Share of the operating speed below which a range searched begins at rest.

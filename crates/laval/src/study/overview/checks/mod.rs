@@ -7,6 +7,7 @@ mod run_up;
 mod stability;
 
 pub(super) use balls::{harm, ranges};
+pub(super) use distance::open;
 pub(super) use run_up::simulate;
 pub(super) use stability::grows;
 
