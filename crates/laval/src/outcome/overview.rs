@@ -99,6 +99,8 @@ pub struct OverSpeed {
     pub resonances: Vec<Resonance>,
     /// Speeds at which a slow sweep jumps, rad/s.
     pub jumps: Vec<f64>,
+    /// Speeds at which the nonlinear response gains or loses its stability away from jumps, rad/s.
+    pub bifurcations: Vec<f64>,
     /// Speeds of the growth rates, rad/s.
     pub growth_speed: Vec<f64>,
     /// Largest growth rate at each, 1/s.

@@ -206,14 +206,15 @@ fn strip(page: &Overview, over: &OverSpeed, style: &Style, width: usize) -> Vec<
         let unknown = (0..cells).filter(|k| *k < place(low) && from < low || *k > place(high) && high < to);
         unknown.for_each(|k| line[k] = '·');
     }
-    for w in over.resonances.iter().map(|r| r.speed) {
-        line[place(w)] = '∧';
-    }
     for (a, b) in &over.unstable_response {
         line[place(*a)..=place(*b)].fill('▒');
     }
     for u in &over.unstable {
         line[place(u.from)..=place(u.to)].fill('█');
+    }
+    // a resonance in an unstable range or at its edge is no less one
+    for w in over.resonances.iter().map(|r| r.speed).filter(|w| (from..=to).contains(w)) {
+        line[place(w)] = '∧';
     }
     for w in over.jumps.iter().filter(|w| (from..=to).contains(*w)) {
         line[place(*w)] = '↕';

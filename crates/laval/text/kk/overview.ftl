@@ -22,6 +22,15 @@ headline-not-proven = { $speed } кезінде орнықтылық дәлел�
 headline-unknown = { $speed } кезінде орнықтылық есептелмеген.
 headline-no-speed = Жұмыстық айналу жиілігі берілмеген.
 headline-limit = Орындалмаған талаптар: { $checks }.
+headline-buckled = Тыныштықта машина орнын сақтамайды (статикалық орнықсыздық): ығысудың e есе өсу уақыты { $time }.
+headline-jump = { $kind ->
+        [jump] Жауап { $speed } кезінде секіреді
+       *[bifurcation] Жауаптың орнықтылығы { $speed } кезінде өзгереді
+    }, { $side ->
+        [inside] жұмыстық айналу жиіліктерінің арасында
+        [above] жұмыстық айналу жиілігінен { $margin } жоғары
+       *[below] жұмыстық айналу жиілігінен { $margin } төмен
+    }.
 headline-resonance = Ең жақын резонансқа ({ $resonance }) дейін бар болғаны { $margin }.
 headline-resonance-inside = { $resonance } резонансы жұмыстық айналу жиіліктерінің арасында.
 headline-near-instability = Ең жақын орнықсыздыққа дейін бар болғаны { $margin }.
@@ -47,6 +56,7 @@ remark-unstable = { $open ->
     }, e есе өсу уақыты { $time }.
 remark-resonance = Резонанс { $speed } кезінде, «{ $body }» денесі { $value }.
 remark-resonance-unbounded = Демпферленбеген резонанс { $speed } кезінде: «{ $body }» денесінің амплитудасы шексіз.
+remark-resonances = Басқа резонанстар: { $speeds }.
 remark-critical = Сындық айналу жиілігі { $speed }.
 remark-jump = { $count ->
         [one] Айналу жиілігі баяу өзгергенде секіріс болатын мән: { $speeds }.
@@ -61,6 +71,7 @@ remark-forces = Күштер: { $text }.
 check-stability = Орнықтылық
 check-instability = Ең жақын орнықсыздық
 check-resonance = Ең жақын резонанс (1×)
+check-jump = Ең жақын секіріс немесе бифуркация
 check-vibration = Тербеліс
 check-forces = Күштер
 check-validity = Жарамдылық
@@ -83,7 +94,10 @@ stability-stable-below = { $modes ->
         [one] { $limit } жиілігінен төмен мода { $decay } жылдамдықпен өшеді
        *[other] { $limit } жиілігінен төмен барлық { $modes } мода өшеді, ең баяуы { $decay } жылдамдықпен
     }
-stability-unstable = бір мода өседі, e есе өсу уақыты { $time }
+stability-unstable = { $motion ->
+        [divergence] статикалық орнықсыздық (дивергенция), ығысудың
+       *[whirl] орнықсыз прецессия, амплитуданың
+    } e есе өсу уақыты { $time }
 stability-steady = бұл айналу жиілігінде орныққан тербеліс орнықты (бейсызық тербеліс)
 stability-decays = ең баяу мода { $decay } жылдамдықпен өшеді
 stability-unknown = табылған ешбір мода өспейді, бірақ кейбірі табылмай қалуы мүмкін
@@ -141,6 +155,7 @@ balls-left = { $left } қалды, шариктерсіз { $without }
 run-up-computed = ең үлкен ығысу { $value } («{ $body }»)
 run-up-steady = ең үлкен ығысу { $value } («{ $body }»), екпіндеу соңында
 run-up-unknown = { $speed } мәнінен төмен не болатыны белгісіз
+run-up-buckled = тыныштықта машина орнын сақтамайды
 run-up-free = резонанстан да, орнықсыз аралықтан да өтпейді
 run-up-resonances = { $count ->
         [one] резонанстан өтеді: { $resonances }
@@ -168,10 +183,15 @@ next-unstable = { $sides ->
     } немесе демпферлеу қосыңыз; орнықтылық картасын қараңыз.
 next-viscosity = Сұйықтықтың тұтқырлығын беріңіз: онсыз { $limit } мәнінен баяу өсу анықталмайды.
 next-validity = Жарамдылық туралы қорытындыларды ескеріңіз: онда күмәнді нәтижелер және модельде нені өзгерту керегі аталған.
+next-buckled = { $count ->
+        [0] Машинаны тыныштықта ұстайтын қатаңдықты арттырыңыз немесе сығатын осьтік күшті азайтыңыз.
+       *[other] { $parts } қатаңдығын арттырыңыз немесе сығуды азайтыңыз: тыныштықта өсетін пішінде ол теріс.
+    }
 next-stability-map = Орнықты айналу жиіліктерін және қажетті демпферлеуді табу үшін «stability_map» зерттеуін қосыңыз.
 next-resonance = Жұмыстық айналу жиілігі мен резонанстың арасын { $margin } немесе одан көп алшақтатыңыз немесе демпферлеу қосыңыз.
 next-balls = «stationary» зерттеуін қосыңыз: шариктер қандай айналу жиіліктерінде теңгереді.
 next-harm = Екпіндеу кезінде шариктерді ұстап тұрыңыз немесе орнықтылық аралығынан төменгі айналу жиіліктерінен жылдам өтіңіз.
+next-jump = Жұмыстық айналу жиілігі мен секірістің арасын { $margin } немесе одан көп алшақтатыңыз, дисбалансты азайтыңыз немесе демпферлеуді қосыңыз.
 next-run-up = Екпіндеуді модельдеңіз: «run_up» зерттеуін қосыңыз.
 next-nonlinear = «nonlinear_response» зерттеуін қосыңыз: машинада бейсызық бөлшектер бар, секірістер болуы мүмкін.
 next-limits = [limits] бөлімінде беріңіз: { $keys }; шегі жоқ нәтижелер бағаланбайды.
@@ -201,6 +221,7 @@ page-whirl = { $whirl ->
 page-decrement = декремент { $decrement }
 page-grows = өседі
 page-not-resolved = баяу өсу анықталмайды
+page-diverges = статикалық орнықсыздық (дивергенция)
 axis-amplitude = амплитуда
 axis-growth = өсу жылдамдығы
 strip-unstable = орнықсыз
@@ -248,6 +269,7 @@ stability-no-steady = бұл айналу жиілігінде ешбір орн
 stability-several = бұл айналу жиілігінде { $count } орнықты орныққан тербеліс бар (бейсызық тербеліс)
 stability-outside-study = «stationary» зерттеуі бұл айналу жиілігін қамтымайды
 stability-unstable-range = жұмыстық айналу жиіліктерінде орнықсыз: { $range }
+damping-no-oscillation = тербелмелі мода жоқ
 damping-least = логарифмдік декременті { $decrement }, жиілігі { $frequency }
 distance-inside = жұмыстық айналу жиіліктерінің арасында: { $places }
 vibration-nonlinear = бейсызық машинаның ең үлкен орнықты тербелісі

@@ -21,10 +21,17 @@ const SHOWN: f64 = 0.25;
 const SMALL: f64 = 0.02;
 /// Nor are peaks that rise less than this above the lower speeds and above the higher ones, by a share of their height: rounding on a response that does not change.
 const RISE: f64 = 1e-3;
+/// Speeds that differ by less than this share are one resonance.
+const SAME: f64 = 0.02;
 
 /// What is known over the speed; none where nothing is.
 pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
-    let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
+    let mut out = OverSpeed {
+        range: facts.range,
+        jumps: places(facts, ["jump_up", "jump_down"]),
+        bifurcations: places(facts, ["stability_lost", "stability_gained"]),
+        ..OverSpeed::default()
+    };
     if let Some(row) = facts.stability.get() {
         out.threshold = facts.threshold;
         // about the operating speeds also ranges narrower than the steps over the whole range
@@ -107,6 +114,7 @@ fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
     let events = over
         .unstable
         .iter()
+        .filter(|u| !u.open.0)
         .map(|u| u.from)
         .chain(over.unstable_response.iter().map(|u| u.0))
         .chain(over.resonances.iter().map(|r| r.speed))
@@ -133,8 +141,14 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
         let floor = [true, false].map(side).into_iter().filter(|x| x.is_finite()).fold(0.0, f64::max);
         e.unbounded || !(e.value - floor <= RISE * e.value)
     };
-    for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest && rises(e)) {
-        if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < 0.02 * e.speed.abs()) {
+    // beside a sharp first resonance a further critical speed is small, but shown by the curve
+    let critical = |e: &Extremum| {
+        let found = facts.criticals.get().into_iter().flat_map(|c| &c.crossings);
+        let mut light = found.filter(|c| c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward);
+        light.any(|c| (c.speed - e.speed).abs() < SAME * e.speed.abs())
+    };
+    for e in sorted.into_iter().filter(|e| (size(e) >= SMALL * largest || critical(e)) && rises(e)) {
+        if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < SAME * e.speed.abs()) {
             continue;
         }
         let amplitude =
@@ -222,10 +236,10 @@ fn ranges(row: &Row, threshold: f64) -> Vec<(f64, f64)> {
     out
 }
 
-/// Speeds of the jumps that a nonlinear response of the file found.
-fn jumps(facts: &Facts) -> Vec<f64> {
+/// Speeds of findings of the nonlinear responses of the file, ascending.
+fn places(facts: &Facts, ids: [&str; 2]) -> Vec<f64> {
     let responses = facts.outcomes.iter().filter(|o| o.kind == NonlinearResponse::KIND);
-    let found = responses.flat_map(|o| &o.findings).filter(|f| f.id == "jump_up" || f.id == "jump_down");
+    let found = responses.flat_map(|o| &o.findings).filter(|f| ids.contains(&f.id.as_str()));
     let mut out: Vec<f64> = found.filter_map(|f| f.value).map(|w| facts.sign * w).filter(|w| *w > 0.0).collect();
     ascending(&mut out);
     out

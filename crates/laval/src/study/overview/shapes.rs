@@ -1,6 +1,7 @@
 //! Modes at the operating speed: frequency, damping, direction, and which bodies move.
 
 use super::Facts;
+use super::buckling::diverging;
 use crate::outcome::Mode;
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::sectors::circular;
@@ -18,6 +19,7 @@ pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
     let Some((study, result)) = facts.modes.as_ref().and_then(|(s, m)| Some((s, m.get()?))) else { return Vec::new() };
     let threshold = study.threshold.max(facts.threshold);
     let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).collect();
+    all.extend(diverging(result, threshold));
     all.sort_by_number(|a| a.damping_ratio());
     all.truncate(MOST);
     all.sort_by_number(|a| a.frequency());

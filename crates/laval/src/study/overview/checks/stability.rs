@@ -18,6 +18,11 @@ pub(in super::super) fn grows(stability: &Check) -> bool {
     )
 }
 
+/// Real positive roots are a static instability, complex ones a whirl.
+fn motion(frequency: f64) -> Arg {
+    Arg::word(if frequency > 0.0 { "whirl" } else { "divergence" })
+}
+
 /// Whether the machine is stable at its speed, in the words of the study of modes.
 pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Check {
     let decay = if facts.limits.growth > 0.0 { Arg::quantity(facts.limits.growth, "1/s") } else { Arg::word("none") };
@@ -54,6 +59,7 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
             .arg("growth", Arg::quantity(growth, "1/s"))
             .arg("decay", Arg::quantity(-growth, "1/s"))
             .arg("time", Arg::quantity(1.0 / growth.abs(), "s"))
+            .arg("motion", motion(frequency))
     };
     // unstable at other operating speeds than that of the modes
     let elsewhere = || {
@@ -120,7 +126,9 @@ fn along(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(M
     if let Some(first) = margins::instability(over, speed).inside.first() {
         let u = over.unstable.iter().find(|u| u.to >= *first && u.from <= speed.high)?;
         let result = match speed.is_one() {
-            true => Message::new("stability-unstable").arg("time", Arg::quantity(1.0 / u.growth.abs(), "s")),
+            true => {
+                Message::new("stability-unstable").arg("time", Arg::quantity(1.0 / u.growth.abs(), "s")).arg("motion", motion(u.frequency))
+            }
             false => Message::new("stability-unstable-range").arg("range", span(u.from.max(speed.low), u.to.min(speed.high))),
         };
         return Some((result, source, Verdict::Failed));
@@ -157,7 +165,7 @@ pub(super) fn damping(facts: &Facts) -> Option<Check> {
     // of a range of speeds the least counts
     let all = oscillating.chain(facts.worst.as_ref().and_then(|w| w.decrement));
     let Some((least, frequency)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else {
-        return of(Message::new("stability-no-mode"), Verdict::NotComputed);
+        return of(Message::new("damping-no-oscillation"), Verdict::NotComputed);
     };
     let found = Message::new("damping-least").arg("decrement", Arg::number(least)).arg("frequency", Arg::frequency(frequency));
     of(found, if least >= required { Verdict::Passed } else { Verdict::Failed })
