@@ -185,6 +185,8 @@ pub enum Block {
         grounded: Joint,
         /// Radius of a cavity, radius of the free surface, height, m.
         cavity: Option<(f64, f64, f64)>,
+        /// Of a body that bends: first and last position of each piece and the outer diameters there, m.
+        profile: Vec<[f64; 4]>,
         /// Place of its reference point along the axis, m; of a machine that gives no distances, in steps.
         place: f64,
     },
