@@ -56,7 +56,7 @@ fn a_shaft_buckles_beyond_the_load_of_euler() {
     let of = |load: f64| {
         page(&format!(
             "[machine]\nname = \"rotor\"\nspeed = 100.0\n\
-             [[part]]\nkind = \"shaft\"\nname = \"shaft\"\nmaterial = \"steel\"\naxial_force = {:?}\nsection = [{{ length = {length:?}, outer_diameter = {diameter:?}, elements = 6 }}]\n\
+             [[part]]\nkind = \"shaft\"\nname = \"shaft\"\nmaterial = \"steel\"\naxial_force = {:?}\nelements = 6\nsection = [{{ length = {length:?}, outer_diameter = {diameter:?} }}]\n\
              [[part]]\nkind = \"bearing_linear\"\nname = \"left\"\nbetween = [\"shaft\", \"ground\"]\nstiffness = 1e9\ndamping = 1e3\n\
              [[part]]\nkind = \"bearing_linear\"\nname = \"right\"\nbetween = [{{ body = \"shaft\", at = {length:?} }}, \"ground\"]\nstiffness = 1e9\ndamping = 1e3\n",
             -load * euler

@@ -287,9 +287,14 @@ fn attempt<'a>(
     // low and high, up and down speak of how fast the rotor turns, whichever way round
     let origin = |up: bool| if up != (hi < 0.0) { Origin::Low } else { Origin::High };
     let (way, points) = (Cell::new(Stage::Start), Cell::new(0));
+    let before = Cell::new(f64::NAN);
     let watch = |speed: f64| {
-        points.set(points.get() + 1);
-        tick(Step { done: points.get(), stage: way.get(), speed });
+        // a step that was refused begins at the same point again, and the last one may lead out of the range
+        let speed = speed.clamp(lo, hi);
+        if before.replace(speed) != speed {
+            points.set(points.get() + 1);
+            tick(Step { done: points.get(), stage: way.get(), speed });
+        }
     };
     let follow = |up: bool| {
         way.set(Stage::Follow(origin(up)));
