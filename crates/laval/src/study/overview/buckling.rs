@@ -1,11 +1,13 @@
 //! Whether the machine holds its position at rest: real positive roots at standstill are a static instability (divergence), for instance a buckled shaft.
 
-use super::{Known, within};
+use super::{Known, limited, within};
 use crate::model::part::{At, Physics};
 use crate::model::system::System;
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::solve::characteristic::Equilibrium;
+use crate::solve::large::{divergence, is_large};
 use crate::solve::pencil::MachineMode;
+use crate::solve::rest::rest;
 use crate::study::Context;
 use crate::study::linear::modes::{Modes, ModesResult};
 use crate::study::shared::support::{About, growth_error, growth_rounding};
@@ -31,6 +33,12 @@ pub(super) fn diverging(result: &ModesResult, threshold: f64) -> Option<&Machine
 
 /// At rest; none where the machine holds its position, and where that is not known within a second.
 pub(super) fn buckling(system: &System, context: &Context) -> Option<Buckling> {
+    // of a large machine all modes would take too long
+    if is_large(system) {
+        let growth = || Ok(divergence(system, &rest(system, 0.0)?));
+        let Known::Yes(Some(growth)) = limited(context, growth) else { return None };
+        return Some(Buckling { growth, parts: Vec::new() });
+    }
     let study = Modes { speed: 0.0, about: About::Rest, threshold: 0.0, frequency: None };
     let Known::Yes(result) = within(&study, system, context) else { return None };
     let mode = diverging(&result, 0.0)?;

@@ -99,7 +99,7 @@ impl<'a> Polar<'a> {
             let factor = axis.factor;
             axis.range(factor * low, factor * high)
         };
-        let (across, up) = (ends(|z| z.re, 0.14, 0.2), ends(|z| z.im, 0.1, 0.1));
+        let (across, up) = (ends(|z| z.re, 0.25, 0.3), ends(|z| z.im, 0.12, 0.12));
         let mut panel = Panel::new(axis("quadrature, ahead of the key mark", up));
         for p in &self.bodies {
             let n = probe_name(p);

@@ -18,9 +18,12 @@ pub(in super::super) fn grows(stability: &Check) -> bool {
     )
 }
 
+/// Frequency over growth up to which a motion is a divergence: gyroscopic moments turn that of a buckled shaft a little while it spins.
+const STATIC: f64 = 1e-2;
+
 /// Real positive roots are a static instability, complex ones a whirl.
-fn motion(frequency: f64) -> Arg {
-    Arg::word(if frequency > 0.0 { "whirl" } else { "divergence" })
+fn motion(growth: f64, frequency: f64) -> Arg {
+    Arg::word(if frequency > STATIC * growth { "whirl" } else { "divergence" })
 }
 
 /// Whether the machine is stable at its speed, in the words of the study of modes.
@@ -59,7 +62,7 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
             .arg("growth", Arg::quantity(growth, "1/s"))
             .arg("decay", Arg::quantity(-growth, "1/s"))
             .arg("time", Arg::quantity(1.0 / growth.abs(), "s"))
-            .arg("motion", motion(frequency))
+            .arg("motion", motion(growth, frequency))
     };
     // unstable at other operating speeds than that of the modes
     let elsewhere = || {
@@ -126,9 +129,9 @@ fn along(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(M
     if let Some(first) = margins::instability(over, speed).inside.first() {
         let u = over.unstable.iter().find(|u| u.to >= *first && u.from <= speed.high)?;
         let result = match speed.is_one() {
-            true => {
-                Message::new("stability-unstable").arg("time", Arg::quantity(1.0 / u.growth.abs(), "s")).arg("motion", motion(u.frequency))
-            }
+            true => Message::new("stability-unstable")
+                .arg("time", Arg::quantity(1.0 / u.growth.abs(), "s"))
+                .arg("motion", motion(u.growth, u.frequency)),
             false => Message::new("stability-unstable-range").arg("range", span(u.from.max(speed.low), u.to.min(speed.high))),
         };
         return Some((result, source, Verdict::Failed));
