@@ -10,6 +10,7 @@ use crate::solve::pencil::MachineMode;
 use crate::solve::rest::rest;
 use crate::study::Context;
 use crate::study::linear::modes::{Modes, ModesResult};
+use crate::study::linear::whirl::aperiodic;
 use crate::study::shared::support::{About, growth_error, growth_rounding};
 use laval_num::complex::C64;
 
@@ -27,7 +28,7 @@ pub(super) struct Buckling {
 /// The mode that grows most without oscillation, by more than its error and this threshold.
 pub(super) fn diverging(result: &ModesResult, threshold: f64) -> Option<&MachineMode> {
     let rounding = growth_rounding(&result.spectrum);
-    let grows = |m: &&MachineMode| !(m.frequency() > 0.0) && m.growth() > threshold + growth_error(m, rounding);
+    let grows = |m: &&MachineMode| aperiodic(m.value) && m.growth() > threshold + growth_error(m, rounding);
     result.spectrum.modes.iter().filter(grows).max_by(|a, b| a.growth().total_cmp(&b.growth()))
 }
 

@@ -9,6 +9,7 @@ use crate::solve::pencil::Whirl;
 use crate::solve::stability::Row;
 use crate::study::Study;
 use crate::study::linear::campbell::damping;
+use crate::study::linear::whirl::aperiodic;
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
 use crate::study::shared::probes::{self, farthest};
 use laval_num::order::{SortByNumber, ascending};
@@ -204,7 +205,7 @@ fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
         let worst = samples.chain(peaks).chain(edges).max_by(|a, b| a.re.total_cmp(&b.re))?;
         let open = (from == first.speed, to == last.speed);
         let (from, to, open) = if sign > 0.0 { (from, to, open) } else { (-to, -from, (open.1, open.0)) };
-        Some(Unstable { from, to, open, growth: worst.re, frequency: worst.im.abs() })
+        Some(Unstable { from, to, open, growth: worst.re, frequency: if aperiodic(worst) { 0.0 } else { worst.im.abs() } })
     };
     let mut out: Vec<Unstable> = ranges(row, facts.threshold).into_iter().filter_map(one).collect();
     out.sort_by_number(|a| a.from);

@@ -7,6 +7,7 @@ use super::super::{Facts, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
 use crate::solve::roots::has_more_modes;
 use crate::study::Study;
+use crate::study::linear::whirl::aperiodic;
 use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
 
@@ -46,7 +47,7 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         Some(w) if !(w.value.re <= least.growth()) => (w.value, w.modes, Some(w.speed)),
         _ => (least.value, result.spectrum.modes.len(), facts.worst.as_ref().map(|_| study.speed.abs())),
     };
-    let (growth, frequency) = (value.re, value.im.abs());
+    let (growth, frequency) = (value.re, if aperiodic(value) { 0.0 } else { value.im.abs() });
     let threshold = study.threshold.max(facts.threshold);
     let slow = growth > 0.0 && growth <= threshold;
     let detail = (frequency > 0.0 && !slow).then(|| {
@@ -164,7 +165,7 @@ pub(super) fn damping(facts: &Facts) -> Option<Check> {
     };
     let (_, known) = facts.modes.as_ref()?;
     let Some(result) = known.get() else { return of(known.why(), Verdict::NotComputed) };
-    let oscillating = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).map(|m| (decrement(m), m.frequency()));
+    let oscillating = result.spectrum.modes.iter().filter(|m| !aperiodic(m.value)).map(|m| (decrement(m), m.frequency()));
     // of a range of speeds the least counts
     let all = oscillating.chain(facts.worst.as_ref().and_then(|w| w.decrement));
     let Some((least, frequency)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else {
