@@ -130,6 +130,8 @@ struct Shown {
     watched: bool,
     begun: Instant,
     pace: Mutex<Pace>,
+    /// What the study is doing, in its own words.
+    doing: Mutex<Option<Text>>,
     /// When a line was written last, and which.
     said: Mutex<(Instant, String)>,
     bar: OnceLock<ProgressBar>,
@@ -147,6 +149,7 @@ impl Bar {
             watched: io::stderr().is_terminal(),
             begun: now,
             pace: Mutex::new(Pace::new(now)),
+            doing: Mutex::new(None),
             said: Mutex::new((now, String::new())),
             bar: OnceLock::new(),
             finished: Mutex::new(false),
@@ -216,7 +219,7 @@ impl Shown {
                 bar.set_position((pace.share().unwrap_or(0.0) * STEPS as f64) as u64);
                 let known = pace.total > 0 || pace.before + pace.done > 0;
                 let words = if known { pace.words(now) } else { pace.waiting(now.duration_since(self.begun)) };
-                bar.set_message(language::said(&words));
+                bar.set_message(self.with_stage(language::said(&words)));
             }
             return;
         }
@@ -225,12 +228,20 @@ impl Shown {
         if now.duration_since(said.0) < CALM {
             return;
         }
-        let mut words = language::said(&pace.words(now));
+        let mut words = self.with_stage(language::said(&pace.words(now)));
         if words == said.1 || pace.total == 0 && pace.before + pace.done == 0 {
             words = language::said(&pace.waiting(now.duration_since(self.begun)));
         }
         terminal::complain(&format!("{}: {words}\n", self.name));
         *said = (now, words);
+    }
+
+    /// With what the study is doing behind it.
+    fn with_stage(&self, words: String) -> String {
+        match &*self.doing.lock().unwrap_or_else(PoisonError::into_inner) {
+            Some(doing) => format!("{words}; {}", plain::line(&language::said(doing))),
+            None => words,
+        }
     }
 
     fn say(&self, text: &Text) {
@@ -254,6 +265,12 @@ impl Progress for Bar {
     fn restored(&self, done: u64, total: u64) {
         // the rate counts from here: what is done already took another run
         self.shown.update(|p| *p = Pace { done, total, from: done as f64, ..Pace::new(Instant::now()) });
+    }
+
+    fn doing(&self, text: &Text) {
+        if !self.shown.quiet {
+            *self.shown.doing.lock().unwrap_or_else(PoisonError::into_inner) = Some(text.clone());
+        }
     }
 
     fn job(&self, text: &Text) {

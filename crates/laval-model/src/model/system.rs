@@ -161,6 +161,23 @@ impl System {
         };
         let in_rows = |f: &&Field| self.param_slots.iter().any(|s| s.name.starts_with(&format!("{part}.{}[", f.name)));
         let list = self.slot(part).and_then(|s| Field::list_of(s.part.fields(), rest)).filter(|f| !in_rows(f));
+        // a row beyond the last of a list of parameters: section[9] of four
+        if let Some((name, _)) = rest.split_once('[') {
+            let numbers = self.param_slots.iter().filter_map(|s| {
+                let (number, _) = s.name.strip_prefix(part)?.strip_prefix('.')?.strip_prefix(name)?.strip_prefix('[')?.split_once(']')?;
+                number.parse::<usize>().ok()
+            });
+            if let Some(count) = numbers.max() {
+                let message = match count {
+                    1 => text!("there is no parameter \"{path}\": {name} of \"{part}\" has one row", path, name, part),
+                    _ => text!("there is no parameter \"{path}\": {name} of \"{part}\" has {count} rows", path, name, part, count),
+                };
+                let own = format!("{part}.{name}[{count}].");
+                let near = near.into_iter().filter(|n| n.starts_with(&own)).collect::<Vec<_>>().join(", ");
+                let help = text!("rows are numbered from 1; parameters of the last: {near}", near);
+                return Diagnostic::error("parameter.unknown", message).about(path).help(help);
+            }
+        }
         let message = match list {
             Some(list) => text!("\"{path}\" is no parameter: \"{name}\" is a list, and studies hold its values", path, name = list.name),
             None => text!("there is no parameter \"{path}\"", path),

@@ -42,6 +42,9 @@ const NARROW: f64 = 0.01;
 /// Two starts at this relative distance lead to one root.
 const SAME: f64 = 1e-6;
 
+/// Size of a root over that of the lowest frequencies, and of its imaginary part over the real one, that is rounding.
+const REAL: f64 = 1e-4;
+
 /// The machine has more states than all modes are computed of.
 pub fn is_large(system: &System) -> bool {
     2 * system.n() + system.m() > ALL_MODES
@@ -100,6 +103,20 @@ pub(super) fn near(t: &Characteristic, frequency: f64) -> Vec<C64> {
         out.extend(nearest(&block.problem(), c(0.0, frequency), frequency.abs(), BESIDE, STEPS).unwrap_or_default().values);
     }
     out
+}
+
+/// The largest real positive root of a machine about an equilibrium, 1/s, among the eigenvalues nearest to 0: a static instability. Of parts with memory or given in the
+/// frequency domain nothing is known, and none is found.
+pub fn divergence(system: &System, about: &Equilibrium) -> Option<f64> {
+    let t = Characteristic::new(system, about);
+    let of = |block: &Block| {
+        let size = slow(block);
+        let found = nearest(&block.problem(), c(0.0, 0.0), size, WANTED, STEPS).ok()?;
+        // a double root at 0, as of a machine that nothing holds, is known to the square root of rounding
+        let real = found.values.into_iter().filter(|s| s.re > REAL * size && s.im.abs() <= REAL * s.re);
+        real.map(|s| s.re).max_by(f64::total_cmp)
+    };
+    blocks(&t, &[None]).iter().filter_map(of).max_by(f64::total_cmp)
 }
 
 fn blocks(t: &Characteristic, sectors: &[Option<Sector>]) -> Vec<Block> {

@@ -57,11 +57,17 @@ fn linear(system: &System, slot: &Slot, part: &dyn crate::model::erased::Erased,
     b
 }
 
+/// Coordinates of a node: x, y, tilt_x, tilt_y, then those along and about the axis.
+fn node(slot: &Slot, nodes: &[f64]) -> usize {
+    slot.own.len() / nodes.len().max(1)
+}
+
 fn beam(system: &System, at: &Statics, ties: &[Row], k: usize) -> Option<Beam> {
     let slot = &system.slots()[k];
     let nodes = slot.part.body()?.nodes()?;
-    let n = 4 * nodes.len();
-    if slot.map.len() != n || slot.own.len() != n || nodes.len() < 2 {
+    let n = slot.own.len();
+    let size = node(slot, &nodes);
+    if slot.map.len() != n || n != size * nodes.len() || nodes.len() < 2 {
         return None;
     }
     let own = linear(system, slot, &*slot.part, n);
@@ -75,15 +81,15 @@ fn beam(system: &System, at: &Statics, ties: &[Row], k: usize) -> Option<Beam> {
         row.iter().for_each(|&(i, a)| force[i] += a * holding);
     }
     let q = &at.q[slot.own.clone()];
-    let at_node = |i: usize| -> [f64; 4] { [0, 1, 2, 3].map(|c| force[slot.own.start + 4 * i + c] + own.force[4 * i + c]) };
+    let at_node = |i: usize| -> [f64; 4] { [0, 1, 2, 3].map(|c| force[slot.own.start + size * i + c] + own.force[size * i + c]) };
     // gravity along x and y
     let field: [f64; 2] = [0, 1].map(|p| slot.weight.get(p).map_or(0.0, |w| -w));
     let lengths = line_masses(system, slot, &nodes, &own);
-    let tension = tension(&own, &nodes);
+    let tension = tension(&own, &nodes, size);
     let (mut shear, mut moment) = ([0.0; 2], [0.0; 2]);
     let (mut forces, mut cuts) = (0.0f64, Vec::with_capacity(nodes.len()));
     for i in 0..nodes.len() {
-        let node: [f64; 4] = [0, 1, 2, 3].map(|c| q[4 * i + c]);
+        let node: [f64; 4] = [0, 1, 2, 3].map(|c| q[size * i + c]);
         let (deflection, slope) = ([node[0], node[1]], [node[3], -node[2]]);
         if i > 0 {
             let (length, (mass, first)) = (nodes[i] - nodes[i - 1], lengths[i - 1]);
@@ -111,22 +117,22 @@ fn beam(system: &System, at: &Statics, ties: &[Row], k: usize) -> Option<Beam> {
 }
 
 /// Tension: the stiffness against a rigid tilt, which nothing else than an axial force gives, is P L.
-fn tension(own: &Blocks<f64>, nodes: &[f64]) -> f64 {
+fn tension(own: &Blocks<f64>, nodes: &[f64], size: usize) -> f64 {
     const ROUNDING: f64 = 1e-11;
-    let field = |i: usize| match i % 4 {
-        0 => nodes[i / 4] - nodes[0],
+    let field = |i: usize| match i % size {
+        0 => nodes[i / size] - nodes[0],
         3 => 1.0,
         _ => 0.0,
     };
-    let (mut sum, mut size) = (0.0, 0.0);
-    for i in 0..4 * nodes.len() {
+    let (mut sum, mut all) = (0.0, 0.0);
+    for i in 0..size * nodes.len() {
         for j in own.stiffness.columns(i) {
             let x = field(i) * own.stiffness[(i, j)] * field(j);
             sum += x;
-            size += x.abs();
+            all += x.abs();
         }
     }
-    if sum.abs() > ROUNDING * size { sum / (nodes[nodes.len() - 1] - nodes[0]) } else { 0.0 }
+    if sum.abs() > ROUNDING * all { sum / (nodes[nodes.len() - 1] - nodes[0]) } else { 0.0 }
 }
 
 /// Parts that every element is divided into, to see how its mass is spread.
@@ -150,9 +156,11 @@ fn line_masses(system: &System, slot: &Slot, nodes: &[f64], own: &Blocks<f64>) -
     let positions: Vec<f64> = nodes.iter().copied().chain((0..elements).flat_map(inner)).collect();
     let fine = slot.part.body().and_then(|b| b.divided(&positions));
     let found = fine.as_ref().and_then(|f| Some((f.body()?.nodes()?, f)));
-    let loads = |b: &Blocks<f64>, i: usize| -> f64 { b.mass.columns(4 * i).filter(|j| j % 4 == 0).map(|j| b.mass[(4 * i, j)]).sum() };
+    let size = node(slot, nodes);
+    let loads =
+        |b: &Blocks<f64>, i: usize| -> f64 { b.mass.columns(size * i).filter(|j| j % size == 0).map(|j| b.mass[(size * i, j)]).sum() };
     let Some((places, fine)) = found else { return halves(nodes, |i| loads(own, i)) };
-    let blocks = linear(system, slot, &**fine, 4 * places.len());
+    let blocks = linear(system, slot, &**fine, size * places.len());
     let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * nodes[elements];
     let mut out: Vec<Option<(f64, f64)>> = Vec::with_capacity(elements);
     for e in 0..elements {
@@ -201,6 +209,7 @@ fn cone(
     of: [f64; PARTS - 1],
 ) -> Option<(f64, f64)> {
     let (body, p) = (fine.body()?, &system.params()[slot.params.clone()]);
+    let size = fine.layout().own.len() / body.nodes()?.len();
     // loads of 1, s, s^2
     let mut a = vec![vec![0.0; 3]; PARTS - 1];
     for part in 0..PARTS {
@@ -208,7 +217,7 @@ fn cone(
             let s = (part as f64 + x) / PARTS as f64;
             let shape = body.shape(p, start + s * length);
             for (k, row) in a.iter_mut().enumerate() {
-                let n = shape.get(4 * (first + 1 + k))?[0];
+                let n = shape.get(size * (first + 1 + k))?[0];
                 let dz = weight * length / PARTS as f64;
                 row.iter_mut().zip([1.0, s, s * s]).for_each(|(a, f)| *a += n * f * dz);
             }

@@ -43,8 +43,7 @@ fn rigid(system: &System, body: usize) -> Option<Rigid> {
             DofKind::TiltY => (y[i], tilts) = (1.0, true),
             _ => {}
         }
-        // a body that bends has four coordinates in each node
-        if nodes.len() > 1 && (i + 1 - slot.own.start).is_multiple_of(4) {
+        if nodes.len() > 1 && (i + 1 - slot.own.start).is_multiple_of(slot.own.len() / nodes.len()) {
             node += 1;
         }
     }

@@ -129,6 +129,16 @@ impl<'a> Equations<'a> {
                 load[i] = 0.0;
             }
         }
+        // without a load along the axis, or a torque, a rotor stays where it is in that direction
+        for kind in [DofKind::Axial, DofKind::Twist] {
+            let of = |i: usize| i < system.n() && system.coordinates()[i].dof.kind == kind;
+            if (0..system.n()).any(|i| of(i) && load[i] != 0.0) {
+                continue;
+            }
+            for i in 0..system.n() {
+                pattern.row(i).filter(|x| of(i) || of(x.1)).for_each(|(e, j)| stiffness[e] = if i == j { 1.0 } else { 0.0 });
+            }
+        }
         let (plan, left_out) = (model.plan().clone(), left_out.to_vec());
         Equations { system, plan, pattern, stiffness, load, left_out, states, linear_states, speed }
     }

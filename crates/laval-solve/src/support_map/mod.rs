@@ -98,7 +98,10 @@ impl SupportMap {
             for (grid, list) in [(&b.stiffness, &mut k), (&b.mass, &mut m), (&b.gyroscopic, &mut g)] {
                 for (i, rows) in slot.map.iter().enumerate() {
                     for j in grid.columns(i).filter(|&j| grid[(i, j)] != 0.0) {
-                        rows.iter().for_each(|&(gi, a)| list.extend(slot.map[j].iter().map(|&(gj, b)| (gi, gj, a * grid[(i, j)] * b))));
+                        let across = |x: &&(usize, f64)| is_lateral(system.coordinates()[x.0].dof.kind);
+                        for &(gi, a) in rows.iter().filter(across) {
+                            list.extend(slot.map[j].iter().filter(across).map(|&(gj, b)| (gi, gj, a * grid[(i, j)] * b)));
+                        }
                     }
                 }
             }
@@ -339,13 +342,26 @@ fn difference(system: &System, support: &Support) -> Vec<Vec<(usize, f64)>> {
     slot.map.iter().take(2).cloned().collect()
 }
 
+/// What moves across the axis has to do with critical speeds.
+fn is_lateral(kind: DofKind) -> bool {
+    !matches!(kind, DofKind::Axial | DofKind::Twist)
+}
+
 /// The unknown and the factor of every coordinate.
 fn unknowns(system: &System, forward: bool) -> Vec<(usize, C64)> {
+    // no unknown of a coordinate along or about the axis
+    const NONE: (usize, C64) = (0, C64::ZERO);
     if !forward {
-        return (0..system.n()).map(|i| (i, C64::ONE)).collect();
+        let mut next = 0..;
+        let one = |kind: DofKind| if is_lateral(kind) { next.next().map_or(NONE, |i| (i, C64::ONE)) } else { NONE };
+        return system.coordinates().iter().map(|c| c.dof.kind).map(one).collect();
     }
     let (mut out, mut next) = (Vec::with_capacity(system.n()), 0);
     for coordinate in system.coordinates() {
+        if !is_lateral(coordinate.dof.kind) {
+            out.push(NONE);
+            continue;
+        }
         let (first, factor) = match coordinate.dof.kind {
             DofKind::VectorX => (true, C64::ONE),
             DofKind::VectorY => (false, c(0.0, -1.0)),
@@ -360,7 +376,7 @@ fn unknowns(system: &System, forward: bool) -> Vec<(usize, C64)> {
 
 /// Every coordinate belongs to a pair, and no matrix prefers a direction.
 fn isotropic(system: &System, matrices: [&Vec<Triplet>; 3]) -> bool {
-    let kinds: Vec<DofKind> = system.coordinates().iter().map(|c| c.dof.kind).collect();
+    let kinds: Vec<DofKind> = system.coordinates().iter().map(|c| c.dof.kind).filter(|k| is_lateral(*k)).collect();
     let paired = kinds.len().is_multiple_of(2)
         && kinds.chunks(2).all(|p| matches!(p, [DofKind::VectorX, DofKind::VectorY] | [DofKind::TiltX, DofKind::TiltY]));
     if !paired {

@@ -2,6 +2,7 @@
 
 use super::tree::{Data, Node, get};
 use super::values::{Context, clip, subject};
+use crate::diagnostic::nearest;
 use crate::model::field::{Bounds, MOST_POINTS, RangeValue, Value};
 use crate::text;
 use crate::units;
@@ -312,6 +313,12 @@ impl Context<'_> {
                         column.push(0.0);
                         continue;
                     }
+                    fine = false;
+                    // a misspelt column is reported already, and this one proposed
+                    let table = rows[k].table().unwrap_or_default();
+                    if table.iter().any(|e| !allowed.contains(&&*e.key) && nearest(&e.key, allowed.iter().copied()) == Some(name)) {
+                        continue;
+                    }
                     let message = text!(
                         "{who}, row {row}, has no {name} ({doc})",
                         who = subject(self.who, field),
@@ -320,7 +327,6 @@ impl Context<'_> {
                         doc = text::term(doc)
                     );
                     self.error("key.missing", rows[k].span.clone(), message, text!("{name} is missing", name), None);
-                    fine = false;
                     continue;
                 };
                 match self.quantity(&format!("{field}.{name}"), cell, unit, &Bounds::within(f64::MAX)) {

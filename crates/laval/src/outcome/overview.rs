@@ -99,10 +99,14 @@ pub struct OverSpeed {
     pub resonances: Vec<Resonance>,
     /// Speeds at which a slow sweep jumps, rad/s.
     pub jumps: Vec<f64>,
+    /// Speeds at which the nonlinear response gains or loses its stability away from jumps, rad/s.
+    pub bifurcations: Vec<f64>,
     /// Speeds of the growth rates, rad/s.
     pub growth_speed: Vec<f64>,
     /// Largest growth rate at each, 1/s.
     pub growth: Vec<f64>,
+    /// First and last speed up to which stability was examined without a gap, rad/s.
+    pub examined: Option<(f64, f64)>,
     /// Growth above which the machine counts as unstable, 1/s.
     pub threshold: f64,
     /// Speeds of the amplitudes, rad/s.
@@ -114,16 +118,28 @@ pub struct OverSpeed {
 /// A range of speeds in which the machine is unstable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unstable {
-    /// First speed, rad/s.
+    /// First speed, rad/s; where it is open below, the first speed examined.
     pub from: f64,
-    /// Last speed, rad/s.
+    /// Last speed, rad/s; where it is open above, the last speed examined.
     pub to: f64,
-    /// It goes on beyond the range computed, below and above.
+    /// The machine is still unstable at the first and at the last speed examined, so that the range has no known end there.
     pub open: (bool, bool),
     /// Largest growth rate in it, 1/s.
     pub growth: f64,
     /// Frequency of the whirl that grows, rad/s.
     pub frequency: f64,
+}
+
+impl Unstable {
+    /// Some of these operating speeds lie in it, as far as it was examined.
+    pub fn holds(&self, low: f64, high: f64) -> bool {
+        self.from <= high && (low <= self.to || self.open.1)
+    }
+
+    /// It ends below this speed.
+    pub fn ends_below(&self, speed: f64) -> bool {
+        self.to < speed && !self.open.1
+    }
 }
 
 /// A resonance.
@@ -169,6 +185,8 @@ pub enum Block {
         grounded: Joint,
         /// Radius of a cavity, radius of the free surface, height, m.
         cavity: Option<(f64, f64, f64)>,
+        /// Of a body that bends: first and last position of each piece and the outer diameters there, m.
+        profile: Vec<[f64; 4]>,
         /// Place of its reference point along the axis, m; of a machine that gives no distances, in steps.
         place: f64,
     },

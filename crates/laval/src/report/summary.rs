@@ -201,14 +201,20 @@ fn strip(page: &Overview, over: &OverSpeed, style: &Style, width: usize) -> Vec<
     let (from, to) = over.shown;
     let place = |w: f64| ((w / from).ln() / (to / from).ln() * cells as f64).floor().clamp(0.0, cells as f64 - 1.0) as usize;
     let mut line = vec!['─'; cells];
-    for w in over.resonances.iter().map(|r| r.speed) {
-        line[place(w)] = '∧';
+    // where stability was not examined nothing is claimed
+    if let Some((low, high)) = over.examined {
+        let unknown = (0..cells).filter(|k| *k < place(low) && from < low || *k > place(high) && high < to);
+        unknown.for_each(|k| line[k] = '·');
     }
     for (a, b) in &over.unstable_response {
         line[place(*a)..=place(*b)].fill('▒');
     }
     for u in &over.unstable {
         line[place(u.from)..=place(u.to)].fill('█');
+    }
+    // a resonance in an unstable range or at its edge is no less one
+    for w in over.resonances.iter().map(|r| r.speed).filter(|w| (from..=to).contains(w)) {
+        line[place(w)] = '∧';
     }
     for w in over.jumps.iter().filter(|w| (from..=to).contains(*w)) {
         line[place(*w)] = '↕';
@@ -241,6 +247,9 @@ fn strip(page: &Overview, over: &OverSpeed, style: &Style, width: usize) -> Vec<
     let mut key = vec!["┃", "axis-operating"];
     if line.contains(&'█') {
         key.extend(["█", "strip-unstable"]);
+    }
+    if line.contains(&'·') {
+        key.extend(["·", "strip-not-examined"]);
     }
     if line.contains(&'▒') {
         key.extend(["▒", "strip-response"]);

@@ -25,6 +25,8 @@ pub trait Progress: Sync {
     fn part(&self, _units: f64) {}
     /// What a study that is kept in chunks is going to compute; `chained` when a chunk follows from the one before.
     fn planned(&self, _plan: &Plan, _chained: bool) {}
+    /// What is under way, in words, for those who wait.
+    fn doing(&self, _text: &Text) {}
     /// How large the work is, in words, before it begins.
     fn job(&self, _text: &Text) {}
     /// A remark that the outcome does not hold, because it does not depend on it.

@@ -5,7 +5,7 @@ use super::{at, build, changed};
 use laval::model::system::System;
 use laval::solve::counted;
 use laval::solve::harmonic::branches::bifurcation::{Change, Event};
-use laval::solve::harmonic::branches::response::{Request, respond};
+use laval::solve::harmonic::branches::response::{Request, Stage, Step, respond};
 use laval::solve::harmonic::stability::determinant::{Effort, exponents};
 use laval::solve::harmonic::stability::floquet::Method;
 use laval::solve::rest::rest;
@@ -107,9 +107,9 @@ fn a_cancelled_assessment_blames_no_work() {
     let request = Request { determinant: true, ..Request::over(90.0, 220.0) };
     let cancel = AtomicBool::new(false);
     let ticks = std::cell::Cell::new(0);
-    let tick = |_: u64| {
-        ticks.set(ticks.get() + 1);
-        // the first is that of the branch, then one for each motion assessed
+    let tick = |step: Step| {
+        ticks.set(ticks.get() + u64::from(matches!(step.stage, Stage::Assess(_))));
+        // one for each motion assessed
         cancel.store(ticks.get() >= 5, std::sync::atomic::Ordering::Relaxed);
     };
     let found = respond(&system, &request, &cancel, &tick).unwrap();

@@ -12,7 +12,9 @@ use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, stop
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::{Cancel, Context, ErasedStudy};
-use std::sync::atomic::{AtomicU64, Ordering};
+use laval::text::Text;
+use std::sync::Mutex;
+use std::sync::atomic::Ordering;
 
 const M: f64 = 2.0;
 const E: f64 = 1e-4;
@@ -69,21 +71,49 @@ fn no_sweep_jumps_from_unstable_states() {
 /// A study that was cancelled tells no jump from states it did not assess.
 #[test]
 fn a_cancelled_study_tells_no_jump() {
-    struct Stops(Cancel, AtomicU64);
+    struct Stops(Cancel);
     impl laval::study::Progress for Stops {
-        fn report(&self, _: u64, _: u64) {
-            // each attempt tells its branch, and again while it is assessed
-            self.0.store(self.1.fetch_add(1, Ordering::Relaxed) > 0, Ordering::Relaxed);
+        fn report(&self, _: u64, _: u64) {}
+        fn doing(&self, text: &Text) {
+            if text.to_string().starts_with("stability") {
+                self.0.store(true, Ordering::Relaxed);
+            }
         }
     }
     let system = machine(1e12, 170.0).build().unwrap_or_else(|d| panic!("{:?}", d.0));
-    let stops = Stops(Cancel::default(), AtomicU64::new(0));
+    let stops = Stops(Cancel::default());
     let context = Context { cancel: &stops.0, progress: &stops, ..Context::quiet("response") };
     let o = NonlinearResponse::new(Request::over(300.0, 1500.0)).run(&system, &context).unwrap();
     assert_eq!(o.end, laval::outcome::End::Cancelled);
     assert!(o.findings.iter().all(|f| !f.id.starts_with("jump") && !f.id.starts_with("no_jump")), "{:?}", o.findings);
     assert!(said(&o, "sweep_up_unfinished").sentence().contains("stopped on request"));
     assert!(said(&o, "sweep_down_unfinished").sentence().contains("were not followed"));
+}
+
+/// While a response is computed, what is under way is said: each branch with the speed it has come to, then its stability.
+#[test]
+fn a_response_says_what_it_is_doing() {
+    #[derive(Default)]
+    struct Heard(Mutex<Vec<String>>);
+    impl laval::study::Progress for Heard {
+        fn report(&self, _: u64, _: u64) {}
+        fn doing(&self, text: &Text) {
+            self.0.lock().unwrap().push(text.to_string());
+        }
+    }
+    let system = machine(1e12, 170.0).build().unwrap_or_else(|d| panic!("{:?}", d.0));
+    let heard = Heard::default();
+    let context = Context { progress: &heard, ..Context::quiet("response") };
+    NonlinearResponse::new(Request::over(300.0, 1500.0)).run(&system, &context).unwrap();
+    let all = heard.0.into_inner().unwrap();
+    let speeds = |of: &str| -> Vec<f64> {
+        let own = all.iter().filter_map(|t| t.strip_prefix(of));
+        own.map(|t| t.trim_start_matches(", at ").split(' ').next().unwrap().parse().unwrap()).collect()
+    };
+    let followed = speeds("branch from the lowest speed");
+    assert!(followed.len() > 20 && followed[0] < 310.0 && followed.iter().copied().fold(0.0, f64::max) > 900.0, "{followed:?}");
+    assert!(followed.iter().all(|w| (300.0..=1500.0).contains(w)) && followed.windows(2).all(|w| w[0] != w[1]), "{followed:?}");
+    assert!(speeds("stability of the branch from the lowest speed").len() > 5, "{all:?}");
 }
 
 fn study(builder: Builder, request: Request) -> Result<Outcome, Diagnostic> {

@@ -343,6 +343,28 @@ fn the_unstable_range_about_the_operating_speed_is_named() {
     assert!((number(&found.result, "from") - 200.0).abs() < 1e-3, "{found:?}");
 }
 
+/// Rotating damping makes the machine unstable above w (1 + c_a/c_i) without an upper end: where the examination ends, no end is claimed and no speed above it advised.
+#[test]
+fn the_end_of_the_examination_is_no_end_of_the_unstable_range() {
+    let inner = "[[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\ndamping = 2.0\naxes = \"rotating\"\n";
+    let studied = |speed: f64, kind: &str| {
+        let study = format!("{inner}[[study]]\nkind = \"{kind}\"\nspeed = {{ from = 20.0, to = 250.0 }}\n[[study]]\nkind = \"modes\"\n");
+        of_studies(&jeffcott(&format!("speed = {speed:?}"), 2.0, &study))
+    };
+    for kind in ["campbell", "stability_map"] {
+        let p = studied(230.0, kind);
+        let found = check(&p, "check-instability");
+        assert_eq!((found.verdict, found.result.arg_named("open")), (Verdict::Failed, Some(&Arg::word("yes"))), "{kind}");
+        assert!((number(&found.result, "from") - 200.0).abs() < 1.0 && number(&found.result, "to") == 250.0, "{kind}: {found:?}");
+        let below = studied(150.0, kind);
+        let remark = below.remarks.iter().flat_map(|r| &r.1).find(|m| m.key == "remark-unstable").expect("a range above");
+        assert_eq!((remark.arg_named("open"), number(remark, "to")), (Some(&Arg::word("yes")), 250.0), "{kind}");
+        assert_eq!(below.over_speed.as_ref().unwrap().examined, Some((20.0, 250.0)));
+    }
+    let advice = studied(230.0, "stability_map").next.into_iter().find(|m| m.key == "next-unstable").expect("advice");
+    assert_eq!(advice.arg_named("sides"), Some(&Arg::word("below")), "{advice:?}");
+}
+
 /// What a study of particles doubts is not passed over.
 #[test]
 fn doubts_of_the_studies_are_in_the_check_of_validity() {

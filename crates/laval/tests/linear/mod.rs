@@ -3,6 +3,7 @@
 mod claims;
 mod criticals;
 mod first_page;
+mod first_page_dangers;
 mod liquid_force;
 mod long_shafts;
 mod matrices;

@@ -251,6 +251,35 @@ fn the_machine_is_drawn_as_it_stands() {
     assert_eq!(of("ring", &p).map(|j| (j.elastic, j.gap)), Some((true, true)));
 }
 
+/// What stands between a shaft and the ground is no part of the rotor, whatever kind makes it: a disc with coordinates of its own is a pedestal there, one on the shaft
+/// is a disc. The shaft has the diameters of its sections.
+#[test]
+fn a_pedestal_stands_below_the_bearing() {
+    use laval::outcome::Block;
+    let p = page(
+        "[machine]\nname = \"fan\"\nspeed = 100.0\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 2\n\
+         section = [{ length = 0.4, outer_diameter = 0.02 }, { length = 0.6, outer_diameter = 0.04 }]\n\
+         [[part]]\nkind = \"disc\"\nname = \"impeller\"\non = { body = \"shaft\", at = 0.5 }\nmass = 5\n\
+         [[part]]\nkind = \"disc\"\nname = \"pedestal\"\nmass = 20\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"left\"\nbetween = [\"shaft\", \"pedestal\"]\nstiffness = 1e7\ndamping = 1e3\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"foot\"\nbetween = [\"pedestal\", \"ground\"]\nstiffness = 1e8\ndamping = 1e3\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"right\"\nbetween = [{ body = \"shaft\", at = 1.0 }, \"ground\"]\nstiffness = 1e7\ndamping = 1e3\n",
+    );
+    let bodies: Vec<(&str, bool, &[[f64; 4]])> = p
+        .machine
+        .iter()
+        .filter_map(|b| match b {
+            Block::Body { name, rotor, profile, .. } => Some((name.as_str(), *rotor, profile.as_slice())),
+            _ => None,
+        })
+        .collect();
+    let of = |name: &str| bodies.iter().find(|b| b.0 == name).unwrap();
+    assert_eq!((of("shaft").1, of("impeller").1, of("pedestal").1), (true, true, false));
+    let profile = of("shaft").2;
+    assert!(profile.iter().all(|[a, b, d, e]| d == e && *d == if *a < 0.4 - 1e-9 { 0.02 } else { 0.04 } && b > a), "{profile:?}");
+    assert!(profile[0][0] == 0.0 && (profile.last().unwrap()[1] - 1.0).abs() < 1e-12);
+}
+
 /// Waves of an ideal liquid that grow below the threshold are neither called growing on a card nor passed over in the check; above the onset the first page says
 /// that a mode grows, and a card shows which.
 #[test]

@@ -88,7 +88,7 @@ fn named(kind: &laval::model::field::KindInfo) -> Option<(Vec<String>, Vec<Strin
     let of = |list: &[laval::model::system::GlobalDof]| {
         list.iter()
             .filter(|c| c.slot == slot)
-            .map(|c| format!("{} [{}]", c.name.rsplit('.').next().unwrap_or_default(), c.dof.unit))
+            .map(|c| format!("{} [{}]", c.name.strip_prefix("the part.").unwrap_or(&c.name), c.dof.unit))
             .collect()
     };
     Some((of(loaded.system.coordinates()), of(loaded.system.states())))
@@ -119,12 +119,17 @@ fn page_of_the_machine_file_is_current() {
         // an example of required keys alone is not always a whole part
         let Some((coordinates, states)) = named(kind).filter(|n| !n.0.is_empty() || !n.1.is_empty()) else { continue };
         seen.push(kind.kind);
+        // the nodes of a shaft have the same coordinates: those of the first stand for all
+        let further = |n: &&String| n.starts_with("node_") && !n.starts_with("node_1.");
         let cell = |list: &[String]| {
+            let all = if list.iter().any(|n| further(&n)) { ", and the same of `node_2`, `node_3` ..." } else { "" };
             list.iter()
+                .filter(|n| !further(n))
                 .map(|n| format!("`{}`", n.replace(" [", "` [").trim_end_matches('`')))
                 .collect::<Vec<_>>()
                 .join(", ")
                 .replace("]`", "]")
+                + all
         };
         text.push_str(&format!("| `{}` | {} | {} |\n", kind.kind, cell(&coordinates), cell(&states)));
     }

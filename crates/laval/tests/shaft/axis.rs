@@ -155,3 +155,22 @@ fn a_coupling_carries_the_torque_of_a_run_up() {
     let late = twist[twist.len() / 2];
     assert!((late / (-0.2 * 50.0 / 1e4) - 1.0).abs() < 1e-3, "{late}");
 }
+
+/// Coordinates along and about the axis change neither the sag nor the critical speeds over the stiffness of the supports.
+#[test]
+fn they_change_nothing_across_the_axis() {
+    let studies = "[[study]]\nkind = \"static\"\n[[study]]\nkind = \"support_stiffness_map\"\n";
+    let of = |more: &str| {
+        run_all(&(bar(6, &format!("{CYLINDER}{more}"), "").replacen("[machine]", "[machine]\naxis = \"horizontal\"", 1) + studies))
+    };
+    let plain = CYLINDER.lines().next().unwrap_or_default();
+    let alone = run_all(&(bar(6, plain, "").replacen("[machine]", "[machine]\naxis = \"horizontal\"", 1) + studies));
+    for (a, b) in of("").iter().zip(&alone) {
+        assert_eq!(a.findings.len(), b.findings.len(), "{:?} {:?}", a.findings, b.findings);
+        let values = |o: &laval::outcome::Outcome| o.findings.iter().filter_map(|f| f.value).collect::<Vec<f64>>();
+        for (x, y) in values(a).iter().zip(values(b)) {
+            // what is left over of a balance is rounding
+            assert!((x - y).abs() <= 1e-9 * y.abs() || y.abs() < 1e-9, "{}: {x} {y}", a.kind);
+        }
+    }
+}

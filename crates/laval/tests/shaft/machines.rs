@@ -212,3 +212,72 @@ fn jumps_converge_with_the_elements() {
         }
     }
 }
+
+/// A shaft of two sections on two bearings; a file of its rows.
+fn rows(first: &str, more: &str) -> String {
+    format!(
+        "[machine]\nname = \"pump\"\nspeed = \"3000 rpm\"\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\n\
+         [[part.section]]\nlength = \"300 mm\"\n{first}\n[[part.section]]\nlength = \"300 mm\"\nouter_diameter = \"20 mm\"\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"left\"\nbetween = [\"shaft\", \"ground\"]\nstiffness = 1e7\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"right\"\nbetween = [{{ body = \"shaft\", at = \"600 mm\" }}, \"ground\"]\nstiffness = 1e7\n{more}"
+    )
+}
+
+/// A misspelt column of a row is one mistake, and says what is meant; a missing one beside it stays one of its own.
+#[test]
+fn a_misspelt_column_of_a_row_is_one_mistake() {
+    let mistakes = |first: &str| laval::file::load(&rows(first, "")).map(|_| ()).unwrap_err().0;
+    let one = mistakes("outer_diametr = \"20 mm\"");
+    assert_eq!(one.len(), 1, "{one:?}");
+    assert!(one[0].help.as_ref().is_some_and(|h| h.to_string().contains("\"outer_diameter\"")), "{one:?}");
+    assert_eq!(mistakes("colour = \"red\"").len(), 2);
+    assert_eq!(mistakes("").len(), 1);
+}
+
+/// A section that the shaft does not have: the message says how many there are.
+#[test]
+fn a_section_beyond_the_last_is_counted() {
+    let study = "[[study]]\nkind = \"stability_map\"\nspeed = { from = 10, to = 100 }\n\
+                 parameter = { parameter = \"shaft.section[9].outer_diameter\", from = 0.01, to = 0.02, points = 3 }\n";
+    let mistakes = laval::file::load(&rows("outer_diameter = \"20 mm\"", study)).map(|_| ()).unwrap_err().0;
+    assert!(mistakes.len() == 1 && mistakes[0].message.to_string().contains("section of \"shaft\" has 2 rows"), "{mistakes:?}");
+}
+
+/// Modes have one number in the study of modes and in the Campbell diagram: that of their frequency at the speed of the machine.
+#[test]
+fn modes_have_one_number() {
+    use laval::outcome::Data;
+    let studies = "[[study]]\nkind = \"modes\"\n[[study]]\nkind = \"campbell\"\nspeed = { from = \"0 rpm\", to = \"6000 rpm\", points = 25 }\n\
+                   [[study]]\nkind = \"critical_speeds\"\nspeed = { from = \"0 rpm\", to = \"6000 rpm\" }\n";
+    // a heavy disc beside the middle: forward and backward modes part, and pass each other
+    let disc = "[[part]]\nkind = \"disc\"\nname = \"disc\"\non = { body = \"shaft\", at = \"200 mm\" }\nmass = 10\npolar_inertia = 0.2\ndiametral_inertia = 0.1\n";
+    let text =
+        rows("outer_diameter = \"20 mm\"\n", &format!("{disc}{studies}")).replace("name = \"shaft\"\n", "name = \"shaft\"\nelements = 2\n");
+    let outcomes = run_all(&text);
+    let floats = |k: usize, table: &str, name: &str| match &outcomes[k].find_table(table).unwrap().column(name).unwrap().data {
+        Data::Float(v) => v.clone(),
+        other => panic!("{other:?}"),
+    };
+    let numbers = |k: usize, table: &str| -> Vec<usize> {
+        match &outcomes[k].find_table(table).unwrap().column("mode").unwrap().data {
+            Data::Text(v) => v.iter().map(|t| t.split(' ').next().unwrap().parse().unwrap()).collect(),
+            Data::Int(v) => v.iter().map(|n| *n as usize).collect(),
+            other => panic!("{other:?}"),
+        }
+    };
+    let speed = 3000.0 * std::f64::consts::PI / 30.0;
+    let (own, followed) = (floats(0, "modes", "frequency"), floats(1, "modes", "frequency"));
+    let (speeds, branch) = (floats(1, "modes", "speed"), numbers(1, "modes"));
+    let at: Vec<usize> = (0..speeds.len()).filter(|&k| (speeds[k] - speed).abs() < 1e-6).collect();
+    assert_eq!(at.len(), own.len());
+    for k in at {
+        assert!((followed[k] - own[branch[k] - 1]).abs() < 1e-6 * followed[k], "mode {} at {}", branch[k], followed[k]);
+    }
+    // and critical speeds name the same modes
+    let (a, b) = (floats(1, "critical_speeds", "speed"), floats(2, "critical_speeds", "speed"));
+    let (m, n) = (numbers(1, "critical_speeds"), numbers(2, "critical_speeds"));
+    for (w, k) in a.iter().zip(&m) {
+        let other = b.iter().zip(&n).find(|o| (o.0 - w).abs() < 1e-6 * w && o.1 == k);
+        assert!(other.is_some(), "{w} {k} {b:?} {n:?}");
+    }
+}

@@ -1,6 +1,6 @@
 # The mode that grows most.
 campbell-unstable = Mode { $mode } is unstable: { $whirl ->
-        [none] divergence without oscillation
+        [none] static instability (divergence)
         [forward] forward whirl at { $frequency }
         [backward] backward whirl at { $frequency }
        *[vibration] vibration at { $frequency }

@@ -48,6 +48,9 @@ diag-parameters-of-a-reduced-machine-cannot-b5d6 = parameters of a reduced machi
 diag-parts-of-this-machine-eb3a = parts of this machine: { $names }
 diag-what-a-file-says-in-another-eeb2 = what a file says in another form, as a fill by its volume, is varied by the parameter it stands for
 diag-parameters-of-7bbb = parameters of "{ $part }": { $near } ({ $other })
+diag-there-is-no-parameter-of-has-463f = there is no parameter "{ $path }": { $name } of "{ $part }" has one row
+diag-there-is-no-parameter-of-has-193c = there is no parameter "{ $path }": { $name } of "{ $part }" has { $count } rows
+diag-rows-are-numbered-from-1-parameters-b396 = rows are numbered from 1; parameters of the last: { $near }
 diag-is-no-parameter-is-a-list-51d9 = "{ $path }" is no parameter: "{ $name }" is a list, and studies hold its values
 diag-there-is-no-parameter-e472 = there is no parameter "{ $path }"
 
@@ -1303,6 +1306,16 @@ diag-order-of-the-base-frequency-does-bd3d = order { $h } of the base frequency 
 diag-with-subharmonic-n-orders-count-in-3fdb = with subharmonic = n, orders count in steps of speed / n: keep at least n of them
 diag-motions-of-turns-of-the-rotor-b128 = motions of { $divisor } turns of the rotor have no symmetry by a { $symmetry }: only those of an odd number of turns do
 diag-write-symmetry-none-or-an-odd-deb5 = write symmetry = "none", or an odd number for subharmonic
+
+## laval/src/study/nonlinear/progress.rs
+
+diag-steady-response-at-3e8c = steady response at { $speed }
+diag-branch-from-the-lowest-speed-at-2bf4 = branch from the lowest speed, at { $speed }
+diag-branch-from-the-highest-speed-at-0be3 = branch from the highest speed, at { $speed }
+diag-further-branch-at-c050 = further branch, at { $speed }
+diag-stability-of-the-branch-from-the-29af = stability of the branch from the lowest speed, at { $speed }
+diag-stability-of-the-branch-from-the-a793 = stability of the branch from the highest speed, at { $speed }
+diag-stability-of-a-further-branch-at-5e02 = stability of a further branch, at { $speed }
 
 ## laval/src/study/nonlinear/response_map/mod.rs
 

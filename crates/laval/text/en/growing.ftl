@@ -9,7 +9,7 @@ growing-unstable = The machine is unstable { $place ->
         [single] { $value }
        *[several] up to { $value }, at { $speed }
     }, { $motion ->
-        [divergence] without oscillation
+        [divergence] static instability (divergence)
        *[whirl] whirl at { $frequency }
     }. { $follows ->
         [response] Amplitudes and resonances there belong to an unstable solution: remove the instability first.

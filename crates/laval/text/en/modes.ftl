@@ -1,6 +1,6 @@
 # Modes that grow.
 modes-unstable-mode = Mode { $mode } is unstable: { $whirl ->
-        [none] divergence without oscillation
+        [none] static instability (divergence)
         [forward] forward whirl at { $frequency }
         [backward] backward whirl at { $frequency }
        *[vibration] vibration at { $frequency }

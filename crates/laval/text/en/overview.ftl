@@ -24,6 +24,15 @@ headline-no-speed = No operating speed is set.
 headline-limit = Not met: { $checks }.
 headline-several = Which of several steady responses occurs depends on the run-up.
 headline-validity = Not all results are within validity.
+headline-buckled = At rest the machine does not hold its position (buckling): a displacement grows by the factor e in { $time }.
+headline-jump = { $kind ->
+        [jump] The response jumps at { $speed }
+       *[bifurcation] The stability of the response changes at { $speed }
+    }, { $side ->
+        [inside] among the operating speeds
+        [above] { $margin } above the operating speed
+       *[below] { $margin } below the operating speed
+    }.
 headline-resonance = The nearest resonance, { $resonance }, is only { $margin } away.
 headline-resonance-inside = The resonance at { $resonance } lies among the operating speeds.
 headline-near-instability = The nearest instability is only { $margin } away.
@@ -31,6 +40,7 @@ headline-crosses = { $count ->
         [one] The run-up crosses an unstable range, { $from } to { $to }.
        *[other] The run-up crosses { $count } unstable ranges between { $from } and { $to }.
     }
+headline-crosses-open = On the way up the machine is unstable from { $from } on (examined up to { $to }).
 headline-slip = The run-up crosses { $from } to { $to } without a stable synchronous state.
 
 # Remarks below it.
@@ -38,17 +48,17 @@ remark-here = At { $speed }
 remark-below = On the way up
 remark-above = Above
 remark-unstable = { $open ->
-        [yes] Unstable from { $from } on: { $oscillates ->
-            [yes] whirl at { $frequency }
-           *[no] motion without oscillation
-        } grows by the factor e in { $time }.
-       *[no] Unstable from { $from } to { $to }: { $oscillates ->
-            [yes] whirl at { $frequency }
-           *[no] motion without oscillation
-        } grows by the factor e in { $time }.
-    }
+        [yes] Unstable from { $from } on (examined up to { $to }):
+        [below] Unstable up to { $to } (examined from { $from }):
+        [both] Unstable at all speeds examined, { $from } to { $to }:
+       *[no] Unstable from { $from } to { $to }:
+    } { $oscillates ->
+        [yes] whirl at { $frequency }
+       *[no] motion without oscillation
+    } grows by the factor e in { $time }.
 remark-resonance = Resonance at { $speed }, "{ $body }" { $value }.
 remark-resonance-unbounded = Undamped resonance at { $speed }: the amplitude of "{ $body }" has no bound.
+remark-resonances = Further resonances at { $speeds }.
 remark-critical = Critical speed { $speed }.
 remark-jump = { $count ->
         [one] A slow run jumps at { $speeds }.
@@ -63,6 +73,7 @@ remark-forces = Forces: { $text }.
 check-stability = Stability
 check-instability = Nearest instability
 check-resonance = Nearest resonance (1×)
+check-jump = Nearest jump or bifurcation
 check-vibration = Vibration
 check-velocity = Vibration velocity
 check-forces = Forces
@@ -91,7 +102,10 @@ stability-stable-below = { $modes ->
         [one] the mode below { $limit } decays at { $decay }
        *[other] all { $modes } modes below { $limit } decay, the slowest at { $decay }
     }
-stability-unstable = a mode grows by the factor e in { $time }
+stability-unstable = { $motion ->
+        [divergence] statically unstable (divergence): a displacement
+       *[whirl] the machine whirls: the amplitude
+    } grows by the factor e in { $time }
 stability-steady = the steady response is stable at this speed (nonlinear response)
 stability-decays = the slowest mode decays at { $decay }
 stability-unknown = no mode found grows, but some may be missing
@@ -105,6 +119,7 @@ stability-no-steady = no steady response is stable at this speed (nonlinear resp
 stability-several = { $count } stable steady responses at this speed (nonlinear response)
 stability-outside-study = the study "stationary" does not cover this speed
 stability-unstable-range = unstable at operating speeds: { $range }
+damping-no-oscillation = no mode oscillates
 damping-least = logarithmic decrement { $decrement } at { $frequency }
 stability-mode = { $place ->
         [none] at { $frequency }, logarithmic decrement { $decrement }
@@ -120,7 +135,9 @@ distance-stable-throughout = { $from ->
     }
 distance-inside-unstable = { $open ->
         [unknown] the operating speed is in an unstable range
-        [yes] inside, unstable from { $from } on
+        [yes] inside, unstable from { $from } on (examined up to { $to })
+        [below] inside, unstable up to { $to } (examined from { $from })
+        [both] inside, unstable at all speeds examined, { $from } to { $to }
        *[no] inside, unstable from { $from } to { $to }
     }
 distance-inside = among the operating speeds: { $places }
@@ -165,6 +182,7 @@ run-up-steady = largest displacement { $value } ("{ $body }"), at the end of the
 run-up-unknown = what lies below { $speed } is not known
 run-up-grows = in unstable ranges a disturbance grows up to { $factor } times
 run-up-diverges = the motion diverges
+run-up-buckled = at rest the machine does not hold its position
 run-up-free = crosses no resonance and no unstable range
 run-up-resonances = { $count ->
         [one] crosses the resonance at { $resonances }
@@ -198,10 +216,15 @@ next-unstable = { $sides ->
     }, or add damping; see the stability map.
 next-viscosity = Give the liquid its viscosity: without it growth slower than { $limit } is not resolved.
 next-validity = Follow the findings on validity: they name the results in doubt and what to change in the model.
+next-buckled = { $count ->
+        [0] Raise the stiffness that holds the machine at rest, or lower the compressive axial force.
+       *[other] Raise the stiffness of { $parts } or lower the compression: it is negative in the shape that grows at rest.
+    }
 next-stability-map = Add a study "stability_map" to find stable speeds and the damping that is needed.
 next-resonance = Move the operating speed or the resonance apart by { $margin } or more, or add damping.
 next-balls = Add a study "stationary": at which speeds the balls balance.
 next-harm = Hold the balls during the run-up, or pass the speeds below the stable range quickly.
+next-jump = Move the operating speed and the jump apart by { $margin } or more, lower the unbalance, or add damping.
 next-run-up = Simulate the run-up: add a study "run_up".
 next-nonlinear = Add a study "nonlinear_response": the machine has nonlinear parts, and jumps are not excluded.
 next-limits = Set { $keys } in [limits]: the results without a limit are not assessed.
@@ -250,9 +273,11 @@ page-whirl = { $whirl ->
 page-decrement = decrement { $decrement }
 page-grows = grows
 page-not-resolved = slow growth not resolved
+page-diverges = static instability (divergence)
 axis-amplitude = amplitude
 axis-growth = growth rate
 strip-unstable = unstable
+strip-not-examined = stability not examined
 strip-response = unstable response
 strip-jump = jump
 axis-speed-plain = speed

@@ -1,10 +1,10 @@
 # The largest growth rate.
 stability-map-largest-growth = The machine is unstable: largest growth rate { $value } at { $speed }, { $motion ->
-        [divergence] without oscillation
+        [divergence] static instability (divergence)
        *[whirl] whirl at { $frequency }
     }.
 stability-map-largest-growth-of-map = Largest growth rate in the map: { $value } at { $speed } and { $parameter } = { $setting }, { $motion ->
-        [divergence] without oscillation
+        [divergence] static instability (divergence)
        *[whirl] whirl at { $frequency }
     }.
 stability-map-stable = No mode grows { $threshold ->

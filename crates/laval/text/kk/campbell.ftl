@@ -1,6 +1,6 @@
 # The mode that grows most.
 campbell-unstable = { $mode }-мода орнықсыз: { $whirl ->
-        [none] тербеліссіз дивергенция
+        [none] статикалық орнықсыздық (дивергенция)
         [forward] тура прецессия, жиілігі { $frequency }
         [backward] кері прецессия, жиілігі { $frequency }
        *[vibration] тербеліс, жиілігі { $frequency }

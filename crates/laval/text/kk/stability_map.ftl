@@ -1,10 +1,10 @@
 # The largest growth rate.
 stability-map-largest-growth = Машина орнықсыз: ең үлкен өсу жылдамдығы { $value }, { $speed } кезінде, { $motion ->
-        [divergence] тербеліссіз
+        [divergence] статикалық орнықсыздық (дивергенция)
        *[whirl] прецессия жиілігі { $frequency }
     }.
 stability-map-largest-growth-of-map = Картадағы ең үлкен өсу жылдамдығы: { $value }, { $speed } және { $parameter } = { $setting } кезінде, { $motion ->
-        [divergence] тербеліссіз
+        [divergence] статикалық орнықсыздық (дивергенция)
        *[whirl] прецессия жиілігі { $frequency }
     }.
 stability-map-stable = { $computed ->

@@ -1,6 +1,6 @@
 # The mode that grows most.
 campbell-unstable = Мода { $mode } неустойчива: { $whirl ->
-        [none] дивергенция без колебаний
+        [none] статическая неустойчивость (дивергенция)
         [forward] прямая прецессия, частота { $frequency }
         [backward] обратная прецессия, частота { $frequency }
        *[vibration] колебания, частота { $frequency }

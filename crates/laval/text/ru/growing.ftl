@@ -12,7 +12,7 @@ growing-unstable = Машина неустойчива { $place ->
         [single] { $value }
        *[several] до { $value }, при { $speed }
     }, { $motion ->
-        [divergence] без колебаний
+        [divergence] статическая неустойчивость (дивергенция)
        *[whirl] частота прецессии { $frequency }
     }. { $follows ->
         [response] Амплитуды и резонансы там относятся к неустойчивому решению: сначала устраните неустойчивость.

@@ -1,10 +1,10 @@
 # The largest growth rate.
 stability-map-largest-growth = Машина неустойчива: наибольший инкремент { $value } при { $speed }, { $motion ->
-        [divergence] без колебаний
+        [divergence] статическая неустойчивость (дивергенция)
        *[whirl] частота прецессии { $frequency }
     }.
 stability-map-largest-growth-of-map = Наибольший инкремент на карте: { $value } при { $speed } и { $parameter } = { $setting }, { $motion ->
-        [divergence] без колебаний
+        [divergence] статическая неустойчивость (дивергенция)
        *[whirl] частота прецессии { $frequency }
     }.
 stability-map-stable = Ни в одной { $computed ->

@@ -1,6 +1,6 @@
 # Eng tez o‘sadigan moda.
 campbell-unstable = { $mode }-moda noturg‘un: { $whirl ->
-        [none] tebranishsiz uzoqlashish
+        [none] statik noturg‘unlik (divergensiya)
         [forward] to‘g‘ri pretsessiya, chastotasi { $frequency }
         [backward] teskari pretsessiya, chastotasi { $frequency }
        *[vibration] tebranish, chastotasi { $frequency }

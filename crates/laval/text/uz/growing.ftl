@@ -9,7 +9,7 @@ growing-unstable = Mashina { $place ->
         [single] { $value }
        *[several] ko‘pi bilan { $value } ({ $speed } tezlikda)
     }, { $motion ->
-        [divergence] tebranishsiz
+        [divergence] statik noturg‘unlik (divergensiya)
        *[whirl] pretsessiya chastotasi { $frequency }
     }. { $follows ->
         [response] U yerdagi amplitudalar va rezonanslar noturg‘un yechimga tegishli: avval noturg‘unlikni bartaraf qiling.

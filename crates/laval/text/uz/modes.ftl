@@ -1,6 +1,6 @@
 # O‘sadigan modalar.
 modes-unstable-mode = { $mode }-moda noturg‘un: { $whirl ->
-        [none] tebranishsiz uzoqlashish
+        [none] statik noturg‘unlik (divergensiya)
         [forward] to‘g‘ri pretsessiya, chastotasi { $frequency }
         [backward] teskari pretsessiya, chastotasi { $frequency }
        *[vibration] tebranish, chastotasi { $frequency }

@@ -22,6 +22,15 @@ headline-not-proven = { $speed } tezlikda turg‘unlik isbotlanmagan.
 headline-unknown = { $speed } tezlikda turg‘unlik hisoblanmagan.
 headline-no-speed = Ish tezligi berilmagan.
 headline-limit = Bajarilmagan talablar: { $checks }.
+headline-buckled = Tinch holatda mashina o‘z o‘rnini saqlamaydi (statik noturg‘unlik): siljish { $time } ichida e marta o‘sadi.
+headline-jump = { $kind ->
+        [jump] Javob { $speed } tezlikda sakraydi
+       *[bifurcation] Javobning turg‘unligi { $speed } tezlikda o‘zgaradi
+    }, { $side ->
+        [inside] ish tezliklari orasida
+        [above] ish tezligidan { $margin } yuqorida
+       *[below] ish tezligidan { $margin } pastda
+    }.
 headline-resonance = Eng yaqin rezonansgacha ({ $resonance }) masofa atigi { $margin }.
 headline-resonance-inside = { $resonance } rezonansi ish tezliklari orasida.
 headline-near-instability = Eng yaqin noturg‘unlikkacha masofa atigi { $margin }.
@@ -29,6 +38,7 @@ headline-crosses = { $count ->
         [1] Tezlashish { $from } – { $to } noturg‘un oralig‘idan o‘tadi.
        *[other] Tezlashish { $from } va { $to } orasidagi { $count } ta noturg‘un oraliqdan o‘tadi.
     }
+headline-crosses-open = Tezlashishda mashina { $from } tezlikdan boshlab noturg‘un ({ $to } gacha tekshirildi).
 headline-slip = Tezlashish turg‘un sinxron holati yo‘q { $from } – { $to } oralig‘idan o‘tadi.
 
 # Uning ostidagi izohlar.
@@ -36,17 +46,17 @@ remark-here = { $speed } tezlikda
 remark-below = Tezlashish yo‘lida
 remark-above = Yuqorida
 remark-unstable = { $open ->
-        [yes] { $from } tezlikdan boshlab noturg‘un: { $oscillates ->
-            [yes] { $frequency } chastotali pretsessiya
-           *[no] tebranishsiz harakat
-        } { $time } ichida e marta o‘sadi.
-       *[no] { $from } – { $to } oralig‘ida noturg‘un: { $oscillates ->
-            [yes] { $frequency } chastotali pretsessiya
-           *[no] tebranishsiz harakat
-        } { $time } ichida e marta o‘sadi.
-    }
+        [yes] { $from } tezlikdan boshlab noturg‘un ({ $to } gacha tekshirildi):
+        [below] { $to } gacha noturg‘un ({ $from } tezlikdan boshlab tekshirildi):
+        [both] Tekshirilgan barcha tezliklarda noturg‘un, { $from } – { $to }:
+       *[no] { $from } – { $to } oralig‘ida noturg‘un:
+    } { $oscillates ->
+        [yes] { $frequency } chastotali pretsessiya
+       *[no] tebranishsiz harakat
+    } { $time } ichida e marta o‘sadi.
 remark-resonance = { $speed } tezlikda rezonans, "{ $body }" jismi: { $value }.
 remark-resonance-unbounded = { $speed } tezlikda so‘nishsiz rezonans: "{ $body }" jismining amplitudasi chegaralanmagan.
+remark-resonances = Boshqa rezonanslar: { $speeds }.
 remark-critical = Kritik aylanish chastotasi { $speed }.
 remark-jump = { $count ->
         [1] Sekin tezlashish yoki sekinlashishda sakrash: { $speeds }.
@@ -61,6 +71,7 @@ remark-forces = Kuchlar: { $text }.
 check-stability = Turg‘unlik
 check-instability = Eng yaqin noturg‘unlik
 check-resonance = Eng yaqin rezonans (1×)
+check-jump = Eng yaqin sakrash yoki bifurkatsiya
 check-vibration = Tebranish
 check-forces = Kuchlar
 check-validity = Qo‘llanish sohasi
@@ -83,7 +94,10 @@ stability-stable-below = { $modes ->
         [one] { $limit } chastotadan pastdagi moda { $decay } sur’at bilan so‘nadi
        *[other] { $limit } chastotadan pastdagi barcha { $modes } moda so‘nadi, eng sekini { $decay } sur’at bilan
     }
-stability-unstable = moda { $time } ichida e marta o‘sadi
+stability-unstable = { $motion ->
+        [divergence] statik noturg‘unlik (divergensiya): siljish
+       *[whirl] noturg‘un pretsessiya: amplituda
+    } { $time } ichida e marta o‘sadi
 stability-steady = bu tezlikda barqaror javob turg‘un (chiziqsiz javob)
 stability-decays = eng sekin moda { $decay } sur’at bilan so‘nadi
 stability-unknown = topilgan modalar o‘smaydi, lekin ba’zilari tushib qolgan bo‘lishi mumkin
@@ -107,7 +121,9 @@ distance-stable-throughout = { $from ->
     }
 distance-inside-unstable = { $open ->
         [unknown] ish tezligi noturg‘un oraliqda
-        [yes] ichida, { $from } tezlikdan boshlab noturg‘un
+        [yes] ichida, { $from } tezlikdan boshlab noturg‘un ({ $to } gacha tekshirildi)
+        [below] ichida, { $to } gacha noturg‘un ({ $from } tezlikdan boshlab tekshirildi)
+        [both] ichida, tekshirilgan barcha tezliklarda noturg‘un, { $from } – { $to }
        *[no] ichida, { $from } dan { $to } gacha noturg‘un
     }
 distance-no-resonance = { $from ->
@@ -139,6 +155,7 @@ balls-left = { $without } disbalansdan { $left } qoldi
 run-up-computed = eng katta siljish { $value } ("{ $body }" jismi)
 run-up-steady = eng katta siljish { $value } ("{ $body }" jismi), tezlashish oxirida
 run-up-unknown = { $speed } tezlikdan pastda nima borligi noma’lum
+run-up-buckled = tinch holatda mashina o‘z o‘rnini saqlamaydi
 run-up-free = rezonanslardan ham, noturg‘un oraliqlardan ham o‘tmaydi
 run-up-resonances = { $count ->
         [1] rezonansdan o‘tadi: { $resonances }
@@ -165,10 +182,15 @@ next-unstable = { $sides ->
     } yoki so‘ndirish qo‘shing; turg‘unlik xaritasiga qarang.
 next-viscosity = Suyuqlikning qovushqoqligini bering: usiz { $limit } dan sekin o‘sish aniqlanmaydi.
 next-validity = Qo‘llanish sohasi haqidagi xulosalarga amal qiling: ularda shubhali natijalar va modelda nimani o‘zgartirish kerakligi aytilgan.
+next-buckled = { $count ->
+        [0] Mashinani tinch holatda ushlab turadigan bikrlikni oshiring yoki siquvchi o‘q kuchini kamaytiring.
+       *[other] { $parts } bikrligini oshiring yoki siqilishni kamaytiring: tinch holatda o‘sadigan shaklda u manfiy.
+    }
 next-stability-map = Turg‘un tezliklarni va zarur so‘ndirishni topish uchun "stability_map" hisobini qo‘shing.
 next-resonance = Ish tezligi va rezonans orasini { $margin } yoki undan ko‘proq qiling yoki so‘ndirish qo‘shing.
 next-balls = "stationary" hisobini qo‘shing: sharchalar qaysi tezliklarda balansirlashini ko‘rsatadi.
 next-harm = Tezlashishda sharchalarni ushlab turing yoki turg‘unlik oralig‘idan pastdagi tezliklardan tez o‘ting.
+next-jump = Ish tezligi bilan sakrash orasini { $margin } yoki undan ko‘proq uzoqlashtiring, disbalansni kamaytiring yoki so‘ndirish qo‘shing.
 next-run-up = Tezlashishni modellashtiring: "run_up" hisobini qo‘shing.
 next-nonlinear = "nonlinear_response" hisobini qo‘shing: mashinada chiziqsiz qismlar bor, sakrashlar istisno emas.
 next-limits = [limits] bo‘limida bering: { $keys }; chegarasi yo‘q natijalar baholanmaydi.
@@ -200,9 +222,11 @@ page-whirl = { $whirl ->
 page-decrement = dekrement { $decrement }
 page-grows = o‘sadi
 page-not-resolved = sekin o‘sish aniqlanmagan
+page-diverges = statik noturg‘unlik (divergensiya)
 axis-amplitude = amplituda
 axis-growth = o‘sish sur’ati
 strip-unstable = noturg‘un
+strip-not-examined = turg‘unlik tekshirilmagan
 strip-response = noturg‘un javob
 strip-jump = sakrash
 axis-speed-plain = tezlik
@@ -247,6 +271,7 @@ stability-no-steady = bu tezlikda birorta ham barqaror javob turg‘un emas (chi
 stability-several = bu tezlikda { $count } ta turg‘un barqaror javob bor (chiziqsiz javob)
 stability-outside-study = "stationary" hisobi bu tezlikni qamrab olmaydi
 stability-unstable-range = ish tezliklarida noturg‘un: { $range }
+damping-no-oscillation = tebranuvchi moda yo‘q
 damping-least = logarifmik dekrement { $decrement }, chastota { $frequency }
 distance-inside = ish tezliklari orasida: { $places }
 vibration-nonlinear = chiziqsiz mashinaning eng katta turg‘un javobi

@@ -1,10 +1,10 @@
 # Eng katta o‘sish sur’ati.
 stability-map-largest-growth = Mashina noturg‘un: eng katta o‘sish sur’ati { $value }, { $speed } tezlikda, { $motion ->
-        [divergence] tebranishsiz
+        [divergence] statik noturg‘unlik (divergensiya)
        *[whirl] pretsessiya chastotasi { $frequency }
     }.
 stability-map-largest-growth-of-map = Xaritadagi eng katta o‘sish sur’ati: { $value }, { $speed } tezlikda, { $parameter } = { $setting } bo‘lganda, { $motion ->
-        [divergence] tebranishsiz
+        [divergence] statik noturg‘unlik (divergensiya)
        *[whirl] pretsessiya chastotasi { $frequency }
     }.
 stability-map-stable = { $computed ->

@@ -24,6 +24,10 @@ pub trait BodyPart: Parametric {
     fn nodes(&self) -> Option<Vec<f64>> {
         None
     }
+    /// Outline of a body that bends: first and last position of each piece and the outer diameters there, m.
+    fn profile(&self, _p: &Params<Self, f64>) -> Vec<[f64; 4]> {
+        Vec::new()
+    }
     /// A body that bends with nodes at these positions as well; `None` where nothing changes.
     fn divided(&self, _positions: &[f64]) -> Option<Arc<dyn Erased>> {
         None
@@ -58,6 +62,7 @@ pub mod erased {
     pub trait BodyPart {
         fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 6]>;
         fn nodes(&self) -> Option<Vec<f64>>;
+        fn profile(&self, p: &[f64]) -> Vec<[f64; 4]>;
         fn turns(&self) -> bool;
         fn divided(&self, positions: &[f64]) -> Option<Arc<dyn Erased>>;
         fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str>;
@@ -71,6 +76,9 @@ pub mod erased {
         }
         fn nodes(&self) -> Option<Vec<f64>> {
             super::BodyPart::nodes(self)
+        }
+        fn profile(&self, p: &[f64]) -> Vec<[f64; 4]> {
+            super::BodyPart::profile(self, &T::Family::from_slice(p))
         }
         fn turns(&self) -> bool {
             super::BodyPart::turns(self)

@@ -521,6 +521,10 @@ impl BodyPart for Shaft {
     fn nodes(&self) -> Option<Vec<f64>> {
         Some(self.mesh.nodes.clone())
     }
+    fn profile(&self, p: &Params<Self, f64>) -> Vec<[f64; 4]> {
+        let ends = self.mesh.nodes.windows(2).enumerate();
+        ends.map(|(k, z)| (z, self.element(p, k).outer)).map(|(z, d)| [z[0], z[1], d[0], d[1]]).collect()
+    }
     fn divided(&self, positions: &[f64]) -> Option<ErasedPart> {
         let mesh = Mesh::new(&self.lengths, &self.diameters, self.elements, positions);
         (mesh != self.mesh).then(|| Shaft { mesh, ..self.clone() }.erased())

@@ -94,6 +94,8 @@ pub struct Balance<'a> {
     /// Resonances of the machine linearised at rest, met by the base order: speed and half width, rad/s.
     resonances: Vec<(f64, f64)>,
     pub(in crate::harmonic) cancel: Option<&'a AtomicBool>,
+    /// Receives the speed of every step along a branch.
+    pub(in crate::harmonic) watch: Option<&'a dyn Fn(f64)>,
     pub(super) amplitudes: Vec<C64>,
     pub(super) forces: Vec<C64>,
     coefficients: Vec<f64>,
@@ -174,6 +176,7 @@ impl<'a> Balance<'a> {
             monitored: monitored(system),
             resonances: Vec::new(),
             cancel,
+            watch: None,
             amplitudes: vec![C64::zero(); m],
             forces: vec![C64::zero(); m],
             coefficients: vec![0.0; unknowns],
@@ -545,6 +548,9 @@ impl Zero for Balance<'_> {
         Ok(())
     }
     fn max_parameter_step(&mut self, _: &[f64], p: f64) -> f64 {
+        if let Some(watch) = self.watch {
+            watch(p);
+        }
         self.resonances.iter().map(|&(centre, half_width)| resonance_cap(p.abs(), centre, half_width)).fold(f64::INFINITY, f64::min)
     }
     fn cancelled(&self) -> bool {

@@ -3,6 +3,7 @@
 use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::branches::bifurcation::{Change, changes_between};
 use crate::harmonic::branches::on_determinant;
+use crate::harmonic::branches::response::{Stage, Step, Tick};
 use crate::harmonic::stability::determinant::{self, Effort, Shape};
 use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassessed};
 use crate::model::system::System;
@@ -216,7 +217,7 @@ impl Assessor {
     }
 
     /// All points of a branch, its folds, and the other changes of stability on it; `tick` receives how many points are done.
-    pub fn branch(&mut self, balance: &mut Balance, branch: Branch, origin: Origin, settings: &Settings, tick: &dyn Fn(u64)) -> Traced {
+    pub fn branch(&mut self, balance: &mut Balance, branch: Branch, origin: Origin, settings: &Settings, tick: Tick) -> Traced {
         let mut points = Vec::with_capacity(branch.points.len());
         for (i, p) in branch.points.iter().enumerate() {
             if balance.cancelled() {
@@ -229,7 +230,7 @@ impl Assessor {
             }
             points.push(state);
             if i % 16 == 0 || self.exponents.is_some() {
-                tick(points.len() as u64);
+                tick(Step { done: points.len() as u64, stage: Stage::Assess(origin), speed: p.p });
             }
         }
         let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();

@@ -17,6 +17,7 @@ use laval_model::text;
 use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
 use serde::{Deserialize, Serialize};
+use std::cell::Cell;
 use std::sync::atomic::AtomicBool;
 
 pub use crate::harmonic::branches::branch::{Fold, State, Traced};
@@ -138,8 +139,30 @@ pub struct Cut {
     pub in_time: (usize, usize),
 }
 
-/// Receives every accepted round of work; returns whether to go on.
-pub type Tick<'a> = &'a dyn Fn(u64);
+/// What is under way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// The motion at an end of the range.
+    Start,
+    /// A branch from an end of the range is followed.
+    Follow(Origin),
+    /// The points of a branch are assessed.
+    Assess(Origin),
+}
+
+/// How far a response is.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    /// Points done of this stage.
+    pub done: u64,
+    /// What is under way.
+    pub stage: Stage,
+    /// Where, rad/s.
+    pub speed: f64,
+}
+
+/// Receives every accepted round of work.
+pub type Tick<'a> = &'a dyn Fn(Step);
 
 /// The symmetry that the request imposes on the motion, and what changes when the machine is turned.
 ///
@@ -176,7 +199,7 @@ pub fn symmetry(system: &System, request: &Request) -> Result<(Symmetry, Vec<Bro
 }
 
 /// Computes the response of a machine.
-pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: Tick) -> Result<Response, Diagnostic> {
+pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: Tick<'a>) -> Result<Response, Diagnostic> {
     let (symmetry, broken) = symmetry(system, request)?;
     let automatic = request.harmonics.is_none() && symmetry != Symmetry::Circular;
     let mut harmonics = match symmetry {
@@ -258,23 +281,42 @@ fn attempt<'a>(
     d: Discretisation,
     starts: &mut Starts,
     cancel: &'a AtomicBool,
-    tick: Tick,
+    tick: Tick<'a>,
 ) -> Result<Response, Diagnostic> {
     let (lo, hi) = request.speeds;
+    // low and high, up and down speak of how fast the rotor turns, whichever way round
+    let origin = |up: bool| if up != (hi < 0.0) { Origin::Low } else { Origin::High };
+    let (way, points) = (Cell::new(Stage::Start), Cell::new(0));
+    let before = Cell::new(f64::NAN);
+    let watch = |speed: f64| {
+        // a step that was refused begins at the same point again, and the last one may lead out of the range
+        let speed = speed.clamp(lo, hi);
+        if before.replace(speed) != speed {
+            points.set(points.get() + 1);
+            tick(Step { done: points.get(), stage: way.get(), speed });
+        }
+    };
+    let follow = |up: bool| {
+        way.set(Stage::Follow(origin(up)));
+        points.set(0);
+    };
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
     let settings = settings(request);
     let invalid =
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", text!("the response cannot be followed: {e}", e));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
     let mut unstarted = Vec::new();
+    tick(Step { done: 0, stage: Stage::Start, speed: lo });
     let from_lo = starts.at(system, &mut balance, request, lo, cancel)?;
+    tick(Step { done: 0, stage: Stage::Start, speed: hi });
     let from_hi = starts.at(system, &mut balance, request, hi, cancel)?;
     let unfollowed = [(&from_lo, lo), (&from_hi, hi)];
     let unfollowed = unfollowed.into_iter().filter(|(s, _)| s.as_ref().is_some_and(|s| !s.followed)).map(|f| f.1).collect();
     unstarted.extend([(&from_lo, lo), (&from_hi, hi)].into_iter().filter(|(found, _)| found.is_none()).map(|f| f.1));
+    balance.watch = Some(&watch);
     if let Some(start) = from_lo {
+        follow(true);
         branches.push((trace(&mut balance, &start.x, lo, Direction::Up, &settings, &mut []).map_err(invalid)?, true));
-        tick(branches[0].0.points.len() as u64);
     }
     if let Some(start) = from_hi {
         let scale = balance.scales().to_vec();
@@ -284,9 +326,11 @@ fn attempt<'a>(
             .flatten()
             .any(|p| p.p == hi && p.x.iter().zip(&start.x).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs())));
         if !met {
+            follow(false);
             branches.push((trace(&mut balance, &start.x, hi, Direction::Down, &settings, &mut []).map_err(invalid)?, false));
         }
     }
+    balance.watch = None;
     if branches.is_empty() {
         return Err(Diagnostic::error(
             "response.start",
@@ -302,9 +346,7 @@ fn attempt<'a>(
         work[0].1 += branch.points.len() as u64;
         work[1].1 += branch.counters.work.iterations as u64;
         work[2].1 += branch.counters.work.factorisations as u64;
-        // low and high, up and down speak of how fast the rotor turns, whichever way round
-        let origin = if up != (hi < 0.0) { Origin::Low } else { Origin::High };
-        traced.push(assessor.branch(&mut balance, branch, origin, &settings, tick));
+        traced.push(assessor.branch(&mut balance, branch, origin(up), &settings, tick));
     }
     for t in &mut traced {
         finish(system, request, t);

@@ -13,7 +13,7 @@ use crate::harmonic::balance::terms::{Terms, admitted};
 use crate::harmonic::balance::whole_period::whole_period;
 use crate::harmonic::branches::bifurcation::{Event, frequency};
 use crate::harmonic::branches::branch::{Assessor, Origin, Traced};
-use crate::harmonic::branches::response::{self, MOST_HARMONICS, Response, States, Tick, carry, respond};
+use crate::harmonic::branches::response::{self, MOST_HARMONICS, Response, States, carry, respond};
 use crate::harmonic::loci::crossings::{CrossingLocus, angle, exponents, nearest, span};
 use crate::harmonic::loci::existence::existence;
 use crate::harmonic::loci::folds::FoldLocus;
@@ -159,7 +159,7 @@ struct Starts {
 ///
 /// # Errors
 /// A machine without a response, or that exists at no value of the parameter.
-pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick) -> Result<Loci, Diagnostic> {
+pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: &dyn Fn(u64)) -> Result<Loci, Diagnostic> {
     loci_from(system, request, &[], cancel, tick)
 }
 
@@ -172,7 +172,7 @@ pub fn loci_from(
     request: &Request,
     known: &[(f64, Response)],
     cancel: &AtomicBool,
-    tick: Tick,
+    tick: &dyn Fn(u64),
 ) -> Result<Loci, Diagnostic> {
     let (exists, refused) = existence(system, request)?;
     let path = request.parameter.as_str();
@@ -225,7 +225,8 @@ pub fn loci_from(
             collect(found, request, k, *value, &mut out, &mut starts);
             continue;
         }
-        let found = respond(machine, &response::Request { max_points, ..requested(Some(symmetry)) }, cancel, &|n| tick(done + n));
+        let found =
+            respond(machine, &response::Request { max_points, ..requested(Some(symmetry)) }, cancel, &|step| tick(done + step.done));
         let found = match found {
             Ok(found) => found,
             // a search that was stopped says nothing of the machine
@@ -313,7 +314,7 @@ struct Search<'s> {
     request: &'s Request,
     machines: &'s [(f64, System)],
     cancel: &'s AtomicBool,
-    tick: Tick<'s>,
+    tick: &'s dyn Fn(u64),
     done: u64,
 }
 

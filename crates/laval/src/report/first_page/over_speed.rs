@@ -42,6 +42,11 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed) -> Figure 
         for (a, b) in &over.unstable_response {
             panel = panel.mark(Band::x(*a, *b).strip().pink().name(Message::new("strip-response")));
         }
+        if let Some((low, high)) = over.examined {
+            for (a, b) in [(from, low), (high, to)].into_iter().filter(|(a, b)| b - a > 1e-9 * b) {
+                panel = panel.mark(Band::x(a, b).strip().neutral().name(Message::new("strip-not-examined")));
+            }
+        }
         for u in &over.unstable {
             panel = panel.mark(Band::x(u.from, u.to).strip().name(Message::new("strip-unstable")));
         }

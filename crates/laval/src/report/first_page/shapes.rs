@@ -39,7 +39,9 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
     let say = |m: Message| prose(&style.message(&m));
     let whirl = say(Message::new("page-whirl").arg("whirl", Arg::word(m.whirl)));
     let frequency = prose(&style.arg(&Arg::frequency(m.frequency)));
-    let damping = if m.grows {
+    let damping = if m.grows && m.frequency == 0.0 {
+        say(Message::new("page-diverges"))
+    } else if m.grows {
         say(Message::new("page-grows"))
     } else if m.growth > 0.0 {
         say(Message::new("page-not-resolved"))

@@ -12,6 +12,7 @@
 
 use super::approximation::{self, Approximation};
 use super::modes::{THRESHOLD, WHIRLS};
+use super::numbering;
 use super::operating::operating;
 use super::whirl;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -110,7 +111,7 @@ pub(in crate::study) fn critical_table(found: &[Critical]) -> Result<Table, Diag
         .float("growth", "1/s", "growth rate of the mode", column(|c| c.growth))
         .float("damping_ratio", "", "damping ratio of the mode", column(damping))
         .text("whirl", "direction of whirl", found.iter().map(|c| c.whirl.word().into()).collect())
-        .int("mode", "", "branch of the Campbell diagram", found.iter().map(|c| c.branch as i64 + 1).collect())
+        .int("mode", "", "number of the mode in the Campbell diagram", found.iter().map(|c| c.branch as i64 + 1).collect())
         .float("uncertainty", "rad/s", "last Newton step; the width of the bracket where it is not located", column(|c| c.step))
         .flag(
             "located",
@@ -233,7 +234,8 @@ orders = [1, 2]
 
     fn compute(&self, system: &System, context: &Context) -> Result<CampbellResult, Diagnostic> {
         let limit = self.limit(system)?;
-        let (found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
+        let (mut found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
+        numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
         let locate = || criticals(system, &|w| rest(system, w), &found, &self.orders);
         // of a study that has to end those that there is no time for are left out
         let crossings = if end == End::Reached { locate() } else { piece(locate).unwrap_or_default() };
@@ -406,7 +408,10 @@ impl<'a> Shown<'a> {
         let column = |f: fn(&MachineMode) -> f64| rows.iter().map(|r| f(r.2)).collect::<Vec<f64>>();
         Table::new("modes", "Modes followed over the spin speed")
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1).collect())
-            .text("mode", "number of the branch and its direction of whirl", rows.iter().map(|r| self.label(r.0)).collect())
+            .text(
+                "mode",
+                "number by rising frequency at the speed of the machine, or at the first speed where the range does not hold it, and direction of whirl",
+ rows.iter().map(|r| self.label(r.0)).collect())
             .float("frequency", "rad/s", "frequency", column(MachineMode::frequency))
             .float("growth", "1/s", "growth rate", column(MachineMode::growth))
             .float("damping_ratio", "", "damping ratio", column(MachineMode::damping_ratio))

@@ -11,6 +11,7 @@
 
 use super::campbell::{ORDERS, critical, critical_table, damping, follow, order, orders, special};
 use super::growing::{Follows, unstable};
+use super::numbering;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::probe::Probe;
@@ -83,7 +84,8 @@ margin = "20 %"
     fn compute(&self, system: &System, context: &Context) -> Result<CriticalSpeedsResult, Diagnostic> {
         let state = |w: f64| rest(system, w);
         let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
-        let (found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;
+        let (mut found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;
+        numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
         let crossings = criticals(system, &state, &found, &self.orders);
         let (_, load) = Characteristic::new(system, &state(self.speed.to)?).loads();
         let forced = load.iter().any(|f| f.abs() > 0.0) && !system.probes().is_empty() && end.is_complete();

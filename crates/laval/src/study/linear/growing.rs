@@ -5,6 +5,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Finding};
 use crate::solve::roots::LEAST;
 use crate::solve::sweep::Strongest;
+use crate::study::linear::whirl::aperiodic;
 use laval_num::order::SortByNumber;
 
 /// What follows for the numbers of a study.
@@ -47,7 +48,7 @@ pub(in crate::study) fn unstable(system: &System, strongest: &[Strongest], follo
         .arg("unstable", Arg::count(grow.len()))
         .arg("computed", Arg::count(all.len()))
         .arg("speed", Arg::speed(most.speed))
-        .arg("motion", Arg::word(if most.value.im == 0.0 { "divergence" } else { "whirl" }))
+        .arg("motion", Arg::word(if aperiodic(most.value) { "divergence" } else { "whirl" }))
         .arg("frequency", Arg::frequency(most.value.im))
         .arg("follows", Arg::word(follows))
         .evidence("share of the speeds computed", share, "");

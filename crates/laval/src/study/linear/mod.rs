@@ -7,6 +7,7 @@ pub mod critical_speeds;
 pub mod forced_response;
 pub(in crate::study) mod growing;
 pub mod modes;
+mod numbering;
 pub(in crate::study) mod operating;
 pub mod stability_map;
 #[path = "static/mod.rs"]

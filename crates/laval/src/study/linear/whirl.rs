@@ -2,6 +2,7 @@
 
 use crate::outcome::{Arg, Finding, Message};
 use crate::solve::pencil::{FLAT, MachineMode, Whirl};
+use laval_num::complex::C64;
 
 /// The phrase `forward whirl`; where neither direction leads, with the forward share of the squared amplitudes.
 pub(in crate::study) fn direction(whirl: Whirl, forward_share: f64) -> Message {
@@ -15,10 +16,15 @@ pub(in crate::study) fn direction(whirl: Whirl, forward_share: f64) -> Message {
     }
 }
 
+/// A root that is real but for rounding: Newton's method on the characteristic function leaves a trace of a frequency.
+pub(in crate::study) fn aperiodic(root: C64) -> bool {
+    root.im.abs() <= 1e-9 * root.re.abs()
+}
+
 /// Adds how an unstable mode moves at a spin speed: the word `whirl`, and the frequency where it oscillates.
 pub(in crate::study) fn growing(finding: Finding, m: &MachineMode, speed: f64) -> Finding {
     let word = match m.whirl.at(speed) {
-        _ if !(m.frequency() > 0.0) => "none",
+        _ if aperiodic(m.value) => "none",
         w @ (Whirl::Forward | Whirl::Backward) => w.word(),
         Whirl::Mixed | Whirl::Axial | Whirl::Torsional | Whirl::None => "vibration",
     };

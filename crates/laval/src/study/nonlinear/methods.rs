@@ -18,6 +18,7 @@ use crate::solve::harmonic::balance::problem::Discretisation;
 use crate::solve::harmonic::branches::methods::{Comparison, Method, Value, compare, component, orders};
 use crate::solve::harmonic::branches::response::{Request, Response, respond, symmetry};
 use crate::solve::symmetry::Symmetry;
+use crate::study::nonlinear::progress::progress;
 use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{one_or_range, probe_name};
@@ -80,7 +81,7 @@ harmonics = 7
         self.admit(system)?;
         let most = usize::try_from(context.work_limit).unwrap_or(usize::MAX).clamp(2, 20_000);
         let request = Request { max_points: most, ..self.request() };
-        let converged = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let converged = respond(system, &request, context.cancel, &|step| progress(context, &step))?;
         let speeds = if self.speed.is_one() { vec![self.speed.from] } else { self.speed.linspace(25) };
         let within = usize::try_from(context.work_limit).unwrap_or(usize::MAX).min(speeds.len());
         let total = speeds.len() as u64;

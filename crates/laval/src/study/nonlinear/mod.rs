@@ -6,5 +6,6 @@ pub(in crate::study) mod free_motion;
 pub mod limit_cycles;
 pub mod methods;
 pub mod nonlinear_response;
+pub(in crate::study) mod progress;
 pub mod response_map;
 pub mod stationary;

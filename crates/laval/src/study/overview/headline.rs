@@ -4,23 +4,25 @@ use super::checks;
 use super::margins;
 use super::operating::Operating;
 use super::{Facts, Known, MARGIN};
-use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Unstable, Verdict};
+use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Resonance, Unstable, Verdict};
 use laval_num::order::SortByNumber;
 
 /// Remarks of one heading.
 const MOST: usize = 3;
 
 pub(super) fn headline(facts: &Facts, page: &mut Overview) {
+    let buckled = facts.buckling.as_ref().map(|b| Message::new("headline-buckled").arg("time", Arg::quantity(1.0 / b.growth, "s")));
     let Some(speed) = facts.operating else {
-        page.verdict = Verdict::NotComputed;
-        page.headline = vec![Message::new("headline-no-speed")];
-        page.next = [Message::new("next-speed")].into_iter().chain(studies(facts)).collect();
+        page.verdict = if buckled.is_some() { Verdict::Failed } else { Verdict::NotComputed };
+        page.headline = buckled.into_iter().chain([Message::new("headline-no-speed")]).collect();
+        page.next = hold(facts).into_iter().chain([Message::new("next-speed")]).chain(studies(facts)).collect();
         return;
     };
     let at = |key: &str| Message::new(key).arg("speed", speed.arg());
     let check = |name: &str| page.checks.iter().find(|c| c.what.key == name);
     let over = page.over_speed.as_ref();
     let crossed: Vec<&Unstable> = over.iter().flat_map(|o| &o.unstable).filter(|u| u.to < speed.low).collect();
+    let endless = crossed.iter().find(|u| u.open.1);
     let unstable = check("check-stability").is_some_and(checks::grows);
     let stability = match check("check-stability").map_or(Verdict::NotComputed, |c| c.verdict) {
         Verdict::Failed if !unstable => Verdict::Passed,
@@ -66,6 +68,9 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
         } else if let Some((from, to)) = checks::ranges(facts, "no_stable_state").into_iter().find(|r| r.0 < speed.low && facts.balls) {
             verdict = verdict.max(Verdict::Attention);
             Some(Message::new("headline-slip").arg("from", Arg::speed(from)).arg("to", Arg::speed(to)))
+        } else if let Some(u) = endless {
+            verdict = verdict.max(Verdict::Attention);
+            Some(Message::new("headline-crosses-open").arg("from", Arg::speed(u.from)).arg("to", Arg::speed(u.to)))
         } else if let (Some(first), Some(last)) = (crossed.first(), crossed.last()) {
             verdict = verdict.max(Verdict::Attention);
             let m = Message::new("headline-crosses").arg("count", Arg::count(crossed.len()));
@@ -74,15 +79,44 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             None
         };
         headline.extend(more);
+        // beside a resonance or an instability that is near
+        if let (Some(m), Some(o)) = (near("check-jump"), over) {
+            verdict = verdict.max(Verdict::Attention);
+            headline.extend(near_jump(o, speed, m));
+        }
         if check("check-validity").is_some_and(|c| c.verdict == Verdict::Attention) {
             verdict = verdict.max(Verdict::Attention);
             headline.push(Message::new("headline-validity"));
         }
     }
+    if let Some(buckled) = buckled {
+        verdict = verdict.max(Verdict::Attention);
+        headline.insert(if verdict == Verdict::Failed { 0 } else { headline.len() }, buckled);
+    }
     let remarks = [here(page, speed), below(facts, over, speed), above(over, speed)];
     let next = next(facts, &page.checks, over, speed);
     (page.verdict, page.headline, page.next) = (verdict, headline, next);
     page.remarks = remarks.into_iter().flatten().collect();
+}
+
+/// The nearest jump or bifurcation, and on which side it is.
+fn near_jump(over: &OverSpeed, speed: Operating, margin: f64) -> Option<Message> {
+    let place = margins::jump(over, speed).place(speed)?;
+    let side = match () {
+        _ if speed.contains(place) => "inside",
+        _ if place > speed.high => "above",
+        _ => "below",
+    };
+    let kind = if over.jumps.contains(&place) { "jump" } else { "bifurcation" };
+    let m = Message::new("headline-jump").arg("kind", Arg::word(kind)).arg("side", Arg::word(side));
+    Some(m.arg("speed", Arg::speed(place)).arg("margin", Arg::percent(margin).digits(2)))
+}
+
+/// What makes a machine hold its position at rest.
+fn hold(facts: &Facts) -> Option<Message> {
+    let parts = &facts.buckling.as_ref()?.parts;
+    let m = Message::new("next-buckled").arg("count", Arg::count(parts.len()));
+    Some(m.arg("parts", Arg::names(parts.iter().map(String::as_str))))
 }
 
 /// At the operating speed.
@@ -100,7 +134,7 @@ fn span(key: &str, u: &Unstable) -> Message {
         .arg("to", Arg::speed(u.to))
         .arg("frequency", Arg::frequency(u.frequency))
         .arg("time", Arg::quantity(1.0 / u.growth, "s"))
-        .arg("open", Arg::word(if u.open.1 { "yes" } else { "no" }))
+        .arg("open", checks::open(u))
         .arg("oscillates", Arg::word(if u.frequency > 0.0 { "yes" } else { "no" }))
 }
 
@@ -112,14 +146,13 @@ fn below(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(M
     }
     let over = over?;
     let mut out: Vec<Message> = over.unstable.iter().filter(|u| u.to < speed.low).map(|u| span("remark-unstable", u)).collect();
-    for r in over.resonances.iter().filter(|r| r.speed < speed.low) {
-        out.push(resonance(r));
-    }
+    out.truncate(MOST);
+    let crossed: Vec<&Resonance> = over.resonances.iter().filter(|r| r.speed < speed.low).collect();
+    out.extend(resonances(&crossed).into_iter().map(|r| r.1));
     let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w <= speed.high).collect();
     if !jumps.is_empty() {
         out.push(jump(&jumps));
     }
-    out.truncate(MOST);
     (!out.is_empty()).then(|| (Message::new("remark-below"), out))
 }
 
@@ -128,7 +161,18 @@ fn jump(speeds: &[f64]) -> Message {
     Message::new("remark-jump").arg("count", Arg::count(speeds.len())).arg("speeds", list)
 }
 
-fn resonance(r: &crate::outcome::Resonance) -> Message {
+/// The first ones with their amplitudes, the others by their speeds: none is left out.
+fn resonances(all: &[&Resonance]) -> Vec<(f64, Message)> {
+    let (first, rest) = all.split_at(all.len().min(if all.len() > MOST { MOST - 1 } else { MOST }));
+    let mut out: Vec<(f64, Message)> = first.iter().map(|r| (r.speed, resonance(r))).collect();
+    if let Some(next) = rest.first() {
+        let speeds = Arg::List(rest.iter().map(|r| Arg::speed(r.speed)).collect());
+        out.push((next.speed, Message::new("remark-resonances").arg("speeds", speeds)));
+    }
+    out
+}
+
+fn resonance(r: &Resonance) -> Message {
     let m = |key: &str| Message::new(key).arg("speed", Arg::speed(r.speed));
     match &r.amplitude {
         Some((body, x)) if x.is_finite() => m("remark-resonance").arg("body", body.clone()).arg("value", Arg::quantity(*x, "m")),
@@ -142,20 +186,21 @@ fn above(over: Option<&OverSpeed>, speed: Operating) -> Option<(Message, Vec<Mes
     let over = over?;
     let mut out: Vec<(f64, Message)> =
         over.unstable.iter().filter(|u| u.from > speed.high).map(|u| (u.from, span("remark-unstable", u))).collect();
-    out.extend(over.resonances.iter().filter(|r| r.speed > speed.high).map(|r| (r.speed, resonance(r))));
+    out.truncate(MOST);
+    let further: Vec<&Resonance> = over.resonances.iter().filter(|r| r.speed > speed.high).collect();
+    out.extend(resonances(&further));
     let jumps: Vec<f64> = over.jumps.iter().copied().filter(|w| *w > speed.high).collect();
     out.extend(jumps.first().map(|w| (*w, jump(&jumps))));
     out.sort_by_number(|a| a.0);
-    out.truncate(MOST);
     (!out.is_empty()).then(|| (Message::new("remark-above"), out.into_iter().map(|o| o.1).collect()))
 }
 
 /// The speeds nearest below and above the unstable range of the operating speed that keep the required margin to it, and lie in no other.
 fn outside(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> [Option<f64>; 2] {
     let all = over.map_or(&[][..], |o| &o.unstable);
-    let Some(here) = all.iter().find(|u| u.from <= speed.high && speed.low <= u.to) else { return [None; 2] };
+    let Some(here) = all.iter().find(|u| u.holds(speed.low, speed.high)) else { return [None; 2] };
     let margin = facts.operation.instability_margin.unwrap_or(MARGIN);
-    let known = over.map_or((f64::INFINITY, 0.0), |o| o.range);
+    let known = over.and_then(|o| o.examined).unwrap_or((f64::INFINITY, 0.0));
     let near = |w: f64| all.iter().any(|u| u != here && w * (1.0 + margin) > u.from && w * (1.0 - margin) < u.to);
     // a margin is a share of the operating speed
     let (below, above) = (here.from / (1.0 + margin), here.to / (1.0 - margin));
@@ -169,7 +214,9 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: Operat
     let verdict = |name: &str| checks.iter().find(|c| c.what.key == name).map(|c| c.verdict);
     let runs = |kind: &str| facts.outcomes.iter().any(|o| o.kind == kind);
     let nonlinear = facts.system.slots().iter().any(|s| !s.is_linear());
-    if checks.iter().any(|c| c.what.key == "check-stability" && checks::grows(c)) {
+    if let Some(hold) = hold(facts) {
+        out.push(hold);
+    } else if checks.iter().any(|c| c.what.key == "check-stability" && checks::grows(c)) {
         let [below, above] = outside(facts, over, speed).map(|w| w.map(Arg::speed));
         let sides = match (&below, &above) {
             (Some(_), Some(_)) => "both",
@@ -195,6 +242,9 @@ fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: Operat
     }
     if matches!(verdict("check-resonance"), Some(Verdict::Attention | Verdict::Failed)) {
         out.push(Message::new("next-resonance").arg("margin", Arg::percent(facts.resonance_margin().unwrap_or(MARGIN))));
+    }
+    if matches!(verdict("check-jump"), Some(Verdict::Attention | Verdict::Failed)) {
+        out.push(Message::new("next-jump").arg("margin", Arg::percent(facts.resonance_margin().unwrap_or(MARGIN))));
     }
     if verdict("check-balls") == Some(Verdict::NotComputed) {
         out.push(Message::new("next-balls"));

@@ -21,11 +21,12 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
         let own = slot.part.body().is_some_and(|b| b.parameters().stiffness.is_some());
         Block::Body {
             name: slot.name.clone(),
-            rotor: slot.part.body().is_some_and(|b| b.turns()),
+            rotor: slot.part.body().is_some_and(|b| b.turns()) && !pedestal(system, k, &bodies),
             flexible: slot.part.body().is_some_and(|b| b.nodes().is_some()),
             labels: labels(system, slot),
             grounded: if own { joint(system, slot) } else { Joint::default() },
             cavity: cavity(system, &slot.name),
+            profile: slot.part.body().map(|b| b.profile(&system.params()[slot.params.clone()])).unwrap_or_default(),
             place: place(&slot.name),
         }
     };
@@ -33,6 +34,37 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
     let others: Vec<Block> =
         others.filter_map(|(_, s)| balls(system, s).or_else(|| liquid(system, s)).or_else(|| link(system, s))).collect();
     bodies.iter().map(body).chain(others).collect()
+}
+
+/// A body with coordinates of its own between a shaft and the ground: what stands below a bearing, whatever kind of part makes it.
+fn pedestal(system: &System, k: usize, bodies: &[usize]) -> bool {
+    let slot = &system.slots()[k];
+    let bends = |k: usize| system.slots()[k].part.body().is_some_and(|b| b.nodes().is_some());
+    let carrier = |k: usize| {
+        system.slots()[k].layout.ports.iter().find_map(|p| match &p.link {
+            Link::On(a) => a.body.as_deref(),
+            Link::Between(..) => None,
+        })
+    };
+    let number = |name: &str| bodies.iter().copied().find(|k| system.slots()[*k].name == name);
+    // of the rotor: a shaft, and what it carries
+    let on_shaft = |name: &str| number(name).is_some_and(|k| bends(k) || carrier(k).and_then(number).is_some_and(bends));
+    if bends(k) || carrier(k).is_some() {
+        return false;
+    }
+    // bodies that parts join with it; none is the ground
+    let joined = |part: &Slot| -> Option<Option<String>> {
+        part.layout.ports.iter().find_map(|p| match &p.link {
+            Link::Between(a, b) if a.body.as_deref() == Some(&*slot.name) => Some(b.body.clone()),
+            Link::Between(a, b) if b.body.as_deref() == Some(&*slot.name) => Some(a.body.clone()),
+            _ => None,
+        })
+    };
+    let held = |part: &Slot| joint(system, part).elastic;
+    let own = slot.part.body().is_some_and(|b| b.parameters().stiffness.is_some());
+    let others = || system.slots().iter().filter_map(|s| Some((s, joined(s)?)));
+    let grounded = own || others().any(|(s, to)| to.is_none() && held(s));
+    grounded && others().any(|(_, to)| to.is_some_and(|name| on_shaft(&name)))
 }
 
 /// The first values of a part that are not 0; what is the same in x and y stands once.

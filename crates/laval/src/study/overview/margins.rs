@@ -62,6 +62,11 @@ pub(super) fn resonance(over: &OverSpeed, operating: Operating) -> Nearest {
     Nearest::of(over.resonances.iter().map(|r| r.speed), operating)
 }
 
+/// Jumps and bifurcations of the nonlinear response around the operating speeds.
+pub(super) fn jump(over: &OverSpeed, operating: Operating) -> Nearest {
+    Nearest::of(over.jumps.iter().chain(&over.bifurcations).copied(), operating)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,6 +6,7 @@
 //!
 //! Validity: small motions about the equilibrium; what a nonlinear study of the file found is stated beside it.
 
+mod buckling;
 mod checks;
 mod headline;
 mod left_out;
@@ -176,8 +177,12 @@ pub(super) struct Facts<'a> {
     criticals: Known<CriticalSpeedsResult>,
     /// Where critical speeds are not known: the response over the range.
     forced: Option<ForcedResponseResult>,
+    /// Study of the file whose response over the range is shown; none where the page computed it.
+    response_study: Option<String>,
     /// The run-up in the time of `[operation]`.
     run_up: Option<Known<Outcome>>,
+    /// The machine does not hold its position at rest.
+    buckling: Option<buckling::Buckling>,
     /// Masses move in the rotor: no linear study answers, and a study of stationary states does.
     balls: bool,
 }
@@ -252,6 +257,10 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let limits = limits::of(system);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
     let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
+    let mut response_study = match &criticals {
+        Known::Studied(_, name) => studied::response_beside(outcomes, needed, name),
+        _ => None,
+    };
     // slower waves of a liquid that nothing inside it damps are within rounding
     let fastest = range.1;
     let threshold = match system.domains(fastest).iter().any(Domain::undamped) {
@@ -264,7 +273,11 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         _ => match within(&ForcedResponse { speed }, system, context)
             .or_studied(|r| r.end.is_complete(), || studied::forced(outcomes, needed?))
         {
-            Known::Yes(r) | Known::Studied(r, _) => Some(r),
+            Known::Yes(r) => Some(r),
+            Known::Studied(r, name) => {
+                response_study = Some(name);
+                Some(r)
+            }
             _ => None,
         },
     };
@@ -290,7 +303,9 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         steady: None,
         criticals,
         forced,
+        response_study,
         run_up,
+        buckling: if balls { None } else { buckling::buckling(system, context) },
         balls,
     };
     facts.steady = operating.and_then(|o| nonlinear::steady(&facts, o));

@@ -1,6 +1,6 @@
 //! Growth, response and jumps over the spin speed.
 
-use super::Facts;
+use super::{Facts, ends};
 use crate::model::probe::Probe;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
@@ -9,6 +9,7 @@ use crate::solve::pencil::Whirl;
 use crate::solve::stability::Row;
 use crate::study::Study;
 use crate::study::linear::campbell::damping;
+use crate::study::linear::whirl::aperiodic;
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
 use crate::study::shared::probes::{self, farthest};
 use laval_num::order::{SortByNumber, ascending};
@@ -21,19 +22,24 @@ const SHOWN: f64 = 0.25;
 const SMALL: f64 = 0.02;
 /// Nor are peaks that rise less than this above the lower speeds and above the higher ones, by a share of their height: rounding on a response that does not change.
 const RISE: f64 = 1e-3;
+/// Speeds that differ by less than this share are one resonance.
+const SAME: f64 = 0.02;
 
 /// What is known over the speed; none where nothing is.
 pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
-    let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
+    let mut out = OverSpeed {
+        range: facts.range,
+        jumps: places(facts, ["jump_up", "jump_down"]),
+        bifurcations: places(facts, ["stability_lost", "stability_gained"]),
+        ..OverSpeed::default()
+    };
     if let Some(row) = facts.stability.get() {
         out.threshold = facts.threshold;
-        out.unstable = unstable(row, facts);
-        // ranges narrower than the steps over the whole range
-        let near = facts.near.iter().flat_map(|row| unstable(row, facts));
-        let found: Vec<Unstable> = near.filter(|u| !out.unstable.iter().any(|k| k.from <= u.to && u.from <= k.to)).collect();
-        out.unstable.extend(found);
-        out.unstable.sort_by_number(|a| a.from);
-        (out.growth_speed, out.growth) = row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).unzip();
+        // about the operating speeds also ranges narrower than the steps over the whole range
+        let all = [Some(row), facts.near.as_ref()].into_iter().flatten().flat_map(|row| unstable(row, facts));
+        out.unstable = united(all.collect());
+        (out.growth_speed, out.growth) = growth(row, facts).into_iter().unzip();
+        out.examined = ends(&out.growth_speed);
     }
     out.unstable_response = unstable_responses(facts, &out.unstable);
     let forced = facts.forced.as_ref().map(|f| &f.curve);
@@ -109,6 +115,7 @@ fn shown(facts: &Facts, over: &OverSpeed) -> (f64, f64) {
     let events = over
         .unstable
         .iter()
+        .filter(|u| !u.open.0)
         .map(|u| u.from)
         .chain(over.unstable_response.iter().map(|u| u.0))
         .chain(over.resonances.iter().map(|r| r.speed))
@@ -135,8 +142,14 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
         let floor = [true, false].map(side).into_iter().filter(|x| x.is_finite()).fold(0.0, f64::max);
         e.unbounded || !(e.value - floor <= RISE * e.value)
     };
-    for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest && rises(e)) {
-        if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < 0.02 * e.speed.abs()) {
+    // beside a sharp first resonance a further critical speed is small, but shown by the curve
+    let critical = |e: &Extremum| {
+        let found = facts.criticals.get().into_iter().flat_map(|c| &c.crossings);
+        let mut light = found.filter(|c| c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward);
+        light.any(|c| (c.speed - e.speed).abs() < SAME * e.speed.abs())
+    };
+    for e in sorted.into_iter().filter(|e| (size(e) >= SMALL * largest || critical(e)) && rises(e)) {
+        if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < SAME * e.speed.abs()) {
             continue;
         }
         let amplitude =
@@ -146,17 +159,53 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
     out
 }
 
+/// Growth along the speed, with that about the operating speeds where it goes on from there: the whole range may have ended early.
+fn growth(row: &Row, facts: &Facts) -> Vec<(f64, f64)> {
+    let of = |row: &Row| row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).collect::<Vec<_>>();
+    let mut out = of(row);
+    out.sort_by_number(|p| p.0);
+    let last = out.last().map_or(0.0, |p| p.0);
+    let mut near = facts.near.as_ref().map(of).unwrap_or_default();
+    near.sort_by_number(|p| p.0);
+    if near.first().is_some_and(|p| p.0 <= last) {
+        out.extend(near.into_iter().filter(|p| p.0 > last));
+    }
+    out
+}
+
+/// Unstable ranges of several examinations, those that overlap as one. A range that one of them leaves open ends where another found its end.
+fn united(mut all: Vec<Unstable>) -> Vec<Unstable> {
+    all.sort_by_number(|u| u.from);
+    let mut out: Vec<Unstable> = Vec::new();
+    for u in all {
+        match out.last_mut() {
+            // between the last speed of one and the first of the next nothing was examined: not stable
+            Some(k) if u.from <= k.to || k.open.1 && u.open.0 => {
+                if u.to > k.to {
+                    (k.to, k.open.1) = (u.to, u.open.1);
+                }
+                if u.growth > k.growth {
+                    (k.growth, k.frequency) = (u.growth, u.frequency);
+                }
+            }
+            _ => out.push(u),
+        }
+    }
+    out
+}
+
 /// Ranges above the threshold, with what grows most in each.
 fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
     let sign = facts.sign;
+    let (Some(first), Some(last)) = (row.samples.first(), row.samples.last()) else { return Vec::new() };
     let one = |(from, to): (f64, f64)| {
         let samples = row.samples.iter().filter(|s| (from..=to).contains(&s.speed)).map(|s| s.value);
         let peaks = row.peaks.iter().filter(|p| (from..=to).contains(&p.speed)).map(|p| p.value);
         let edges = row.edges.iter().filter(|e| e.speed == from || e.speed == to).map(|e| e.value);
         let worst = samples.chain(peaks).chain(edges).max_by(|a, b| a.re.total_cmp(&b.re))?;
-        let (low, high) = if sign > 0.0 { (from, to) } else { (-to, -from) };
-        let open = (low <= facts.range.0, high >= facts.range.1 && !row.stopped);
-        Some(Unstable { from: low, to: high, open, growth: worst.re, frequency: worst.im.abs() })
+        let open = (from == first.speed, to == last.speed);
+        let (from, to, open) = if sign > 0.0 { (from, to, open) } else { (-to, -from, (open.1, open.0)) };
+        Some(Unstable { from, to, open, growth: worst.re, frequency: if aperiodic(worst) { 0.0 } else { worst.im.abs() } })
     };
     let mut out: Vec<Unstable> = ranges(row, facts.threshold).into_iter().filter_map(one).collect();
     out.sort_by_number(|a| a.from);
@@ -166,6 +215,14 @@ fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
 /// Ranges between located edges, and those of samples that lie outside of them: counted spectra have samples alone.
 fn ranges(row: &Row, threshold: f64) -> Vec<(f64, f64)> {
     let mut out = row.unstable_ranges(threshold);
+    // a row that ended early may lack the edge at which its last range ends
+    let last = row.samples.last().filter(|s| !row.unstable(s, threshold));
+    if let (Some(range), Some(last)) = (out.last_mut(), last)
+        && range.1 == last.speed
+    {
+        let inside = row.samples.iter().filter(|s| s.speed >= range.0 && row.unstable(s, threshold));
+        range.1 = inside.map(|s| s.speed).fold(range.0, f64::max);
+    }
     let mut run: Option<(f64, f64)> = None;
     for s in &row.samples {
         let located = out.iter().any(|r| (r.0..=r.1).contains(&s.speed));
@@ -180,10 +237,10 @@ fn ranges(row: &Row, threshold: f64) -> Vec<(f64, f64)> {
     out
 }
 
-/// Speeds of the jumps that a nonlinear response of the file found.
-fn jumps(facts: &Facts) -> Vec<f64> {
+/// Speeds of findings of the nonlinear responses of the file, ascending.
+fn places(facts: &Facts, ids: [&str; 2]) -> Vec<f64> {
     let responses = facts.outcomes.iter().filter(|o| o.kind == NonlinearResponse::KIND);
-    let found = responses.flat_map(|o| &o.findings).filter(|f| f.id == "jump_up" || f.id == "jump_down");
+    let found = responses.flat_map(|o| &o.findings).filter(|f| ids.contains(&f.id.as_str()));
     let mut out: Vec<f64> = found.filter_map(|f| f.value).map(|w| facts.sign * w).filter(|w| *w > 0.0).collect();
     ascending(&mut out);
     out
@@ -202,4 +259,25 @@ fn unstable_responses(facts: &Facts, linear: &[Unstable]) -> Vec<(f64, f64)> {
     out.sort_by(|a, b| a.0.total_cmp(&b.0));
     out.dedup();
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn range(from: f64, to: f64, open: (bool, bool), growth: f64) -> Unstable {
+        Unstable { from, to, open, growth, frequency: growth }
+    }
+
+    /// An end is that of an examination that found it, else the last speed examined.
+    #[test]
+    fn overlapping_ranges_are_one_and_keep_an_open_end() {
+        let early = range(20.0, 28.0, (false, true), 1.0);
+        assert_eq!(united(vec![range(24.0, 36.0, (true, true), 2.0), early.clone()]), [range(20.0, 36.0, (false, true), 2.0)]);
+        assert_eq!(united(vec![early.clone(), range(24.0, 30.0, (true, false), 0.5)]), [range(20.0, 30.0, (false, false), 1.0)]);
+        // neither found an end between them
+        assert_eq!(united(vec![early.clone(), range(30.0, 36.0, (true, true), 0.5)]), [range(20.0, 36.0, (false, true), 1.0)]);
+        let apart = [early, range(30.0, 36.0, (false, true), 0.5)];
+        assert_eq!(united(apart.to_vec()), apart);
+    }
 }

@@ -1,9 +1,11 @@
 //! Modes at the operating speed: frequency, damping, direction, and which bodies move.
 
 use super::Facts;
+use super::buckling::diverging;
 use crate::outcome::Mode;
 use crate::solve::pencil::MachineMode;
 use crate::solve::sectors::circular;
+use crate::study::linear::whirl::aperiodic;
 use laval_num::order::SortByNumber;
 
 /// Modes shown: the slowest in decay first.
@@ -17,7 +19,8 @@ const ROUND: f64 = 1e-6;
 pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
     let Some((study, result)) = facts.modes.as_ref().and_then(|(s, m)| Some((s, m.get()?))) else { return Vec::new() };
     let threshold = study.threshold.max(facts.threshold);
-    let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).collect();
+    let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| !aperiodic(m.value)).collect();
+    all.extend(diverging(result, threshold));
     all.sort_by_number(|a| a.damping_ratio());
     all.truncate(MOST);
     all.sort_by_number(|a| a.frequency());
@@ -45,5 +48,12 @@ fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
     let shown = axes.into_iter().filter(|a| share(a.1) >= HARDLY);
     let (orbits, angles) = shown.map(|(n, a, b, angle)| ((n, share(a), share(b)), angle)).unzip();
     let whirl = m.whirl.at(speed).word();
-    Mode { growth: m.growth(), grows: m.growth() > 0.0, frequency: m.frequency(), whirl, orbits, angles }
+    Mode {
+        growth: m.growth(),
+        grows: m.growth() > 0.0,
+        frequency: if aperiodic(m.value) { 0.0 } else { m.frequency() },
+        whirl,
+        orbits,
+        angles,
+    }
 }

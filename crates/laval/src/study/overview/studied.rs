@@ -7,6 +7,7 @@ use crate::solve::extrema::Curve;
 use crate::solve::linear_response::Response;
 use crate::solve::stability::{Edge, Row, Sample};
 use crate::solve::sweep::Strongest;
+use crate::study::Study;
 use crate::study::linear::campbell::{Campbell, CampbellResult};
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
@@ -136,6 +137,12 @@ pub(super) fn criticals(outcomes: &[Outcome], needed: Needed, orders: &[f64]) ->
     let (mut found, name) = own.or_else(campbell)?;
     found.crossings.retain(|c| orders.contains(&c.order));
     Some((found, name))
+}
+
+/// The study whose response stands beside critical speeds of this study: its own, or that of a forced response.
+pub(super) fn response_beside(outcomes: &[Outcome], needed: Option<Needed>, name: &str) -> Option<String> {
+    let own = outcomes.iter().any(|o| o.name == name && o.kind == CriticalSpeeds::KIND);
+    if own { Some(name.to_string()) } else { forced(outcomes, needed?).map(|f| f.1) }
 }
 
 /// The response over a range that holds the speeds needed.

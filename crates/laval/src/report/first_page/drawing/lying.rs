@@ -16,6 +16,8 @@ const APART: f64 = 46.0;
 const SUPPORT: f64 = 46.0;
 const BLOCK: f64 = 22.0;
 const SHAFT: f64 = 5.0;
+/// Room beside the ends of a shaft.
+const BESIDE: f64 = 14.0;
 const LINE: f64 = 15.0;
 
 /// Numbers at the parts, and their names.
@@ -36,6 +38,8 @@ impl Key {
 /// A joint at a place, downwards to a block or to the ground (`None`).
 struct Support<'a> {
     x: f64,
+    /// Along the axis of the machine, m.
+    place: f64,
     to: Option<usize>,
     joint: Joint,
     name: &'a str,
@@ -47,14 +51,14 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     let rotors: Vec<usize> = (0..parts.bodies.len()).filter(|&k| parts.bodies[k].rotor).collect();
     let blocks: Vec<usize> = (0..parts.bodies.len()).filter(|&k| !parts.bodies[k].rotor).collect();
     let at = places(parts);
-    let half = |k: &usize| shape(&parts.bodies[*k]);
+    let half = |k: &usize| shape(&parts.bodies[*k], at.scale);
     let tallest = rotors.iter().map(|k| half(k).0).fold(DISC.0, f64::max);
     let mut supports = supports(parts, &rotors, &blocks, &at);
     // what would cut the side of a body stands beside it
     for p in &mut supports {
-        let cut = |k: &&usize| (2.0..half(k).1 + reach(p.joint) + 2.0).contains(&(at(**k, 0.0) - p.x).abs());
+        let cut = |k: &&usize| (2.0..half(k).1 + reach(p.joint) + 2.0).contains(&(at.point(**k, 0.0) - p.x).abs());
         if let Some(k) = rotors.iter().find(cut) {
-            p.x = at(*k, 0.0) + (half(k).1 + reach(p.joint) + 3.0).copysign(p.x - at(*k, 0.0));
+            p.x = at.point(*k, 0.0) + (half(k).1 + reach(p.joint) + 3.0).copysign(p.x - at.point(*k, 0.0));
         }
     }
     let above = supports.iter().any(|p| p.upwards);
@@ -62,17 +66,18 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     let mut s = String::new();
     let mut key = Key::default();
     // the rotor
-    let xs: Vec<f64> = rotors.iter().map(|&k| at(k, 0.0)).chain(supports.iter().map(|p| p.x)).collect();
+    let xs: Vec<f64> = rotors.iter().map(|&k| at.point(k, 0.0)).chain(supports.iter().map(|p| p.x)).collect();
     let (first, last) = xs.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
     let _ = write!(s, "<path class=\"axis\" d=\"M{} {y}H{}\"/>", px(first - 34.0), px(last + 34.0), y = px(axis));
-    if !rotors.is_empty() {
+    let outlined = rotors.iter().any(|k| !parts.bodies[*k].profile.is_empty());
+    if !rotors.is_empty() && !outlined {
         rect(&mut s, "steel", (first - 16.0, axis - SHAFT), (last - first + 32.0, 2.0 * SHAFT));
     }
     for &k in &rotors {
-        let (b, x, (tall, long)) = (&parts.bodies[k], at(k, 0.0), half(&k));
+        let (b, x, (tall, long)) = (&parts.bodies[k], at.point(k, 0.0), half(&k));
         if b.flexible {
-            // the line of the shaft is drawn
-            key.mark(&mut s, (x + 24.0, axis - SHAFT - 11.0), b.name, &b.text);
+            outline(&mut s, &at, k, b, axis);
+            key.mark(&mut s, (x + 24.0, axis - tall - 11.0), b.name, &b.text);
         } else {
             body(&mut s, b, (x, axis), (tall, long));
             key.mark(&mut s, (x + long + 10.0, axis - tall + 2.0), b.name, &b.text);
@@ -95,7 +100,7 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
             && parts.bodies[a.0].rotor
             && parts.bodies[b.0].rotor
         {
-            key.mark(&mut s, (0.5 * (at(a.0, a.1) + at(b.0, b.1)), axis - 16.0), l.name, &l.text);
+            key.mark(&mut s, (0.5 * (at.point(a.0, a.1) + at.point(b.0, b.1)), axis - 16.0), l.name, &l.text);
         }
     }
     // blocks below, each as wide as what stands on it
@@ -135,8 +140,8 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     for p in &supports {
         let foot = p.to.map_or(floor, top);
         // on a body it ends at its edge
-        let on = rotors.iter().find(|k| (at(**k, 0.0) - p.x).abs() < half(k).1);
-        let edge = on.map_or(SHAFT, |k| half(k).0);
+        let on = rotors.iter().find(|k| (at.point(**k, 0.0) - p.x).abs() < half(k).1);
+        let edge = on.map_or_else(|| surface(parts, &at, &rotors, p.place), |k| half(k).0);
         if p.upwards {
             let end = axis - edge;
             let from = axis - tallest - 40.0;
@@ -162,7 +167,7 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
 }
 
 /// What carries the rotor. Parts at one place stand beside each other; what would pass a block leads upwards.
-fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &impl Fn(usize, f64) -> f64) -> Vec<Support<'a>> {
+fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &Places) -> Vec<Support<'a>> {
     let mut out: Vec<Support> = Vec::new();
     for l in &parts.links {
         let on = |e: Option<(usize, f64)>| e.filter(|e| rotors.contains(&e.0));
@@ -173,7 +178,15 @@ fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &impl 
         };
         let to = other.and_then(|o| blocks.iter().position(|b| *b == o.0));
         let upwards = to.is_none() && !blocks.is_empty();
-        out.push(Support { x: at(rotor.0, rotor.1), to, joint: l.joint, name: l.name, text: &l.text, upwards });
+        out.push(Support {
+            x: at.point(rotor.0, rotor.1),
+            place: parts.bodies[rotor.0].place + rotor.1,
+            to,
+            joint: l.joint,
+            name: l.name,
+            text: &l.text,
+            upwards,
+        });
     }
     let mut k = 0;
     while k < out.len() {
@@ -189,8 +202,17 @@ fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &impl 
     out
 }
 
-/// Where a point of a body of the rotor is drawn: along the axis, but none nearer to another than [`APART`].
-fn places(parts: &Parts) -> impl Fn(usize, f64) -> f64 {
+/// Where points of the rotor are drawn: along the axis, but none nearer to another than [`APART`].
+struct Places {
+    /// Places of the bodies.
+    bodies: Vec<f64>,
+    /// Places along the axis of the machine, m, and of the drawing.
+    known: Vec<(f64, f64)>,
+    /// Of the drawing over the machine, 1/m; 0 where all places are one.
+    scale: f64,
+}
+
+fn places(parts: &Parts) -> Places {
     let place: Vec<f64> = parts.bodies.iter().map(|b| b.place).collect();
     let rotor = |k: usize| parts.bodies[k].rotor;
     let on = parts.links.iter().flat_map(|l| l.ends.into_iter().flatten()).filter(|e| rotor(e.0)).map(|e| place[e.0] + e.1);
@@ -201,7 +223,8 @@ fn places(parts: &Parts) -> impl Fn(usize, f64) -> f64 {
     all.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * size);
     let count = all.len();
     let apart = if count > 1 { APART.min((RIGHT - LEFT) / (count - 1) as f64) } else { 0.0 };
-    let even = |z: f64| if size > 0.0 { LEFT + (RIGHT - LEFT) * (z - all[0]) / size } else { 0.5 * (LEFT + RIGHT) };
+    let scale = if size > 0.0 { (RIGHT - LEFT) / size } else { 0.0 };
+    let even = |z: f64| if size > 0.0 { LEFT + scale * (z - all[0]) } else { 0.5 * (LEFT + RIGHT) };
     let mut xs: Vec<f64> = all.iter().map(|z| even(*z)).collect();
     for k in 1..count {
         xs[k] = xs[k].max(xs[k - 1] + apart);
@@ -212,16 +235,75 @@ fn places(parts: &Parts) -> impl Fn(usize, f64) -> f64 {
     // the last may have left the drawing
     let over = xs.last().map_or(0.0, |x| (x - RIGHT).max(0.0));
     let known: Vec<(f64, f64)> = all.into_iter().zip(xs.into_iter().map(move |x| x - over)).collect();
-    move |k: usize, height: f64| {
-        let z = place[k] + height;
-        let near = known.iter().min_by(|a, b| (a.0 - z).abs().total_cmp(&(b.0 - z).abs()));
+    Places { bodies: place, known, scale }
+}
+
+impl Places {
+    /// A point of a body.
+    fn point(&self, body: usize, height: f64) -> f64 {
+        let z = self.bodies[body] + height;
+        let near = self.known.iter().min_by(|a, b| (a.0 - z).abs().total_cmp(&(b.0 - z).abs()));
         near.map_or(0.5 * (LEFT + RIGHT), |n| n.1)
+    }
+
+    /// Any place along the axis, between those known in proportion.
+    fn along(&self, z: f64) -> f64 {
+        let (Some(first), Some(last)) = (self.known.first(), self.known.last()) else { return 0.5 * (LEFT + RIGHT) };
+        if z <= first.0 {
+            return (first.1 + self.scale * (z - first.0)).max(BESIDE);
+        }
+        if z >= last.0 {
+            return (last.1 + self.scale * (z - last.0)).min(WIDTH - BESIDE);
+        }
+        let k = self.known.partition_point(|p| p.0 <= z).clamp(1, self.known.len() - 1);
+        let (a, b) = (self.known[k - 1], self.known[k]);
+        a.1 + (b.1 - a.1) * (z - a.0) / (b.0 - a.0)
     }
 }
 
+/// The drawing of a shaft over its diameters: the scale of the lengths, but for very thin and very thick shafts.
+fn thickness(b: &Body, scale: f64) -> f64 {
+    let largest = b.profile.iter().flat_map(|p| [p[2], p[3]]).fold(0.0, f64::max);
+    (scale * largest).clamp(2.0 * SHAFT, 2.0 * DISC.0) / largest
+}
+
+/// A shaft with the diameters of its sections.
+fn outline(s: &mut String, at: &Places, k: usize, b: &Body, axis: f64) {
+    if b.profile.is_empty() {
+        return;
+    }
+    let (place, size) = (at.bodies[k], 0.5 * thickness(b, at.scale));
+    let mut upper: Vec<(f64, f64)> =
+        b.profile.iter().flat_map(|p| [(at.along(place + p[0]), p[2]), (at.along(place + p[1]), p[3])]).collect();
+    // pieces of one diameter are one
+    upper.dedup();
+    let straight = |k: usize, u: &[(f64, f64)]| k > 0 && k + 1 < u.len() && u[k - 1].1 == u[k].1 && u[k].1 == u[k + 1].1;
+    let corners: Vec<(f64, f64)> = (0..upper.len()).filter(|&k| !straight(k, &upper)).map(|k| (upper[k].0, size * upper[k].1)).collect();
+    let lower = corners.iter().rev().map(|c| (c.0, axis + c.1));
+    let points: Vec<String> = corners.iter().map(|c| (c.0, axis - c.1)).chain(lower).map(|(x, y)| format!("{} {}", px(x), px(y))).collect();
+    let _ = write!(s, "<path class=\"steel\" d=\"M{}Z\"/>", points.join("L"));
+}
+
+/// Half thickness of the shaft that is drawn at a place along the axis; where two diameters meet that of the thicker one.
+fn surface(parts: &Parts, at: &Places, rotors: &[usize], place: f64) -> f64 {
+    let of = |k: &usize| {
+        let b = &parts.bodies[*k];
+        let z = place - b.place;
+        let slack = 1e-9 * b.profile.last().map_or(0.0, |p| p[1]);
+        let here = b.profile.iter().filter(|p| p[0] - slack <= z && z <= p[1] + slack);
+        let diameter = here.map(|p| p[2] + (p[3] - p[2]) * (z - p[0]) / (p[1] - p[0])).reduce(f64::max)?;
+        Some(0.5 * thickness(b, at.scale) * diameter)
+    };
+    rotors.iter().find_map(of).unwrap_or(SHAFT)
+}
+
 /// Half height and half length of a body of the rotor.
-fn shape(b: &Body) -> (f64, f64) {
+fn shape(b: &Body, scale: f64) -> (f64, f64) {
     match b.cavity {
+        _ if !b.profile.is_empty() => {
+            let largest = b.profile.iter().flat_map(|p| [p[2], p[3]]).fold(0.0, f64::max);
+            (0.5 * thickness(b, scale) * largest, 0.0)
+        }
         _ if b.flexible => (SHAFT, 0.0),
         Some((radius, _, height)) => {
             let scale = (CAVITY.0 / radius).min(CAVITY.1 / (0.5 * height));

@@ -37,6 +37,8 @@ struct Body<'a> {
     grounded: Joint,
     /// Radius of a cavity, radius of the free surface, height, m.
     cavity: Option<(f64, f64, f64)>,
+    /// First and last position of each piece of a shaft and the outer diameters there, m.
+    profile: &'a [[f64; 4]],
     place: f64,
 }
 
@@ -65,9 +67,9 @@ impl<'a> Parts<'a> {
     fn of(page: &'a Overview, style: &Style) -> Parts<'a> {
         let words = |labels: &[Arg]| labels.iter().map(|l| style.arg(l)).collect::<Vec<_>>().join(", ");
         let body = |b: &'a Block| match b {
-            Block::Body { name, rotor, flexible, labels, grounded, cavity, place } => {
+            Block::Body { name, rotor, flexible, labels, grounded, cavity, profile, place } => {
                 let text = words(labels);
-                Some(Body { name, text, rotor: *rotor, flexible: *flexible, grounded: *grounded, cavity: *cavity, place: *place })
+                Some(Body { name, text, rotor: *rotor, flexible: *flexible, grounded: *grounded, cavity: *cavity, profile, place: *place })
             }
             _ => None,
         };

@@ -8,6 +8,7 @@ fn body(name: &str, rotor: bool, place: f64) -> Block {
         labels: vec![Arg::quantity(2.0, "kg")],
         grounded: Joint { elastic: !rotor, damped: false, gap: false },
         cavity: None,
+        profile: Vec::new(),
         place,
     }
 }
@@ -193,6 +194,7 @@ fn a_liquid_has_its_label() {
         labels: Vec::new(),
         grounded: Joint::default(),
         cavity: Some((0.07, 0.0467, 0.06)),
+        profile: Vec::new(),
         place: 0.0,
     };
     let oil = Block::Liquid { name: "oil <1>".into(), body: "drum".into(), fill: 0.555, density: 880.0 };
@@ -204,15 +206,52 @@ fn a_liquid_has_its_label() {
     }
 }
 
+fn shaft(profile: Vec<[f64; 4]>) -> Block {
+    match body("shaft", true, 0.0) {
+        Block::Body { name, rotor, labels, cavity, place, .. } => {
+            Block::Body { name, rotor, flexible: true, labels, grounded: Joint::default(), cavity, profile, place }
+        }
+        other => other,
+    }
+}
+
+/// A shaft of given diameters is drawn with its steps: their heights are to each other as the diameters, and lengths are to them as in the machine.
+#[test]
+fn a_shaft_is_drawn_with_its_diameters() {
+    let steps = vec![[0.0, 0.1, 0.04, 0.04], [0.1, 0.5, 0.08, 0.08], [0.5, 0.6, 0.04, 0.02]];
+    let blocks =
+        vec![shaft(steps), link("left", [Some(("shaft", 0.0)), None], SPRING), link("right", [Some(("shaft", 0.6)), None], SPRING)];
+    let svg = page(blocks, true);
+    let outline = svg.split("<path class=\"steel\" d=\"").nth(1).expect("an outline").split('"').next().unwrap();
+    let points: Vec<(f64, f64)> = outline
+        .trim_end_matches('Z')
+        .split(['M', 'L'])
+        .filter(|p| !p.is_empty())
+        .map(|p| p.split_once(' ').unwrap())
+        .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+        .collect();
+    // up the upper side and back along the lower one
+    assert_eq!(points.len(), 12, "{outline}");
+    let height = |k: usize| points[11 - k].1 - points[k].1;
+    let long = |a: usize, b: usize| points[b].0 - points[a].0;
+    for (k, d) in [0.04, 0.04, 0.08, 0.08, 0.04, 0.02].into_iter().enumerate() {
+        assert!((height(k) / height(2) - d / 0.08).abs() < 0.03, "{k}: {outline}");
+    }
+    assert!((long(0, 1) / long(2, 3) - 0.25).abs() < 0.03 && (height(2) / long(2, 3) - 0.2).abs() < 0.03, "{outline}");
+    // bearings begin at the surface of the shaft
+    let starts: Vec<f64> = svg
+        .split("<path class=\"spr\" d=\"M")
+        .skip(1)
+        .map(|p| p.split(' ').nth(1).unwrap().split('V').next().unwrap().parse().unwrap())
+        .collect();
+    assert!((starts[0] - points[11].1).abs() < 0.2 && (starts[1] - points[6].1).abs() < 0.2, "{starts:?} {outline}");
+    assert_eq!(svg.matches("class=\"steel\"").count(), 1);
+}
+
 /// A shaft is the line along the axis, also of a machine that stands: it has a number and no side of its own, and bearings stand at their places.
 #[test]
 fn a_shaft_is_a_line() {
-    let shaft = match body("shaft", true, 0.0) {
-        Block::Body { name, rotor, labels, cavity, place, .. } => {
-            Block::Body { name, rotor, flexible: true, labels, grounded: Joint::default(), cavity, place }
-        }
-        other => other,
-    };
+    let shaft = shaft(Vec::new());
     let blocks = vec![
         shaft,
         body("wheel", true, 0.3),

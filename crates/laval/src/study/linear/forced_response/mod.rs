@@ -9,6 +9,7 @@
 //!
 //! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
 
+mod beside;
 mod observed;
 mod orbits;
 mod polar;

@@ -1,12 +1,12 @@
 //! Polar diagram of a linear response: forward amplitude and phase of the bodies as vectors from the axis, with speeds along the curve.
 
-use super::ForcedResponseResult;
+use super::{ForcedResponseResult, beside};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Line, Message, Panel, Points, Table, TableBuilder, Text};
 use crate::study::shared::probes;
 use crate::study::shared::support::probe_name;
-use laval_num::complex::C64;
+use laval_num::complex::{C64, c};
 
 /// Bodies drawn at most; those that move less than this share of the largest cannot be seen.
 const BODIES: usize = 4;
@@ -89,14 +89,18 @@ impl<'a> Polar<'a> {
     pub fn figure(&self) -> Figure {
         let most = self.rows.iter().flat_map(|r| &r.1).map(|z| z.abs()).fold(0.0, f64::max);
         // beyond the curves there is room for the speeds beside them
-        let axis = |label: &'static str, part: fn(&C64) -> f64, below: f64, above: f64| {
+        let ends = |part: fn(&C64) -> f64, below: f64, above: f64| {
             let all = self.rows.iter().flat_map(|r| &r.1).map(part);
             let (low, high) = all.fold((0.0f64, 0.0f64), |(a, b), x| (a.min(x), b.max(x)));
+            (low - below * (high - low), high + above * (high - low))
+        };
+        let axis = |label: &'static str, (low, high): (f64, f64)| {
             let axis = Axis::new(label, "").metres(most);
             let factor = axis.factor;
-            axis.range(factor * (low - below * (high - low)), factor * (high + above * (high - low)))
+            axis.range(factor * low, factor * high)
         };
-        let mut panel = Panel::new(axis("quadrature, ahead of the key mark", |z| z.im, 0.1, 0.1));
+        let (across, up) = (ends(|z| z.re, 0.25, 0.3), ends(|z| z.im, 0.12, 0.12));
+        let mut panel = Panel::new(axis("quadrature, ahead of the key mark", up));
         for p in &self.bodies {
             let n = probe_name(p);
             panel = panel.mark(Line::new("polar", format!("in_phase.{n}"), format!("quadrature.{n}")).name(probes::label(p)).path());
@@ -108,14 +112,14 @@ impl<'a> Polar<'a> {
         speeds.sort_by(f64::total_cmp);
         let nearest = speeds.windows(2).map(|w| (w[1] - w[0]) / w[1]).filter(|d| *d > 0.0).fold(1.0, f64::min);
         let digits = (1.0 - nearest.log10()).ceil().clamp(4.0, 7.0) as u8;
-        for &i in &self.marks {
-            let z = self.rows[i].1[0];
-            // words stand outside the curve, away from the axis
-            let out = z.scale(1.0 + 0.09 * most / z.abs().max(0.05 * most));
-            panel = panel.mark(Text::new(out.re, out.im, Arg::speed(self.rows[i].0).digits(digits)));
+        let marked: Vec<C64> = self.marks.iter().map(|&i| self.rows[i].1[0]).collect();
+        let curves: Vec<Vec<C64>> = (0..self.bodies.len()).map(|k| self.rows.iter().map(|r| r.1[k]).collect()).collect();
+        let words = beside::places(&marked, &curves, c(across.0, up.0), c(across.1, up.1));
+        for (&i, z) in self.marks.iter().zip(words) {
+            panel = panel.mark(Text::new(z.re, z.im, Arg::speed(self.rows[i].0).digits(digits)));
         }
         let alt = Message::new("polar-alt").arg("bodies", Arg::count(self.bodies.len()));
-        let x = axis("in phase with the key mark", |z| z.re, 0.14, 0.2);
+        let x = axis("in phase with the key mark", across);
         Figure::new("polar", "Polar diagram", alt).x(x).panel(panel).equal()
     }
 }

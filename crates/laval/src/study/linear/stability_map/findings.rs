@@ -7,6 +7,7 @@ use crate::solve::roots::has_more_modes;
 use crate::solve::stability::Edge;
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::growing::limit;
+use crate::study::linear::whirl::aperiodic;
 use crate::study::shared::region;
 use crate::study::shared::support::beyond_rounding;
 
@@ -63,7 +64,7 @@ impl Shown<'_> {
             finding
                 .value(s.re, "1/s")
                 .arg("speed", Arg::speed(speed))
-                .arg("motion", Arg::word(if s.im == 0.0 { "divergence" } else { "whirl" }))
+                .arg("motion", Arg::word(if aperiodic(s) { "divergence" } else { "whirl" }))
                 .arg("frequency", Arg::frequency(s.im))
         } else if self.endless {
             match self.open() {

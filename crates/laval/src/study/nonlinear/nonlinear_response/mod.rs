@@ -34,6 +34,7 @@ use crate::solve::ensemble;
 use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Request, States, respond, symmetry};
 use crate::solve::harmonic::branches::time_starts;
 use crate::solve::symmetry::Symmetry;
+use crate::study::nonlinear::progress::progress;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
@@ -212,7 +213,7 @@ harmonics = "auto"
         self.admit(system)?;
         let mut request = Request { work: context.work_limit, ..self.request };
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
-        let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let response = respond(system, &request, context.cancel, &|step| progress(context, &step))?;
         if let Some(speed) = self.one {
             let motions = Some(one::motions(system, &request, &response, speed, context)?);
             let end = if context.cancelled() { End::Cancelled } else { limited(&response, &request, context) };

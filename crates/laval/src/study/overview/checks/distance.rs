@@ -3,15 +3,25 @@
 use super::super::margins::{self, Nearest};
 use super::super::operating::Operating;
 use super::super::{Facts, MARGIN, ends};
-use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
+use crate::outcome::{Arg, Check, Message, OverSpeed, Unstable, Verdict};
+
+/// On which sides an unstable range has no known end.
+pub(in super::super) fn open(u: &Unstable) -> Arg {
+    Arg::word(match u.open {
+        (true, true) => "both",
+        (true, false) => "below",
+        (false, true) => "yes",
+        (false, false) => "no",
+    })
+}
 
 /// The unstable range that holds the lowest of the operating speeds that lie in one.
 fn inside(over: &OverSpeed, speed: Operating) -> Message {
     let m = Message::new("distance-inside-unstable");
-    let Some(u) = over.unstable.iter().find(|u| u.to >= speed.low && u.from <= speed.high) else {
+    let Some(u) = over.unstable.iter().find(|u| u.holds(speed.low, speed.high)) else {
         return m.arg("open", Arg::word("unknown"));
     };
-    m.arg("open", Arg::word(if u.open.1 { "yes" } else { "no" })).arg("from", Arg::speed(u.from)).arg("to", Arg::speed(u.to))
+    m.arg("open", open(u)).arg("from", Arg::speed(u.from)).arg("to", Arg::speed(u.to))
 }
 
 /// Share of the operating speed below which a range searched begins at rest.
@@ -72,6 +82,28 @@ pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operat
     Some(check)
 }
 
+/// The study that found the nearest resonance: a peak is that of the response, a critical speed without an amplitude that of the modes.
+fn source(facts: &Facts, over: &OverSpeed, nearest: &Nearest, speed: Operating) -> Option<Message> {
+    let peak = match nearest.place(speed) {
+        Some(place) => over.resonances.iter().any(|r| r.speed == place && r.amplitude.is_some()),
+        None => !over.response_speed.is_empty(),
+    };
+    let from = |name: &String| Message::new("from-study").arg("study", Arg::name(name));
+    if peak { facts.response_study.as_ref().map(from) } else { facts.criticals.source() }
+}
+
+/// Jumps and changes of stability of the nonlinear response; none where no study of the file found one.
+pub(super) fn jump(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
+    let over = over.filter(|o| !o.jumps.is_empty() || !o.bifurcations.is_empty())?;
+    let set = facts.resonance_margin();
+    let nearest = margins::jump(over, speed);
+    let mut check = distance("check-jump", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), over.range);
+    if check.verdict == Verdict::Attention && set.is_some() {
+        check.verdict = Verdict::Failed;
+    }
+    Some(check)
+}
+
 pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
     let set = facts.resonance_margin();
     let over = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some());
@@ -81,7 +113,7 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     };
     let nearest = margins::resonance(over, speed);
     let mut check = distance("check-resonance", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), facts.searched(over));
-    check.detail = facts.criticals.source();
+    check.detail = source(facts, over, &nearest, speed);
     if check.verdict == Verdict::Attention && set.is_some() {
         check.verdict = Verdict::Failed;
     }

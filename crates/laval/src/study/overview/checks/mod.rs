@@ -7,6 +7,7 @@ mod run_up;
 mod stability;
 
 pub(super) use balls::{harm, ranges};
+pub(super) use distance::open;
 pub(super) use run_up::simulate;
 pub(super) use stability::grows;
 
@@ -44,7 +45,14 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     out.extend(damping(facts));
     let unstable = grows(&out[0]);
     out.extend(instability(facts, over, speed, unstable));
-    out.extend(resonance(facts, over, speed));
+    // without a position at rest there is no response to unbalance, and no run-up
+    let buckled = facts.buckling.is_some();
+    if buckled && unstable {
+        out.push(Check::new("check-resonance", Message::new("vibration-unstable"), Verdict::NotComputed));
+    } else {
+        out.extend(resonance(facts, over, speed));
+        out.extend(distance::jump(facts, over, speed));
+    }
     if unstable {
         // the response exists, and no machine stays on it
         out.push(Check::new("check-vibration", Message::new("vibration-unstable"), Verdict::NotComputed));
@@ -54,7 +62,12 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     }
     out.push(validity(facts));
     let after = if unstable { Vec::new() } else { steady(facts) };
-    out.extend(run_up(facts, over, speed, after));
+    if buckled {
+        let verdict = if unstable { Verdict::Failed } else { Verdict::Attention };
+        out.push(Check::new("check-run-up", Message::new("run-up-buckled"), verdict));
+    } else {
+        out.extend(run_up(facts, over, speed, after));
+    }
     out.extend(window(facts, speed));
     out.extend(highest(facts, speed));
     out.extend(left_out(facts, false, true));

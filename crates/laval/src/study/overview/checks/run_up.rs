@@ -6,7 +6,7 @@ use super::{against, speeds};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{Value, Values};
 use crate::model::system::System;
-use crate::outcome::{Arg, Check, End, Message, Outcome, OverSpeed, Verdict};
+use crate::outcome::{Arg, Check, End, Message, Outcome, OverSpeed, Unstable, Verdict};
 use crate::study::motion::run_up::RunUp;
 use crate::study::shared::limits::Limit;
 use crate::study::shared::support::larger;
@@ -98,7 +98,8 @@ pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, 
     let below = |o: &OverSpeed| {
         let resonances: Vec<Arg> = o.resonances.iter().filter(|r| r.speed < speed.high).map(|r| Arg::speed(r.speed)).collect();
         let unstable = o.unstable.iter().filter(|u| u.from < speed.high);
-        (resonances, unstable.map(|u| span(u.from, u.to.min(speed.high))).collect::<Vec<Arg>>())
+        let to = |u: &Unstable| if u.ends_below(speed.high) { u.to } else { speed.high };
+        (resonances, unstable.map(|u| span(u.from, to(u))).collect::<Vec<Arg>>())
     };
     let (resonances, ranges) = over.map(below).unwrap_or_default();
     let (result, required, verdict) = match (most, resonances.is_empty() && ranges.is_empty()) {

@@ -7,6 +7,7 @@ use super::super::{Facts, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
 use crate::solve::roots::has_more_modes;
 use crate::study::Study;
+use crate::study::linear::whirl::aperiodic;
 use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
 
@@ -16,6 +17,14 @@ pub(in super::super) fn grows(stability: &Check) -> bool {
         stability.result.key.as_str(),
         "stability-unstable" | "stability-unstable-range" | "stability-no-state" | "stability-no-steady"
     )
+}
+
+/// Frequency over growth up to which a motion is a divergence: gyroscopic moments turn that of a buckled shaft a little while it spins.
+const STATIC: f64 = 1e-2;
+
+/// Real positive roots are a static instability, complex ones a whirl.
+fn motion(growth: f64, frequency: f64) -> Arg {
+    Arg::word(if frequency > STATIC * growth { "whirl" } else { "divergence" })
 }
 
 /// Whether the machine is stable at its speed, in the words of the study of modes.
@@ -38,7 +47,7 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         Some(w) if !(w.value.re <= least.growth()) => (w.value, w.modes, Some(w.speed)),
         _ => (least.value, result.spectrum.modes.len(), facts.worst.as_ref().map(|_| study.speed.abs())),
     };
-    let (growth, frequency) = (value.re, value.im.abs());
+    let (growth, frequency) = (value.re, if aperiodic(value) { 0.0 } else { value.im.abs() });
     let threshold = study.threshold.max(facts.threshold);
     let slow = growth > 0.0 && growth <= threshold;
     let detail = (frequency > 0.0 && !slow).then(|| {
@@ -54,6 +63,7 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
             .arg("growth", Arg::quantity(growth, "1/s"))
             .arg("decay", Arg::quantity(-growth, "1/s"))
             .arg("time", Arg::quantity(1.0 / growth.abs(), "s"))
+            .arg("motion", motion(growth, frequency))
     };
     // unstable at other operating speeds than that of the modes
     let elsewhere = || {
@@ -120,7 +130,9 @@ fn along(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<(M
     if let Some(first) = margins::instability(over, speed).inside.first() {
         let u = over.unstable.iter().find(|u| u.to >= *first && u.from <= speed.high)?;
         let result = match speed.is_one() {
-            true => Message::new("stability-unstable").arg("time", Arg::quantity(1.0 / u.growth.abs(), "s")),
+            true => Message::new("stability-unstable")
+                .arg("time", Arg::quantity(1.0 / u.growth.abs(), "s"))
+                .arg("motion", motion(u.growth, u.frequency)),
             false => Message::new("stability-unstable-range").arg("range", span(u.from.max(speed.low), u.to.min(speed.high))),
         };
         return Some((result, source, Verdict::Failed));
@@ -153,11 +165,11 @@ pub(super) fn damping(facts: &Facts) -> Option<Check> {
     };
     let (_, known) = facts.modes.as_ref()?;
     let Some(result) = known.get() else { return of(known.why(), Verdict::NotComputed) };
-    let oscillating = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).map(|m| (decrement(m), m.frequency()));
+    let oscillating = result.spectrum.modes.iter().filter(|m| !aperiodic(m.value)).map(|m| (decrement(m), m.frequency()));
     // of a range of speeds the least counts
     let all = oscillating.chain(facts.worst.as_ref().and_then(|w| w.decrement));
     let Some((least, frequency)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else {
-        return of(Message::new("stability-no-mode"), Verdict::NotComputed);
+        return of(Message::new("damping-no-oscillation"), Verdict::NotComputed);
     };
     let found = Message::new("damping-least").arg("decrement", Arg::number(least)).arg("frequency", Arg::frequency(frequency));
     of(found, if least >= required { Verdict::Passed } else { Verdict::Failed })

@@ -18,6 +18,7 @@ use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Request, respond};
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+use crate::study::nonlinear::progress::progress;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
@@ -81,7 +82,7 @@ impl Study for Sensitivity {
         self.admit(system)?;
         let mut request = *self.response.request();
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
-        let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let response = respond(system, &request, context.cancel, &|step| progress(context, &step))?;
         let (found, end) = places::find(system, &response, &request, context)?;
         let uses = Uses::of_response(system, &response, request.speeds)?;
         Ok(SensitivityResult { found, uses, end })
