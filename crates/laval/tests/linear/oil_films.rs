@@ -1,5 +1,6 @@
 //! Machines on oil films: onset of oil whirl of a rigid rotor by the printed coefficients of the short bearing, circles of a rotor in a squeeze-film damper.
 
+use super::overview::{check, page};
 use crate::common::files::{load, run_all};
 use laval::solve::pencil::Linearised;
 use laval::solve::rest::rest;
@@ -103,4 +104,30 @@ fn circles_in_a_squeeze_film() {
         largest = largest.max(e);
     }
     assert!(largest > 0.3, "{largest}");
+}
+
+/// A shaft on oil films: forces that no study computed are not listed as none, and the modes shown are those near the speeds of the machine, not the
+/// overtones of its elements.
+#[test]
+fn first_page_of_a_shaft_on_oil_films() {
+    let bearing = |name: &str, at: &str| {
+        format!(
+            "[[part]]\nkind = \"bearing_journal\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = \"{at}\" }}, \"ground\"]\n\
+             diameter = \"60 mm\"\nlength = \"25 mm\"\nclearance = \"60 um\"\nviscosity = \"20 mPa s\"\n"
+        )
+    };
+    let p = page(&format!(
+        "[machine]\nname = \"pump\"\naxis = \"horizontal\"\nspeed = \"6000 rpm\"\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 6\n\
+         section = {{ length = [\"600 mm\"], outer_diameter = [\"60 mm\"] }}\n\
+         [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = \"300 mm\" }}\nmass = \"30 kg\"\nunbalance = \"200 g mm\"\n{}{}\
+         [[study]]\nkind = \"forced_response\"\nspeed = {{ from = \"3000 rpm\", to = \"7000 rpm\" }}\n",
+        bearing("left", "50 mm"),
+        bearing("right", "550 mm")
+    ));
+    assert_eq!(check(&p, "check-forces").result.key.as_str(), "forces-none");
+    let fastest = 6000.0 * PI / 30.0;
+    assert!(!p.modes.is_empty() && p.modes.iter().filter(|m| m.frequency < 10.0 * fastest).count() >= 3, "{:?}", p.modes);
+    let (near, far): (Vec<f64>, Vec<f64>) = p.modes.iter().map(|m| m.frequency).partition(|w| *w < 10.0 * fastest);
+    // of what is far away, the lowest ones
+    assert!(near.len() == 8 || far.iter().all(|w| *w < 100.0 * fastest), "{near:?} {far:?}");
 }

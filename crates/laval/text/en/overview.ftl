@@ -159,6 +159,7 @@ vibration-states = largest stable state of the balls
 vibration-contact = linear; { $parts } would touch, and the amplitude is not valid
 forces-without = without nonlinear parts: { $parts }
 vibration-unbounded = undamped resonance at this speed
+forces-none = of no part known
 forces-sizes = { $sizes }
 forces-with-rest = largest value over a turn with the static load, such as weight; the vibration is counted from the static deflection
 validity-none = no part states a limit

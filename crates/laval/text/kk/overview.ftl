@@ -139,6 +139,7 @@ both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name }: жылдамдық шыңы { $peak }
 vibration-unbounded = бұл айналу жиілігінде демпферленбеген резонанс
+forces-none = белгісіз
 forces-sizes = { $sizes }
 forces-with-rest = салмақ сияқты статикалық жүктемемен қоса бір айналымдағы ең үлкен мәні; тербеліс статикалық иілуден саналған
 validity-none = ешбір бөлшектің шегі көрсетілмеген

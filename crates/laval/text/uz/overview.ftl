@@ -139,6 +139,7 @@ both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name }: tezlik amplitudasi { $peak }
 vibration-unbounded = bu tezlikda so‘nishsiz rezonans
+forces-none = noma’lum
 forces-sizes = { $sizes }
 forces-with-rest = og‘irlik kabi statik yuklama bilan birga bir aylanishdagi eng katta qiymat; tebranish statik egilishdan hisoblangan
 validity-none = birorta ham qism chegara bermaydi

@@ -10,6 +10,8 @@ use laval_num::order::SortByNumber;
 
 /// Modes shown: the slowest in decay first.
 const MOST: usize = 8;
+/// Frequency over the fastest speed above which a mode is shown only where too few are below: nothing drives it, and of a shaft it is one of its division.
+const FAR: f64 = 10.0;
 /// Share of the largest amplitude below which a body is not named.
 const HARDLY: f64 = 0.02;
 /// Semi-axes that differ by less than this share make a circle.
@@ -21,6 +23,15 @@ pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
     let threshold = study.threshold.max(facts.threshold);
     let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| !aperiodic(m.value)).collect();
     all.extend(diverging(result, threshold));
+    let fastest = facts.operating.map_or(0.0, |o| o.high.abs());
+    let far = |m: &MachineMode| m.frequency() > FAR * fastest && !(m.growth() > threshold);
+    let near = all.iter().filter(|m| !far(m)).count();
+    if near < MOST {
+        all.sort_by_number(|m| if far(m) { m.frequency() } else { 0.0 });
+        all.truncate(MOST);
+    } else {
+        all.retain(|m| !far(m));
+    }
     all.sort_by_number(|a| a.damping_ratio());
     all.truncate(MOST);
     all.sort_by_number(|a| a.frequency());

@@ -16,8 +16,8 @@ const UNITS: [&str; 8] = ["m", "m", "rad", "rad", "N", "N", "N m", "N m"];
 const MEANINGS: [&str; 8] = [
     "deflection in x",
     "deflection in y",
-    "slope of the section in the plane of x",
-    "slope of the section in the plane of y",
+    "slope of the section in the plane of x; NaN of a body that does not tilt",
+    "slope of the section in the plane of y; NaN of a body that does not tilt",
     "shear force in x: of what is below on what is above",
     "shear force in y: of what is below on what is above",
     "bending moment in the plane of x, positive where the curvature is",
@@ -27,10 +27,10 @@ const MEANINGS: [&str; 8] = [
 const FORCES: [&str; 4] = ["x", "y", "about_x", "about_y"];
 const RIGID_FORCES: [&str; 4] = ["rigid_x", "rigid_y", "rigid_about_x", "rigid_about_y"];
 const FORCE_MEANINGS: [&str; 4] = [
-    "force on the turning body, else on the first, in x",
-    "force on the turning body, else on the first, in y",
-    "moment about x",
-    "moment about y",
+    "force on the turning body, else on the first, in x; NaN of a part that is left out",
+    "force on the turning body, else on the first, in y; NaN of a part that is left out",
+    "moment about x; NaN of a part that does not act on tilt",
+    "moment about y; NaN of a part that does not act on tilt",
 ];
 
 /// A quantity of a cut by its column, on one of its sides.
@@ -179,11 +179,16 @@ impl Shown<'_> {
             .float(
                 "centre",
                 "m",
-                "centre of mass along the axis, from the reference point or the lower end of the body",
+                "centre of mass along the axis, from the reference point or the lower end of the body; NaN of a body that does not tilt",
                 column(|m| m.centre),
             )
-            .float("polar", "kg m^2", "moment of inertia about the axis", column(|m| m.polar))
-            .float("diametral", "kg m^2", "moment of inertia about an axis across it through the centre of mass", column(|m| m.diametral))
+            .float("polar", "kg m^2", "moment of inertia about the axis; NaN of a body that does not tilt", column(|m| m.polar))
+            .float(
+                "diametral",
+                "kg m^2",
+                "moment of inertia about an axis across it through the centre of mass; NaN of a body that does not tilt",
+                column(|m| m.diametral),
+            )
             .build()
             .map_err(inconsistent)
     }

@@ -145,7 +145,10 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         Arg::from(Message::new("item-force").arg("name", Arg::name(*name)).arg("value", Arg::quantity(*x, "N")).arg("rest", still))
     };
     let loaded = all.iter().any(|(name, x)| share(name, *x).is_some());
-    let result = Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect()));
+    let result = match all.is_empty() {
+        true => Message::new("forces-none"),
+        false => Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect())),
+    };
     let limited = missing.iter().any(|n| facts.limits.force.iter().any(|l| l.body == *n));
     let verdict = if limited && verdict != Verdict::Failed { Verdict::Attention } else { verdict };
     let without = (!missing.is_empty()).then(|| Message::new("forces-without").arg("parts", Arg::names(missing)));
