@@ -90,6 +90,10 @@ pub struct MachineMode {
 }
 
 impl MachineMode {
+    /// Of a rotor that nothing holds along or about the axis: it moves there as a whole, without force.
+    pub fn is_free(&self) -> bool {
+        matches!(self.whirl, Whirl::Axial | Whirl::Torsional) && self.value == C64::zero()
+    }
     /// Growth rate, 1/s.
     pub fn growth(&self) -> f64 {
         self.value.re
@@ -113,7 +117,7 @@ pub(super) struct Unknowns {
     /// Typical sizes of the coordinates.
     typical: Vec<f64>,
     /// Those along the axis and those about it.
-    along: [Vec<usize>; 2],
+    pub along: [Vec<usize>; 2],
 }
 
 /// Share of the largest coordinate of a mode, each over its typical size, below which the others do not count beside it.

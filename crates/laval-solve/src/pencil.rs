@@ -65,9 +65,9 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
-    /// Largest growth rate and its mode.
+    /// Largest growth rate and its mode; free motions along and about the axis are not among them.
     pub fn least_stable(&self) -> Option<&MachineMode> {
-        self.modes.iter().max_by(|a, b| a.value.re.total_cmp(&b.value.re))
+        self.modes.iter().filter(|m| !m.is_free()).max_by(|a, b| a.value.re.total_cmp(&b.value.re))
     }
 }
 
@@ -233,8 +233,28 @@ impl Linearised {
             }
             out.families.push(Family { sector: None, modes });
         }
+        self.free_along(&mut out.modes);
         settle_modes(&mut out.modes);
         Ok(out)
+    }
+
+    /// The double roots of a rotor that nothing holds along or about the axis are 0; the eigenvalue problem gives them to half of the digits.
+    fn free_along(&self, modes: &mut [MachineMode]) {
+        const HALF: f64 = 1e-6;
+        for (whirl, of) in [(Whirl::Axial, &self.unknowns.along[0]), (Whirl::Torsional, &self.unknowns.along[1])] {
+            let rows = |i: usize| {
+                of.iter().fold((0.0, 0.0), |(sum, size), &j| (sum + self.stiffness[(i, j)], size + self.stiffness[(i, j)].abs()))
+            };
+            let free = (0..self.stiffness.rows()).all(|i| {
+                let (sum, size) = rows(i);
+                sum.abs() <= 1e-12 * size
+            });
+            if of.is_empty() || !free {
+                continue;
+            }
+            let highest = modes.iter().filter(|m| m.whirl == whirl).map(|m| m.value.abs()).fold(0.0, f64::max);
+            modes.iter_mut().filter(|m| m.whirl == whirl && m.value.abs() <= HALF * highest).for_each(|m| m.value = C64::zero());
+        }
     }
 }
 

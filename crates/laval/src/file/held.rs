@@ -28,27 +28,16 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
     }
     let free = free(system);
     for (k, slot) in system.slots().iter().enumerate() {
-        let own = |i: &&usize| system.coordinates()[**i].slot == k;
+        let kind = |i: usize| system.coordinates()[i].dof.kind;
+        let own = |i: &&usize| system.coordinates()[**i].slot == k && !matches!(kind(**i), DofKind::Axial | DofKind::Twist);
+        along(system, k, &free, out);
         let names: Vec<&str> = free.iter().filter(own).map(|&i| system.coordinates()[i].name.rsplit('.').next().unwrap_or("")).collect();
         if names.is_empty() {
             continue;
         }
-        let all = |of: &[DofKind]| free.iter().filter(own).all(|&i| of.contains(&system.coordinates()[i].dof.kind));
         // springs that act on displacement alone hold a body and not its tilt
-        let (message, help) = match all(&[DofKind::TiltX, DofKind::TiltY]) {
-            _ if all(&[DofKind::Twist]) => (
-                text!(
-                    "nothing holds the rotation of \"{name}\" about the axis: it may turn faster or slower than the spin",
-                    name = slot.name
-                ),
-                text!(
-                    "a coupling with torsional_stiffness to \"ground\" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz"
-                ),
-            ),
-            _ if all(&[DofKind::Axial]) => (
-                text!("nothing holds \"{name}\" along the axis", name = slot.name),
-                text!("give a bearing its kzz, or a coupling its axial_stiffness"),
-            ),
+        let tilts = free.iter().filter(own).all(|&i| matches!(kind(i), DofKind::TiltX | DofKind::TiltY));
+        let (message, help) = match tilts {
             true => (
                 text!(
                     "nothing holds the tilt of \"{name}\" ({names}), alone or with that of the bodies it is joined to",
@@ -69,6 +58,32 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
                     names = names.join(", ")
                 ),
                 text!("join it to \"ground\" or to a foundation with a bearing or a shaft; a damper holds nothing in place"),
+            ),
+        };
+        out.push(Diagnostic::warning("body.free", message).at(slot.span.clone()).help(help));
+    }
+}
+
+/// Motions of a part along and about the axis that nothing holds.
+fn along(system: &System, slot: usize, free: &[usize], out: &mut Diagnostics) {
+    let slot = &system.slots()[slot];
+    for kind in [DofKind::Axial, DofKind::Twist] {
+        if !free.iter().any(|&i| slot.own.contains(&i) && system.coordinates()[i].dof.kind == kind) {
+            continue;
+        }
+        let (message, help) = match kind {
+            DofKind::Axial => (
+                text!("nothing holds \"{name}\" along the axis", name = slot.name),
+                text!("give a bearing its kzz, or a coupling its axial_stiffness"),
+            ),
+            _ => (
+                text!(
+                    "nothing holds the rotation of \"{name}\" about the axis: it may turn faster or slower than the spin",
+                    name = slot.name
+                ),
+                text!(
+                    "a coupling with torsional_stiffness to \"ground\" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz"
+                ),
             ),
         };
         out.push(Diagnostic::warning("body.free", message).at(slot.span.clone()).help(help));

@@ -123,6 +123,10 @@ fn a_drive_line() {
     let expected = (75e3f64 * 0.4 / 0.03).sqrt();
     assert!(found.len() == 3 && found[1] < 1e-6 && (found[2] / expected - 1.0).abs() < 1e-12, "{found:?} {expected}");
     assert!(loaded.warnings.0.iter().any(|d| d.message.to_string().contains("nothing holds the rotation")), "{:?}", loaded.warnings);
+    // free rotation is no instability
+    let spectrum = Linearised::new(&loaded.system, &rest(&loaded.system, 300.0).unwrap()).unwrap().spectrum().unwrap();
+    assert_eq!(spectrum.modes.iter().filter(|m| m.is_free()).count(), 2);
+    assert!(spectrum.least_stable().is_some_and(|m| !m.is_free()));
     let out = run_all(&format!("{text}{studies}"));
     // lateral: sqrt(k/m) = 632.5 rad/s; torsional at 1000 rad/s would cross the line of the speed too
     let criticals: Vec<f64> = out[0].findings.iter().filter(|f| f.id == "critical_speed").filter_map(|f| f.value).collect();

@@ -59,6 +59,9 @@ pub const STUDIES: &[(&str, &str, bool)] = &[
 /// Studies in which nothing moves across the axis, and which see blocks beside the parts only.
 pub const WITHOUT_MOTION: &[&str] = &["separation"];
 
+/// Studies of a machine at rest or without its loads, in which most properties change nothing: they have tests of their own.
+pub const APART: &[&str] = &["static", "support_stiffness_map"];
+
 /// Properties that are changed in studies that are not quick, too.
 pub const MAIN: &[&str] = &[
     "mass",
