@@ -62,7 +62,7 @@ fn callers(is_operation: impl Fn(&str) -> bool) -> Vec<(String, String)> {
 }
 
 /// Matrices of shafts are long and are made once for each machine and speed where masses are constant; inlined at every level they would fill the program.
-const SHAFT: [&str; 2] = ["5parts5shaft7element", "parts..shaft..Shaft$"];
+const SHAFT: [&str; 3] = ["5parts5shaft7element", "5parts5shaft4line", "parts..shaft..Shaft$"];
 
 /// A function that is called instead of inlined lacks the instructions of the level, and so does every operation in it: each becomes a call. In lanes no
 /// arithmetic may be called. The linear algebra library calls its own.

@@ -67,12 +67,14 @@ pub struct Factors {
 }
 
 impl Factors {
-    /// Factors a matrix, and counts its negative eigenvalues. A pivot that vanishes is taken for a tiny one.
+    /// Factors a matrix, and counts its negative eigenvalues. A pivot below the rounding of the matrix is taken for that: a smaller one would overflow in what
+    /// is divided by it.
     pub fn factor(&mut self, at: &Envelope, a: &[C64]) -> usize {
         self.lower.clear();
         self.lower.extend_from_slice(a);
         self.diagonal.clear();
         self.diagonal.resize(at.n(), 0.0);
+        let least = f64::EPSILON * a.iter().map(|z| z.re.abs().max(z.im.abs())).fold(0.0, f64::max).max(f64::MIN_POSITIVE / f64::EPSILON);
         let mut negative = 0;
         for i in 0..at.n() {
             let (begin, end, first) = (at.start[i], at.start[i + 1], at.first[i]);
@@ -84,7 +86,6 @@ impl Factors {
                 let sum = row[low - first..j - first].iter().zip(&own[low - from..]).fold(C64::ZERO, |s, (g, l)| s + *g * l.conj());
                 row[j - first] -= sum;
             }
-            let size = row[i - first].re.abs();
             let mut pivot = row[i - first].re;
             for j in first..i {
                 let g = row[j - first];
@@ -92,8 +93,8 @@ impl Factors {
                 pivot -= (g * l.conj()).re;
                 row[j - first] = l;
             }
-            if pivot == 0.0 || pivot.is_nan() {
-                pivot = f64::MIN_POSITIVE.max(1e-300 * size);
+            if !(pivot.abs() >= least) {
+                pivot = least;
             }
             self.diagonal[i] = pivot;
             negative += usize::from(pivot < 0.0);

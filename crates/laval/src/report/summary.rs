@@ -261,7 +261,19 @@ fn strip(page: &Overview, over: &OverSpeed, style: &Style, width: usize) -> Vec<
         key.extend(["∧", "strip-resonance"]);
     }
     let words: Vec<String> = key.chunks(2).map(|k| format!("{} {}", k[0], style.message(&Message::new(k[1])))).collect();
-    out.push(row("", words.join("   ")));
+    // closer together where that keeps them on one line
+    let between = if length(&words.join("   ")) <= cells { "   " } else { "  " };
+    let mut line = String::new();
+    for word in words {
+        if !line.is_empty() && length(&line) + between.len() + length(&word) > cells {
+            out.push(row("", std::mem::take(&mut line)));
+        }
+        if !line.is_empty() {
+            line.push_str(between);
+        }
+        line.push_str(&word);
+    }
+    out.push(row("", line));
     out
 }
 
