@@ -112,6 +112,11 @@ diag-a-radial-law-has-no-preload-346e = a radial law has no preload: its clearan
 diag-use-law-per-axis-where-a-ac72 = use law = "per_axis", where a negative clearance is the interference of opposed contacts
 diag-a-hertz-contact-without-preload-has-e0b4 = a Hertz contact without preload has no stiffness at rest: give an amplitude to linearise at (a harmonic study does), a preload (law = "per_axis" with a negative clearance), or a bearing_cubic fitted over the amplitudes of interest
 
+## laval-model/src/parts/bearing_journal.rs
+
+diag-a-clearance-of-makes-no-film-3b22 = a clearance of { $clearance } makes no film at a diameter of { $diameter }: usual are 0.05 to 0.2 % of the diameter
+diag-its-length-is-of-its-diameter-a9a3 = its length is { $ratio } of its diameter: the closed form of the short bearing holds up to 0.5, and from 1 on it is far too stiff
+
 ## laval-model/src/parts/bearing_linear.rs
 
 diag-a-table-over-speed-has-at-7512 = a table over speed has at least two rows; for one speed give the coefficients themselves
@@ -127,7 +132,12 @@ diag-beyond-is-given-without-a-table-38bd = beyond is given without a table
 diag-constant-coefficients-hold-at-every-speed-c9f6 = constant coefficients hold at every speed: take beyond away, or give a table over speed
 diag-is-given-as-a-constant-beside-d5bb = { $name } is given as a constant beside a table
 diag-a-bearing-has-constant-coefficients-or-463b = a bearing has constant coefficients or a table: put constants into the table as equal rows
+diag-this-bearing-was-built-without-kzz-bac1 = this bearing was built without kzz
 diag-the-coefficients-come-from-the-table-544d = the coefficients come from the table: a constant beside it has no effect
+
+## laval-model/src/parts/coupling.rs
+
+diag-the-coupling-does-nothing-give-it-f96d = the coupling does nothing: give it a stiffness
 
 ## laval-model/src/parts/damper.rs
 
@@ -137,6 +147,8 @@ diag-this-damper-was-built-without-tilt-db59 = this damper was built without til
 
 ## laval-model/src/parts/disc.rs
 
+diag-has-no-effect-on-a-disc-44a1 = { $name } has no effect on a disc that another body carries
+diag-it-moves-as-that-body-does-d19c = it moves as that body does: say { $name } of the body
 diag-an-unbalance-of-a669 = an unbalance of { $u }
 diag-sizes-are-positive-phase-180-deg-1024 = sizes are positive; phase = "180 deg" turns one round
 diag-an-unbalance-has-no-place-4d16 = an unbalance has no place
@@ -567,6 +579,10 @@ diag-is-not-an-si-unit-b335 = { $kind }.{ $name }: { $unit } is not an SI unit
 
 ## laval/src/file/held.rs
 
+diag-nothing-holds-the-rotation-of-about-4390 = nothing holds the rotation of "{ $name }" about the axis: it may turn faster or slower than the spin
+diag-a-coupling-with-torsional-stiffness-to-b911 = a coupling with torsional_stiffness to "ground" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz
+diag-nothing-holds-along-the-axis-dda5 = nothing holds "{ $name }" along the axis
+diag-give-a-bearing-its-kzz-or-f5a6 = give a bearing its kzz, or a coupling its axial_stiffness
 diag-nothing-holds-the-tilt-of-alone-ad2e = nothing holds the tilt of "{ $name }" ({ $names }), alone or with that of the bodies it is joined to
 diag-hold-it-at-a-second-place-041d = hold it at a second place: attach another bearing
 diag-let-a-shaft-act-on-the-94fc = let a shaft act on the tilt (tilt_stiffness, or a round shaft), hold the body at two heights, or leave out its diametral_inertia: then it does not tilt
@@ -574,6 +590,10 @@ diag-nothing-holds-in-it-can-move-41a0 = nothing holds "{ $name }" in { $names }
 diag-join-it-to-ground-or-to-f640 = join it to "ground" or to a foundation with a bearing or a shaft; a damper holds nothing in place
 diag-of-has-no-effect-what-it-e0f8 = { $name } of "{ $slot }" has no effect: what it is joined to does not tilt
 diag-give-a-disc-its-diametral-inertia-7912 = give a disc its diametral_inertia to let it tilt
+diag-acts-along-the-axis-without-effect-7085 = "{ $name }" acts along the axis without effect: what it is joined to does not move along it
+diag-say-axial-true-of-the-shaft-de0a = say axial = true of the shaft or disc
+diag-acts-about-the-axis-without-effect-88c2 = "{ $name }" acts about the axis without effect: what it is joined to does not twist
+diag-say-torsional-true-of-the-shaft-8e85 = say torsional = true of the shaft or disc
 diag-is-clamped-at-which-does-not-8696 = "{ $name }" is clamped at "{ $body }", which does not tilt
 diag-give-its-to-let-it-tilt-696b = give "{ $body }" its { $lets } to let it tilt
 
@@ -840,6 +860,54 @@ diag-did-you-mean-choose-eeac = did you mean { $near }? Choose { $all }
 diag-choose-c55d = choose { $all }
 diag-not-one-of-its-words-2a4f = not one of its words
 diag-write-true-or-false-without-quotes-cb7a = write true or false, without quotes
+
+## laval/src/import/machine.rs
+
+diag-left-out-it-has-no-lateral-52af = { $element }: left out, it has no lateral coefficients
+diag-between-the-rows-of-a-table-98ce = between the rows of a table ROSS 2 draws a spline, laval a monotone cubic as ROSS 3
+diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" gives the cones of ROSS; without it they converge faster
+diag-lateral-motion-alone-is-carried-over-869f = lateral motion alone is carried over; axial = true and torsional = true of the shaft add the others
+diag-ross-takes-g-9-8065-m-9851 = ROSS takes g = 9.8065 m/s^2 in run_static, laval 9.80665 m/s^2
+diag-is-at-node-where-neither-the-2fb9 = { $element } is at node { $node }, where neither the shaft nor a point mass is
+
+## laval/src/import/model.rs
+
+diag-has-no-3dc9 = { $element } has no { $key }
+diag-of-must-be-not-c7c2 = { $key } of { $element } must be { $wanted }, not { $shape }
+diag-a-finite-number-ee7c = a finite number
+diag-the-number-of-a-node-from-0b42 = the number of a node, from 0 to { $most }
+diag-a-list-of-finite-numbers-3e52 = a list of finite numbers
+diag-left-out-a9a0 = { $element }: { $keys } left out
+diag-a-disc-without-teeth-1ca6 = { $element }: a disc without teeth
+diag-the-mean-of-mx-and-my-eebb = { $element }: the mean of mx and my is taken
+diag-the-length-of-must-be-positive-9a7e = the length of { $element } must be positive
+diag-has-values-of-for-speeds-0087 = { $element } has { $n } values of { $key } for { $wanted } speeds
+diag-of-the-coefficients-over-speed-and-5c37 = { $element }: of the coefficients over speed and frequency those at frequency = speed are taken
+diag-coefficients-over-frequency-are-taken-over-fedf = { $element }: coefficients over frequency are taken over speed
+diag-the-coefficients-are-those-in-the-a1fe = { $element }: the coefficients are those in the file, its geometry is left out
+diag-it-acts-in-all-studies-ross-9b2c = { $element }: it acts in all studies; ROSS leaves seals out of run_static
+
+## laval/src/import/ross.rs
+
+diag-it-is-not-utf-8-text-eb31 = it is not UTF-8 text
+diag-it-is-not-a-table-of-ed88 = it is not a table of elements
+diag-its-tables-are-nested-too-deeply-59ac = its tables are nested too deeply
+diag-this-model-is-no-machine-here-551b = this model is no machine here: { $why }
+diag-this-is-no-model-that-ross-c0a1 = this is no model that ROSS has saved: { $why }
+diag-rotor-save-rotor-toml-and-rotor-8e3a = rotor.save("rotor.toml") and rotor.save("rotor.json") of ROSS 2 and 3 write models that can be read
+diag-the-file-cannot-be-read-3769 = the file cannot be read: { $why }
+diag-elements-of-the-kind-are-not-89d8 = elements of the kind { $class } are not imported
+diag-elements-that-are-imported-23a2 = elements that are imported: { $all }
+diag-it-has-no-shaftelement-bf65 = it has no ShaftElement
+
+## laval/src/import/shaft.rs
+
+diag-no-element-of-the-shaft-lies-e19b = no element of the shaft lies between the nodes { $k } and { $next }
+diag-the-shafts-of-several-rotors-in-ca3c = the shafts of several rotors in one model are not imported
+diag-one-section-with-the-element-below-d021 = { $element }: one section with the element below it; ROSS adds the stiffnesses of both
+diag-its-mass-is-carried-over-its-f2ca = { $element }: its mass is carried over, its stiffness is left out
+diag-of-elements-differs-that-of-is-d2a2 = { $key } of { $n } elements differs; that of { $first } is taken for the whole shaft
+diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia and gyroscopic are on in all elements; { $n } have them off
 
 ## laval/src/outcome/mod.rs
 
@@ -1548,6 +1616,10 @@ diag-coordinates-ea2c = { $n } coordinates
 diag-internal-state-da0f = { $n } internal state
 diag-internal-states-7af1 = { $n } internal states
 diag-no-studies-e162 = no studies
+
+## laval-cli/src/import.rs
+
+diag-left-out-or-different-in-ross-343d = Left out, or different in ROSS:
 
 ## laval-cli/src/input.rs
 
