@@ -5,9 +5,16 @@ use super::model::{Bearing, COEFFICIENTS, Kind, Mass, Model};
 use super::shaft::{Sections, rounded, sections};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::file::writer::quoted;
+use crate::model::part::Part;
+use crate::parts::bearing_linear::BearingLinear;
+use crate::parts::damper::Damper;
+use crate::parts::disc::Disc;
+use crate::parts::foundation::Foundation;
+use crate::parts::shaft::Shaft;
 use crate::text;
-use crate::units::write_si;
+use crate::units::{format_number, write_number, write_si};
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::PI;
 use std::fmt::Write as _;
 
 /// Longest name of a block, characters.
@@ -97,14 +104,14 @@ impl<'a> Writer<'a> {
     fn machine(&mut self, name: &str) {
         let _ = writeln!(self.out, "[machine]\nname = {}", quoted(&plain(name)));
         if let Some(w) = self.model.rated {
-            self.line("speed", w, "rad/s");
+            let _ = writeln!(self.out, "speed = {}", speeds(&[w])[0]);
         }
         self.out.push_str("axis = \"horizontal\"\n");
     }
 
     fn shaft(&mut self) {
         let (s, first) = (self.shaft, &self.shaft.first);
-        self.part("shaft", "shaft");
+        self.part(Shaft::KIND, Shaft::KIND);
         if !first.material.name.is_empty() {
             let _ = writeln!(self.out, "# {}", plain(&first.material.name));
         }
@@ -156,7 +163,7 @@ impl<'a> Writer<'a> {
     }
 
     fn disc(&mut self, tag: &str, at: f64, [mass, diametral, polar]: [f64; 3]) {
-        let name = self.part("disc", tag);
+        let name = self.part(Disc::KIND, tag);
         let _ = writeln!(self.out, "on = {}", self.place(at));
         self.line("mass", mass, "kg");
         self.given("polar_inertia", polar, "kg m^2");
@@ -164,7 +171,7 @@ impl<'a> Writer<'a> {
         // alpha of the whole rotor acts on discs too
         let alpha = self.model.damping.alpha;
         if alpha != 0.0 {
-            self.part("damper", &format!("damping of {name}"));
+            self.part(Damper::KIND, &format!("damping of {name}"));
             let _ = writeln!(self.out, "between = [{}, \"ground\"]", quoted(&name));
             self.line("damping", alpha * mass, "N s/m");
             self.given("tilt_damping", alpha * diametral, "N m s");
@@ -172,7 +179,7 @@ impl<'a> Writer<'a> {
     }
 
     fn place(&self, at: f64) -> String {
-        if at == 0.0 { quoted("shaft") } else { format!("{{ body = \"shaft\", at = {} }}", value(at, "m")) }
+        if at == 0.0 { quoted(Shaft::KIND) } else { format!("{{ body = \"shaft\", at = {} }}", value(at, "m")) }
     }
 
     fn nowhere(&mut self, element: &str, node: usize, span: &Option<Span>) {
@@ -195,7 +202,7 @@ impl<'a> Writer<'a> {
                 b.node == node && b.link.is_none() && b.speeds.len() < 2 && b.kind == Kind::Bearing && !crossed
             };
             let below = model.bearings.iter().find(simple);
-            let name = self.part("foundation", &m.tag);
+            let name = self.part(Foundation::KIND, &m.tag);
             self.line("mass", mass, "kg");
             let both = |k: usize| below.map_or([0.0; 2], |b| [b.coefficients[k][0], b.coefficients[k + 3][0]]);
             let alpha = model.damping.alpha * mass;
@@ -227,7 +234,7 @@ impl<'a> Writer<'a> {
         };
         let first = point(b.node);
         let second = b.link.map_or(quoted("ground"), point);
-        self.part("bearing_linear", &b.tag);
+        self.part(BearingLinear::KIND, &b.tag);
         let _ = writeln!(self.out, "between = [{first}, {second}]");
         let unit = |k: usize| if k < 4 { "N/m" } else { "N s/m" };
         let c = &b.coefficients;
@@ -244,8 +251,8 @@ impl<'a> Writer<'a> {
             return;
         }
         self.out.push_str("beyond = \"linear\"\ntable = [\n");
-        for (row, speed) in b.speeds.iter().enumerate() {
-            let _ = write!(self.out, "  {{ speed = {}", value(*speed, "rad/s"));
+        for (row, speed) in speeds(&b.speeds).iter().enumerate() {
+            let _ = write!(self.out, "  {{ speed = {speed}");
             for (k, key) in COEFFICIENTS.iter().enumerate() {
                 // kxx and kyy stand in every table
                 if matches!(k, 0 | 3) || c[k].iter().any(|x| *x != 0.0) {
@@ -260,4 +267,13 @@ impl<'a> Writer<'a> {
 
 fn value(x: f64, unit: &str) -> String {
     quoted(write_si(rounded(x), unit).trim_end())
+}
+
+/// Speeds in rad/s where that is short for all of them or rpm is not, else in rpm.
+fn speeds(all: &[f64]) -> Vec<String> {
+    let in_rpm = |w: f64| format_number(w * 30.0 / PI, 10);
+    let short = |text: String| text.len() <= 8;
+    let rpm = !all.iter().all(|w| short(write_number(*w))) && all.iter().all(|w| short(in_rpm(*w)));
+    let one = |w: &f64| if rpm { format!("{} rpm", in_rpm(*w)) } else { format!("{} rad/s", write_number(rounded(*w))) };
+    all.iter().map(|w| quoted(&one(w))).collect()
 }
