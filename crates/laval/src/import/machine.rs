@@ -2,6 +2,7 @@
 
 use super::Imported;
 use super::model::{Bearing, COEFFICIENTS, Kind, Mass, Model};
+use super::notes::Note;
 use super::shaft::{Sections, rounded, sections};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::file::writer::quoted;
@@ -37,7 +38,7 @@ pub(super) fn write(model: &Model, name: &str) -> Result<Imported, Diagnostics> 
     w.supports();
     for b in model.bearings.iter().filter(|b| !w.supports.values().any(|s| s.1 == Some(b.name.as_str()))).collect::<Vec<_>>() {
         if b.coefficients.iter().flatten().all(|x| *x == 0.0) {
-            notes.push(text!("{element}: left out, it has no lateral coefficients", element = text::quoted(&b.name)));
+            notes.add(Note::NoLateral, &b.name);
         } else {
             w.bearing(b);
         }
@@ -46,14 +47,15 @@ pub(super) fn write(model: &Model, name: &str) -> Result<Imported, Diagnostics> 
         return Err(w.wrong);
     }
     if model.version.starts_with('2') && model.bearings.iter().any(|b| b.speeds.len() > 2) {
-        notes.push(text!("between the rows of a table ROSS 2 draws a spline, laval a monotone cubic as ROSS 3"));
+        notes.say(text!("between the rows of a table ROSS 2 draws a spline, laval a monotone cubic as ROSS 3"));
     }
     if shaft.conical {
-        notes.push(text!("cone = \"mid_section\" gives the cones of ROSS; without it they converge faster"));
+        notes.say(text!("cone = \"mid_section\" gives the cones of ROSS; without it they converge faster"));
     }
-    notes.push(text!("lateral motion alone is carried over; axial = true and torsional = true of the shaft add the others"));
-    notes.push(text!("ROSS takes g = 9.8065 m/s^2 in run_static, laval 9.80665 m/s^2"));
+    notes.say(text!("lateral motion alone is carried over; axial = true and torsional = true of the shaft add the others"));
+    notes.say(text!("ROSS takes g = 9.8065 m/s^2 in run_static, laval 9.80665 m/s^2"));
     let mut text = format!("# From a model of ROSS {}.\n#\n", plain(&model.version));
+    let notes = notes.texts();
     for note in &notes {
         let _ = writeln!(text, "# - {}", plain(&note.to_string()));
     }

@@ -4,6 +4,7 @@ pub mod ross;
 
 mod machine;
 mod model;
+mod notes;
 mod shaft;
 
 use crate::text::Text;

@@ -1,9 +1,10 @@
 //! What a saved model of ROSS says, element by element.
 
+use super::notes::{Note, Notes};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::file::tree::{Data, Entry, Node, get};
 use crate::text;
-use crate::text::{Arg, Text};
+use crate::text::Text;
 
 /// Largest number of a node; more nodes than any rotor has would only take memory.
 const MOST_NODES: i64 = 10_000;
@@ -135,7 +136,7 @@ pub(super) struct Model {
     pub discs: Vec<Mass>,
     pub masses: Vec<Mass>,
     pub bearings: Vec<Bearing>,
-    pub notes: Vec<Text>,
+    pub notes: Notes,
 }
 
 /// A table that is read, and where its mistakes go.
@@ -224,7 +225,7 @@ impl<'r, 'n> Read<'r, 'n> {
         self.rows(key).into_iter().flatten().collect()
     }
     /// The keys among these whose value is neither absent, 0 nor an empty list.
-    fn used(&mut self, keys: &[&'static str]) -> Vec<Arg> {
+    fn used(&self, keys: &[&'static str]) -> Vec<&'static str> {
         let nonzero = |n: &Node| -> bool { number(n).is_none_or(|x| x != 0.0) };
         let any = |n: &Node| match &n.data {
             Data::List(list) => list.iter().any(|n| match &n.data {
@@ -233,7 +234,7 @@ impl<'r, 'n> Read<'r, 'n> {
             }),
             _ => nonzero(n),
         };
-        keys.iter().filter(|k| self.get(k).is_some_and(any)).map(|k| Arg::Plain((*k).into())).collect()
+        keys.iter().copied().filter(|k| self.get(k).is_some_and(any)).collect()
     }
 }
 
@@ -253,11 +254,10 @@ impl Model {
         self.left_out(r, &["modal_damping_ratio", "default_damping_ratio"]);
     }
 
-    fn left_out(&mut self, r: &mut Read, keys: &[&'static str]) {
+    fn left_out(&mut self, r: &Read, keys: &[&'static str]) {
         let keys = r.used(keys);
         if !keys.is_empty() {
-            let keys = text::list(keys, text::Joint::Comma);
-            self.notes.push(text!("{element}: {keys} left out", element = text::quoted(r.name), keys));
+            self.notes.add(Note::LeftOut(keys), r.name);
         }
     }
 
@@ -270,7 +270,7 @@ impl Model {
                 let (node, mass, inertia) = (r.own_node(), r.number("m"), [r.number("Id"), r.number("Ip")]);
                 self.discs.push(Mass { name, tag, span, node, mass, inertia });
                 if class != "DiskElement" {
-                    self.notes.push(text!("{element}: a disc without teeth", element = text::quoted(r.name)));
+                    self.notes.add(Note::NoTeeth, r.name);
                 }
             }
             Kind::Mass => {
@@ -278,7 +278,7 @@ impl Model {
                 let all = if r.get("mx").is_none() { r.number("m") } else { 0.0 };
                 let (node, mx, my) = (r.own_node(), r.number_or("mx", all), r.number_or("my", all));
                 if mx != my {
-                    self.notes.push(text!("{element}: the mean of mx and my is taken", element = text::quoted(r.name)));
+                    self.notes.add(Note::MeanMass, r.name);
                 }
                 self.masses.push(Mass { name, tag, span, node, mass: 0.5 * (mx + my), inertia: [0.0; 2] });
             }
@@ -368,21 +368,15 @@ impl Model {
                 column.fill(0.0);
             }
         }
-        let element = || text::quoted(&name);
         if both {
-            self.notes.push(text!(
-                "{element}: of the coefficients over speed and frequency those at frequency = speed are taken",
-                element = element()
-            ));
+            self.notes.add(Note::Diagonal, &name);
         } else if frequency.len() > 1 {
-            self.notes.push(text!("{element}: coefficients over frequency are taken over speed", element = element()));
+            self.notes.add(Note::OverFrequency, &name);
         }
         match kind {
-            Kind::Computed => {
-                self.notes.push(text!("{element}: the coefficients are those in the file, its geometry is left out", element = element()));
-            }
+            Kind::Computed => self.notes.add(Note::Computed, &name),
             Kind::Seal => {
-                self.notes.push(text!("{element}: it acts in all studies; ROSS leaves seals out of run_static", element = element()));
+                self.notes.add(Note::Seal, &name);
                 self.left_out(r, &["seal_leakage"]);
             }
             _ => {}

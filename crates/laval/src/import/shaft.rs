@@ -1,9 +1,9 @@
 //! From elements to the sections of one shaft.
 
 use super::model::{Model, Rayleigh, Shaft};
+use super::notes::{Note, Notes};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::text;
-use crate::text::Text;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -28,7 +28,7 @@ pub(super) fn rounded(x: f64) -> f64 {
     format!("{x:.11e}").parse().unwrap_or(x)
 }
 
-pub(super) fn sections(model: &Model, notes: &mut Vec<Text>) -> Result<Sections, Diagnostics> {
+pub(super) fn sections(model: &Model, notes: &mut Notes) -> Result<Sections, Diagnostics> {
     let mut at: BTreeMap<usize, Vec<&Shaft>> = BTreeMap::new();
     for s in &model.shafts {
         at.entry(s.node).or_default().push(s);
@@ -51,13 +51,10 @@ pub(super) fn sections(model: &Model, notes: &mut Vec<Text>) -> Result<Sections,
             let touches = (layer.inner[0] - core.outer[0]).abs() < 1e-9;
             if straight(layer) && straight(&core) && touches && layer.material == core.material {
                 core.outer = layer.outer;
-                notes.push(text!(
-                    "{element}: one section with the element below it; ROSS adds the stiffnesses of both",
-                    element = text::quoted(&layer.name)
-                ));
+                notes.add(Note::Joined, &layer.name);
             } else {
                 sleeves.push((layer.name.clone(), rounded(position + 0.5 * core.length), ring(layer)));
-                notes.push(text!("{element}: its mass is carried over, its stiffness is left out", element = text::quoted(&layer.name)));
+                notes.add(Note::MassAlone, &layer.name);
             }
         }
         position = rounded(position + core.length);
@@ -95,11 +92,11 @@ fn common(rows: &[Shaft]) -> usize {
 }
 
 /// Says where elements differ in what the whole shaft has once.
-fn same(rows: &[Shaft], first: &Shaft, notes: &mut Vec<Text>) {
+fn same(rows: &[Shaft], first: &Shaft, notes: &mut Notes) {
     let mut differs = |key: &str, other: &dyn Fn(&Shaft) -> bool| {
         let n = rows.iter().filter(|s| other(s)).count();
         if n > 0 {
-            notes.push(text!(
+            notes.say(text!(
                 "{key} of {n} elements differs; that of {first} is taken for the whole shaft",
                 key,
                 n,
@@ -116,6 +113,6 @@ fn same(rows: &[Shaft], first: &Shaft, notes: &mut Vec<Text>) {
     differs("alpha, beta", &apart);
     let n = rows.iter().filter(|s| !s.turns).count();
     if n > 0 {
-        notes.push(text!("rotary_inertia and gyroscopic are on in all elements; {n} have them off", n));
+        notes.say(text!("rotary_inertia and gyroscopic are on in all elements; {n} have them off", n));
     }
 }

@@ -863,7 +863,6 @@ diag-write-true-or-false-without-quotes-cb7a = write true or false, without quot
 
 ## laval/src/import/machine.rs
 
-diag-left-out-it-has-no-lateral-52af = { $element }: left out, it has no lateral coefficients
 diag-between-the-rows-of-a-table-98ce = between the rows of a table ROSS 2 draws a spline, laval a monotone cubic as ROSS 3
 diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" gives the cones of ROSS; without it they converge faster
 diag-lateral-motion-alone-is-carried-over-869f = lateral motion alone is carried over; axial = true and torsional = true of the shaft add the others
@@ -877,15 +876,22 @@ diag-of-must-be-not-c7c2 = { $key } of { $element } must be { $wanted }, not { $
 diag-a-finite-number-ee7c = a finite number
 diag-the-number-of-a-node-from-0b42 = the number of a node, from 0 to { $most }
 diag-a-list-of-finite-numbers-3e52 = a list of finite numbers
-diag-left-out-a9a0 = { $element }: { $keys } left out
-diag-a-disc-without-teeth-1ca6 = { $element }: a disc without teeth
-diag-the-mean-of-mx-and-my-eebb = { $element }: the mean of mx and my is taken
 diag-the-length-of-must-be-positive-9a7e = the length of { $element } must be positive
 diag-has-values-of-for-speeds-0087 = { $element } has { $n } values of { $key } for { $wanted } speeds
-diag-of-the-coefficients-over-speed-and-5c37 = { $element }: of the coefficients over speed and frequency those at frequency = speed are taken
-diag-coefficients-over-frequency-are-taken-over-fedf = { $element }: coefficients over frequency are taken over speed
-diag-the-coefficients-are-those-in-the-a1fe = { $element }: the coefficients are those in the file, its geometry is left out
-diag-it-acts-in-all-studies-ross-9b2c = { $element }: it acts in all studies; ROSS leaves seals out of run_static
+
+## laval/src/import/notes.rs
+
+diag-and-more-1d3b = { $names } and { $n } more
+diag-left-out-5499 = { $elements }: { $keys } left out
+diag-a-disc-without-teeth-e596 = { $elements }: a disc without teeth
+diag-the-mean-of-mx-and-my-8318 = { $elements }: the mean of mx and my is taken
+diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: of the coefficients over speed and frequency those at frequency = speed are taken
+diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: coefficients over frequency are taken over speed
+diag-the-coefficients-are-those-in-the-45ec = { $elements }: the coefficients are those in the file, the geometry is left out
+diag-in-effect-in-all-studies-ross-43d4 = { $elements }: in effect in all studies; ROSS leaves seals out of run_static
+diag-one-section-with-the-element-below-fd4f = { $elements }: one section with the element below; ROSS adds the stiffnesses of both
+diag-the-mass-is-carried-over-as-2fac = { $elements }: the mass is carried over as a disc, the stiffness is left out
+diag-left-out-there-are-no-lateral-3572 = { $elements }: left out, there are no lateral coefficients
 
 ## laval/src/import/ross.rs
 
@@ -904,8 +910,6 @@ diag-it-has-no-shaftelement-bf65 = it has no ShaftElement
 
 diag-no-element-of-the-shaft-lies-e19b = no element of the shaft lies between the nodes { $k } and { $next }
 diag-the-shafts-of-several-rotors-in-ca3c = the shafts of several rotors in one model are not imported
-diag-one-section-with-the-element-below-d021 = { $element }: one section with the element below it; ROSS adds the stiffnesses of both
-diag-its-mass-is-carried-over-its-f2ca = { $element }: its mass is carried over, its stiffness is left out
 diag-of-elements-differs-that-of-is-d2a2 = { $key } of { $n } elements differs; that of { $first } is taken for the whole shaft
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia and gyroscopic are on in all elements; { $n } have them off
 

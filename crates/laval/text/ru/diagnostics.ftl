@@ -1212,7 +1212,7 @@ diag-stability-of-a-further-branch-at-5e02 = устойчивость друго
 
 # laval/src/import, laval-cli/src/import.rs
 
-diag-left-out-it-has-no-lateral-52af = { $element }: пропущен, поперечных коэффициентов нет
+diag-left-out-there-are-no-lateral-3572 = { $elements }: пропущен, поперечных коэффициентов нет
 diag-between-the-rows-of-a-table-98ce = между строками таблицы ROSS 2 проводит сплайн, laval — монотонную кубическую кривую, как ROSS 3
 diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" даёт конусы ROSS; без этого ключа они сходятся быстрее
 diag-lateral-motion-alone-is-carried-over-869f = перенесены только поперечные движения; остальные добавляют axial = true и torsional = true у вала
@@ -1223,15 +1223,15 @@ diag-of-must-be-not-c7c2 = { $key } у { $element }: нужно { $wanted }, а 
 diag-a-finite-number-ee7c = конечное число
 diag-the-number-of-a-node-from-0b42 = номер узла от 0 до { $most }
 diag-a-list-of-finite-numbers-3e52 = список конечных чисел
-diag-left-out-a9a0 = { $element }: не перенесено: { $keys }
-diag-a-disc-without-teeth-1ca6 = { $element }: диск без зубьев
-diag-the-mean-of-mx-and-my-eebb = { $element }: взято среднее mx и my
+diag-left-out-5499 = { $elements }: не перенесено: { $keys }
+diag-a-disc-without-teeth-e596 = { $elements }: диск без зубьев
+diag-the-mean-of-mx-and-my-8318 = { $elements }: взято среднее mx и my
 diag-the-length-of-must-be-positive-9a7e = длина { $element } должна быть положительной
 diag-has-values-of-for-speeds-0087 = у { $element } значений { $key }: { $n }, а частот вращения: { $wanted }
-diag-of-the-coefficients-over-speed-and-5c37 = { $element }: из коэффициентов по частоте вращения и частоте колебаний взяты те, где обе частоты равны
-diag-coefficients-over-frequency-are-taken-over-fedf = { $element }: коэффициенты по частоте колебаний взяты по частоте вращения
-diag-the-coefficients-are-those-in-the-a1fe = { $element }: коэффициенты взяты из файла, геометрия не перенесена
-diag-it-acts-in-all-studies-ross-9b2c = { $element }: действует во всех расчётах; ROSS в run_static уплотнений не учитывает
+diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: из коэффициентов по частоте вращения и частоте колебаний взяты те, где обе частоты равны
+diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: коэффициенты по частоте колебаний взяты по частоте вращения
+diag-the-coefficients-are-those-in-the-45ec = { $elements }: коэффициенты взяты из файла, геометрия не перенесена
+diag-in-effect-in-all-studies-ross-43d4 = { $elements }: учтено во всех расчётах; ROSS в run_static уплотнений не учитывает
 diag-it-is-not-utf-8-text-eb31 = это не текст UTF-8
 diag-it-is-not-a-table-of-ed88 = это не таблица элементов
 diag-its-tables-are-nested-too-deeply-59ac = таблицы вложены слишком глубоко
@@ -1244,8 +1244,9 @@ diag-elements-that-are-imported-23a2 = переносятся элементы: 
 diag-it-has-no-shaftelement-bf65 = в ней нет ShaftElement
 diag-no-element-of-the-shaft-lies-e19b = между узлами { $k } и { $next } нет элемента вала
 diag-the-shafts-of-several-rotors-in-ca3c = валы нескольких роторов в одной модели не переносятся
-diag-one-section-with-the-element-below-d021 = { $element }: один участок с элементом под ним; ROSS складывает их жёсткости
-diag-its-mass-is-carried-over-its-f2ca = { $element }: масса перенесена, жёсткость — нет
+diag-one-section-with-the-element-below-fd4f = { $elements }: один участок с элементом под ним; ROSS складывает их жёсткости
+diag-the-mass-is-carried-over-as-2fac = { $elements }: масса перенесена как диск, жёсткость не перенесена
 diag-of-elements-differs-that-of-is-d2a2 = { $key } отличается (элементов: { $n }); для всего вала взято значение из { $first }
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia и gyroscopic включены во всех элементах; в модели они выключены (элементов: { $n })
 diag-left-out-or-different-in-ross-343d = Не перенесено или иначе в ROSS:
+diag-and-more-1d3b = { $names } и ещё { $n }

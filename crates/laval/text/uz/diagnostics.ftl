@@ -1520,7 +1520,7 @@ diag-stability-of-a-further-branch-at-5e02 = boshqa tarmoqning turg‘unligi, { 
 
 # laval/src/import, laval-cli/src/import.rs
 
-diag-left-out-it-has-no-lateral-52af = { $element }: qoldirildi, ko‘ndalang koeffitsiyentlari yo‘q
+diag-left-out-there-are-no-lateral-3572 = { $elements }: qoldirildi, ko‘ndalang koeffitsiyentlari yo‘q
 diag-between-the-rows-of-a-table-98ce = jadval qatorlari orasida ROSS 2 splayn, laval esa ROSS 3 kabi monoton kubik egri chiziq o‘tkazadi
 diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" ROSS konuslarini beradi; bu kalitsiz ular tezroq yaqinlashadi
 diag-lateral-motion-alone-is-carried-over-869f = faqat ko‘ndalang harakatlar ko‘chirildi; qolganlarini valning axial = true va torsional = true kalitlari qo‘shadi
@@ -1531,15 +1531,15 @@ diag-of-must-be-not-c7c2 = { $element } ichidagi { $key }: { $wanted } kerak, { 
 diag-a-finite-number-ee7c = chekli son
 diag-the-number-of-a-node-from-0b42 = 0 dan { $most } gacha tugun raqami
 diag-a-list-of-finite-numbers-3e52 = chekli sonlar ro‘yxati
-diag-left-out-a9a0 = { $element }: ko‘chirilmadi: { $keys }
-diag-a-disc-without-teeth-1ca6 = { $element }: tishsiz disk
-diag-the-mean-of-mx-and-my-eebb = { $element }: mx va my o‘rtachasi olindi
+diag-left-out-5499 = { $elements }: ko‘chirilmadi: { $keys }
+diag-a-disc-without-teeth-e596 = { $elements }: tishsiz disk
+diag-the-mean-of-mx-and-my-8318 = { $elements }: mx va my o‘rtachasi olindi
 diag-the-length-of-must-be-positive-9a7e = { $element } uzunligi musbat bo‘lishi kerak
 diag-has-values-of-for-speeds-0087 = { $element } ichida { $key } qiymatlari: { $n }, tezliklar esa: { $wanted }
-diag-of-the-coefficients-over-speed-and-5c37 = { $element }: tezlik va tebranish chastotasi bo‘yicha koeffitsiyentlardan ikkalasi teng bo‘lganlari olindi
-diag-coefficients-over-frequency-are-taken-over-fedf = { $element }: tebranish chastotasi bo‘yicha koeffitsiyentlar tezlik bo‘yicha olindi
-diag-the-coefficients-are-those-in-the-a1fe = { $element }: koeffitsiyentlar fayldan olindi, geometriyasi ko‘chirilmadi
-diag-it-acts-in-all-studies-ross-9b2c = { $element }: barcha hisoblarda ta’sir qiladi; ROSS run_static hisobida zichlagichlarni hisobga olmaydi
+diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: tezlik va tebranish chastotasi bo‘yicha koeffitsiyentlardan ikkalasi teng bo‘lganlari olindi
+diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: tebranish chastotasi bo‘yicha koeffitsiyentlar tezlik bo‘yicha olindi
+diag-the-coefficients-are-those-in-the-45ec = { $elements }: koeffitsiyentlar fayldan olindi, geometriya ko‘chirilmadi
+diag-in-effect-in-all-studies-ross-43d4 = { $elements }: barcha hisoblarda hisobga olinadi; ROSS run_static hisobida zichlagichlarni hisobga olmaydi
 diag-it-is-not-utf-8-text-eb31 = bu UTF-8 matni emas
 diag-it-is-not-a-table-of-ed88 = bu elementlar jadvali emas
 diag-its-tables-are-nested-too-deeply-59ac = jadvallar juda chuqur joylashtirilgan
@@ -1552,8 +1552,9 @@ diag-elements-that-are-imported-23a2 = ko‘chiriladigan elementlar: { $all }
 diag-it-has-no-shaftelement-bf65 = unda ShaftElement yo‘q
 diag-no-element-of-the-shaft-lies-e19b = { $k } va { $next } tugunlari orasida val elementi yo‘q
 diag-the-shafts-of-several-rotors-in-ca3c = bitta modeldagi bir nechta rotorning vallari ko‘chirilmaydi
-diag-one-section-with-the-element-below-d021 = { $element }: ostidagi element bilan bitta qism; ROSS ularning bikrliklarini qo‘shadi
-diag-its-mass-is-carried-over-its-f2ca = { $element }: massasi ko‘chirildi, bikrligi ko‘chirilmadi
+diag-one-section-with-the-element-below-fd4f = { $elements }: ostidagi element bilan bitta qism; ROSS ularning bikrliklarini qo‘shadi
+diag-the-mass-is-carried-over-as-2fac = { $elements }: massa disk sifatida ko‘chirildi, bikrlik ko‘chirilmadi
 diag-of-elements-differs-that-of-is-d2a2 = { $key } farq qiladi (elementlar soni: { $n }); butun val uchun { $first } qiymati olindi
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia va gyroscopic barcha elementlarda yoqilgan; modelda ular o‘chirilgan (elementlar soni: { $n })
 diag-left-out-or-different-in-ross-343d = Ko‘chirilmadi yoki ROSS da boshqacha:
+diag-and-more-1d3b = { $names } va yana { $n }
