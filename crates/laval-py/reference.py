@@ -21,7 +21,7 @@ TITLES = {"parts": "Parts", "studies": "Studies", "blocks": "Blocks beside them"
 CALLED = {"Machine", "Mode", "Peak", "Jump", "Sweep", "Cases"}
 """Classes that a user makes; others come from runs and functions."""
 GROUPS = {
-    "Machines": ["load", "loads", "Machine", "Parameter", "si", "span"],
+    "Machines": ["load", "loads", "from_ross", "Machine", "Parameter", "si", "span"],
     "Results": ["Results", "StudyResults", "Finding", "Value", "Evidence", "SpecialPoint", "Check", "Table", "Figure"],
     "Derivatives": ["Mode", "Peak", "Jump", "Derivatives", "Function"],
     "Many machines": ["Sweep", "Cases"],

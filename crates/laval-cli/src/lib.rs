@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 mod check;
+mod import;
 mod input;
 mod language;
 mod new;
@@ -63,6 +64,8 @@ enum Command {
     Check(check::Args),
     /// Write a machine file to start from; without a template, list them
     New(new::Args),
+    /// Write a machine file from the model of another program
+    Import(import::Args),
     /// List the kinds of parts, or document one
     Parts(show::Args),
     /// List the kinds of studies, or document one
@@ -93,6 +96,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Collect(args) => run::collect(args),
         Command::Check(args) => check::check(args),
         Command::New(args) => new::new(args),
+        Command::Import(args) => import::import(args),
         Command::Parts(args) => show::parts(args),
         Command::Studies(args) => show::studies(args),
         Command::Units => show::units(),

@@ -102,20 +102,26 @@ pub fn new(args: &Args) -> u8 {
         return DONE;
     }
     let text = template.named(&path.file_stem().map_or_else(|| template.name.into(), |s| s.to_string_lossy()));
+    let code = create(&path, &text);
+    if code == DONE {
+        terminal::print(&format!("{}\n", path.display()));
+    }
+    code
+}
+
+/// Writes a file that did not exist.
+pub fn create(path: &Path, text: &str) -> u8 {
     // create_new: a file that appears in between is not overwritten either
     let fill = |mut file: File| {
         let filled = file.write_all(text.as_bytes());
         if filled.is_err() {
             // the reason of the failure matters, not that of the clean-up
-            let _ = fs::remove_file(&path);
+            let _ = fs::remove_file(path);
         }
         filled
     };
-    match OpenOptions::new().write(true).create_new(true).open(&path).and_then(fill) {
-        Ok(()) => {
-            terminal::print(&format!("{}\n", path.display()));
-            DONE
-        }
+    match OpenOptions::new().write(true).create_new(true).open(path).and_then(fill) {
+        Ok(()) => DONE,
         Err(e) if e.kind() == ErrorKind::AlreadyExists => {
             let d = Diagnostic::error("request.exists", text!("{path} exists and is not overwritten", path = path.display()));
             input::complain(&d.help(text!("name another file with --out")));

@@ -2,6 +2,7 @@
 
 mod cli;
 mod folder;
+mod import;
 mod languages;
 mod launcher;
 mod names;

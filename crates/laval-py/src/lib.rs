@@ -29,6 +29,7 @@ fn _native(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(cases::put, m)?)?;
     m.add_function(wrap_pyfunction!(cases::chunk_of, m)?)?;
     m.add_function(wrap_pyfunction!(machine::read, m)?)?;
+    m.add_function(wrap_pyfunction!(machine::from_ross, m)?)?;
     m.add_function(wrap_pyfunction!(results::again, m)?)?;
     m.add_function(wrap_pyfunction!(attend::idle, m)?)?;
     m.add_function(wrap_pyfunction!(catalog::catalog, m)?)?;

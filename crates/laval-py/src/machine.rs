@@ -6,6 +6,7 @@ use crate::results::Results;
 use crate::session::{Ran, Session};
 use laval::file::{self, Loaded, catalog, diagnostics_json};
 use laval::hash::sha256;
+use laval::import::ross;
 use laval::outcome::Arg;
 use laval::plain;
 use laval::report;
@@ -36,6 +37,13 @@ pub fn read(py: Python<'_>, content: &[u8], origin: &str) -> PyResult<Machine> {
     let source = String::from_utf8_lossy(content).into_owned();
     let loaded = py.detach(|| file::load_bytes(content)).map_err(|found| errors::mistakes(py, &found, &source, origin))?;
     Ok(Machine { loaded: Arc::new(loaded), source, origin: origin.into(), hash: format!("sha256:{}", sha256(content)) })
+}
+
+/// Makes the text of a machine file of a rotor that ROSS has saved.
+#[pyfunction]
+pub fn from_ross(py: Python<'_>, content: &[u8], name: &str) -> PyResult<String> {
+    let imported = py.detach(|| ross::import(content, name));
+    imported.map(|i| i.text).map_err(|found| errors::mistakes(py, &found, &String::from_utf8_lossy(content), name))
 }
 
 /// How a run ended early.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -138,3 +139,25 @@ def test_mistakes_of_a_machine_of_python_have_places_in_its_text() -> None:
         laval.parts.disc(name="disc")
     with pytest.raises(TypeError, match="unexpected keyword argument 'masss'"):
         laval.parts.disc(mass=1, masss=1)
+
+
+class Saved:
+    """What is used of a ``ross.Rotor``."""
+
+    def save(self, file: Path) -> None:
+        file.write_bytes((ROOT / "crates/laval/tests/reference/ross/pedestals.json").read_bytes())
+
+
+def test_a_rotor_of_ross_is_a_machine() -> None:
+    file = ROOT / "crates/laval/tests/reference/ross/cones.toml"
+    machine = laval.from_ross(file)
+    assert machine.name == "cones" and machine.speed == 314 and "impeller" in machine.parts
+    assert "# - " in machine.source
+    assert "left pedestal" in laval.from_ross(Saved(), "rotor").parts
+
+
+def test_a_file_of_another_kind_is_no_rotor(tmp_path: Path) -> None:
+    file = tmp_path / "rotor.toml"
+    file.write_text("a = 1")
+    with pytest.raises(laval.MachineError, match="no model that ROSS has saved"):
+        laval.from_ross(file)

@@ -128,6 +128,7 @@ mod columns;
 pub mod file;
 #[doc(hidden)]
 pub mod hash;
+pub mod import;
 #[doc(hidden)]
 pub mod language;
 pub mod outcome;

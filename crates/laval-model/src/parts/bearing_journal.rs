@@ -240,6 +240,26 @@ pub(super) mod tests {
         }
     }
 
+    /// The torque of a full film is the moment of the shear at the journal, `mu W R/h + h/(2 R) dp/dtheta`, summed around it.
+    #[test]
+    fn torque_is_the_moment_of_the_shear() {
+        let (p, speed, q) = (params(), 157.0, [3e-5, -4e-5]);
+        let at = At { q: &q, v: &[0.0; 2], a: &[], z: &[], phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        let found = BearingJournal::new(link()).film(Film::Full).torque(&p, &at);
+        let (n, r) = (20_000, 0.5 * p.diameter);
+        let h = |theta: f64| p.clearance - q[0] * theta.cos() - q[1] * theta.sin();
+        // integrated over the length
+        let pressure =
+            |theta: f64| -p.viscosity * p.length.powi(3) / h(theta).powi(3) * 0.5 * speed * (q[0] * theta.sin() - q[1] * theta.cos());
+        let step = std::f64::consts::TAU / f64::from(n);
+        let shear = |theta: f64| {
+            let slope = (pressure(theta + 1e-4) - pressure(theta - 1e-4)) / 2e-4;
+            p.viscosity * speed * r / h(theta) * p.length + 0.5 * h(theta) / r * slope
+        };
+        let expected: f64 = (0..n).map(|k| shear((f64::from(k) + 0.5) * step) * r * r * step).sum();
+        assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
+    }
+
     #[test]
     fn films_that_are_none() {
         let bearing = BearingJournal::new(link());

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from laval._blocks import Block, Extra, Part, Study
 from laval._errors import Diagnostic, Interrupted, MachineError, MachineWarning
-from laval._machine import Machine, Parameter, load, loads
+from laval._machine import Machine, Parameter, from_ross, load, loads
 from laval._native import __version__
 from laval._quantities import si, span
 from laval._results import Check, Evidence, Finding, Results, SpecialPoint, StudyResults, Value
@@ -57,6 +57,7 @@ __all__ = [
     "__version__",
     "blocks",
     "designs",
+    "from_ross",
     "load",
     "loads",
     "parts",

@@ -281,3 +281,31 @@ def loads(text: str, name: str = "machine") -> Machine:
         MachineError: all its mistakes, each at its place.
     """
     return Machine._of(text.encode(), name)
+
+
+def from_ross(rotor: Any, name: str | None = None) -> Machine:
+    """Makes a machine of a rotor of the program ROSS 2 or 3.
+
+    :attr:`Machine.source` is the machine file; what is not carried over stands at its top.
+
+    Args:
+        rotor: a ``ross.Rotor``, or the file in which ``rotor.save`` has written one.
+        name: of the machine; that of the file unless given.
+
+    Raises:
+        OSError: the file cannot be read.
+        MachineError: all that is wrong with the model.
+    """
+    from pathlib import Path
+    from tempfile import TemporaryDirectory
+
+    if hasattr(rotor, "save"):
+        with TemporaryDirectory() as folder:
+            path = Path(folder) / "rotor.json"
+            rotor.save(path)
+            content = path.read_bytes()
+    else:
+        path = Path(rotor)
+        content = path.read_bytes()
+    name = name or path.stem
+    return loads(_native.from_ross(content, name), name)

@@ -26,7 +26,7 @@ mod references;
 mod stages;
 mod stand_in;
 mod syntax;
-mod tree;
+pub(crate) mod tree;
 mod unusual;
 mod values;
 mod written_units;

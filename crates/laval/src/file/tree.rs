@@ -9,13 +9,13 @@ use toml::de::{DeTable, DeValue};
 
 /// A value with its place in the text (none for JSON).
 #[derive(Debug)]
-pub(super) struct Node<'a> {
+pub(crate) struct Node<'a> {
     pub data: Data<'a>,
     pub span: Option<Span>,
 }
 
 #[derive(Debug)]
-pub(super) enum Data<'a> {
+pub(crate) enum Data<'a> {
     Text(Cow<'a, str>),
     Integer(i64),
     Float(f64),
@@ -27,7 +27,7 @@ pub(super) enum Data<'a> {
 }
 
 #[derive(Debug)]
-pub(super) struct Entry<'a> {
+pub(crate) struct Entry<'a> {
     pub key: Cow<'a, str>,
     pub span: Option<Span>,
     pub node: Node<'a>,
@@ -61,11 +61,11 @@ impl<'a> Node<'a> {
 }
 
 /// The entry of a key.
-pub(super) fn get<'n, 'a>(table: &'n [Entry<'a>], key: &str) -> Option<&'n Entry<'a>> {
+pub(crate) fn get<'n, 'a>(table: &'n [Entry<'a>], key: &str) -> Option<&'n Entry<'a>> {
     table.iter().find(|e| e.key == key)
 }
 
-pub(super) fn from_table(table: DeTable<'_>) -> Vec<Entry<'_>> {
+pub(crate) fn from_table(table: DeTable<'_>) -> Vec<Entry<'_>> {
     let mut out: Vec<Entry<'_>> = table
         .into_iter()
         .map(|(k, v)| {
@@ -77,7 +77,7 @@ pub(super) fn from_table(table: DeTable<'_>) -> Vec<Entry<'_>> {
     out
 }
 
-pub(super) fn from_toml(value: Spanned<DeValue<'_>>) -> Node<'_> {
+pub(crate) fn from_toml(value: Spanned<DeValue<'_>>) -> Node<'_> {
     let span = Some(value.span());
     let data = match value.into_inner() {
         DeValue::String(s) => Data::Text(s),
@@ -95,7 +95,7 @@ pub(super) fn from_toml(value: Spanned<DeValue<'_>>) -> Node<'_> {
     Node { data, span }
 }
 
-pub(super) fn from_json(value: &serde_json::Value) -> Node<'_> {
+pub(crate) fn from_json(value: &serde_json::Value) -> Node<'_> {
     use serde_json::Value as J;
     let data = match value {
         J::Null => Data::Other(|| text!("null")),
@@ -109,10 +109,10 @@ pub(super) fn from_json(value: &serde_json::Value) -> Node<'_> {
 }
 
 /// Tables within tables by which a file may go at most.
-pub(super) const DEEPEST: usize = 64;
+pub(crate) const DEEPEST: usize = 64;
 
 /// Where keys and brackets lead deeper than [`DEEPEST`]: what goes through the tree would need more than the stack of a thread has.
-pub(super) fn too_deep(text: &str) -> Option<Span> {
+pub(crate) fn too_deep(text: &str) -> Option<Span> {
     let bytes = text.as_bytes();
     let mut open: Vec<usize> = Vec::new();
     // of the key that is read: where it begins, its parts, and whether its value has begun

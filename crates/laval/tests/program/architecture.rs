@@ -26,6 +26,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("study", &["model", "solve", "separation", "outcome", "store"]),
     ("report", &["outcome", "columns", "language"]),
     ("file", &["model", "parts", "study", "language"]),
+    ("import", &["file", "model", "parts"]),
     ("cases", &["file", "study", "model", "outcome", "store"]),
     ("validation", &["file", "study", "outcome", "report"]),
     ("prelude", &["model", "parts", "study", "outcome", "file"]),

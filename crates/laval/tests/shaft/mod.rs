@@ -4,6 +4,7 @@ mod axis;
 mod closed_forms;
 mod definition;
 mod elements;
+mod imported;
 mod machines;
 mod reduced;
 mod rotors;

@@ -35,7 +35,7 @@ fn complex(v: &Value) -> C64 {
 }
 
 /// All oscillating modes with frequencies up to a limit.
-fn modes(system: &System, speed: f64, limit: f64) -> Vec<C64> {
+pub fn modes(system: &System, speed: f64, limit: f64) -> Vec<C64> {
     let about = rest(system, speed).unwrap();
     let all = if is_large(system) {
         let found = roots(system, &about, &Request { frequency: Some(limit), ..Request::default() }).unwrap();
@@ -48,7 +48,7 @@ fn modes(system: &System, speed: f64, limit: f64) -> Vec<C64> {
 }
 
 /// Every value of the reference is a mode, each once.
-fn held(expected: &[C64], found: &[C64], tolerance: f64, what: &str) {
+pub fn held(expected: &[C64], found: &[C64], tolerance: f64, what: &str) {
     let mut left = found.to_vec();
     for s in expected {
         let best = (0..left.len()).min_by(|&i, &j| (left[i] - *s).abs().total_cmp(&(left[j] - *s).abs()));

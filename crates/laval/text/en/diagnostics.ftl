@@ -861,6 +861,58 @@ diag-choose-c55d = choose { $all }
 diag-not-one-of-its-words-2a4f = not one of its words
 diag-write-true-or-false-without-quotes-cb7a = write true or false, without quotes
 
+## laval/src/import/machine.rs
+
+diag-between-the-rows-of-a-table-98ce = between the rows of a table ROSS 2 draws a spline, laval a monotone cubic as ROSS 3
+diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" gives the cones of ROSS; without it they converge faster
+diag-lateral-motion-alone-is-carried-over-869f = lateral motion alone is carried over; axial = true and torsional = true of the shaft add the others
+diag-ross-takes-g-9-8065-m-9851 = ROSS takes g = 9.8065 m/s^2 in run_static, laval 9.80665 m/s^2
+diag-is-at-node-where-neither-the-2fb9 = { $element } is at node { $node }, where neither the shaft nor a point mass is
+
+## laval/src/import/model.rs
+
+diag-has-no-3dc9 = { $element } has no { $key }
+diag-of-must-be-not-c7c2 = { $key } of { $element } must be { $wanted }, not { $shape }
+diag-a-finite-number-ee7c = a finite number
+diag-the-number-of-a-node-from-0b42 = the number of a node, from 0 to { $most }
+diag-a-list-of-finite-numbers-3e52 = a list of finite numbers
+diag-the-length-of-must-be-positive-9a7e = the length of { $element } must be positive
+diag-has-values-of-for-speeds-0087 = { $element } has { $n } values of { $key } for { $wanted } speeds
+
+## laval/src/import/notes.rs
+
+diag-and-more-1d3b = { $names } and { $n } more
+diag-left-out-5499 = { $elements }: { $keys } left out
+diag-a-disc-without-teeth-e596 = { $elements }: a disc without teeth
+diag-the-mean-of-mx-and-my-8318 = { $elements }: the mean of mx and my is taken
+diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: of the coefficients over speed and frequency those at frequency = speed are taken
+diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: coefficients over frequency are taken over speed
+diag-the-coefficients-are-those-in-the-45ec = { $elements }: the coefficients are those in the file, the geometry is left out
+diag-in-effect-in-all-studies-ross-43d4 = { $elements }: in effect in all studies; ROSS leaves seals out of run_static
+diag-one-section-with-the-element-below-fd4f = { $elements }: one section with the element below; ROSS adds the stiffnesses of both
+diag-the-mass-is-carried-over-as-2fac = { $elements }: the mass is carried over as a disc, the stiffness is left out
+diag-left-out-there-are-no-lateral-3572 = { $elements }: left out, there are no lateral coefficients
+
+## laval/src/import/ross.rs
+
+diag-it-is-not-utf-8-text-eb31 = it is not UTF-8 text
+diag-it-is-not-a-table-of-ed88 = it is not a table of elements
+diag-its-tables-are-nested-too-deeply-59ac = its tables are nested too deeply
+diag-this-model-is-no-machine-here-551b = this model is no machine here: { $why }
+diag-this-is-no-model-that-ross-c0a1 = this is no model that ROSS has saved: { $why }
+diag-rotor-save-rotor-toml-and-rotor-8e3a = rotor.save("rotor.toml") and rotor.save("rotor.json") of ROSS 2 and 3 write models that can be read
+diag-the-file-cannot-be-read-3769 = the file cannot be read: { $why }
+diag-elements-of-the-kind-are-not-89d8 = elements of the kind { $class } are not imported
+diag-elements-that-are-imported-23a2 = elements that are imported: { $all }
+diag-it-has-no-shaftelement-bf65 = it has no ShaftElement
+
+## laval/src/import/shaft.rs
+
+diag-no-element-of-the-shaft-lies-e19b = no element of the shaft lies between the nodes { $k } and { $next }
+diag-the-shafts-of-several-rotors-in-ca3c = the shafts of several rotors in one model are not imported
+diag-of-elements-differs-that-of-is-d2a2 = { $key } of { $n } elements differs; that of { $first } is taken for the whole shaft
+diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia and gyroscopic are on in all elements; { $n } have them off
+
 ## laval/src/outcome/mod.rs
 
 diag-the-end-bff1 = the end
@@ -1568,6 +1620,10 @@ diag-coordinates-ea2c = { $n } coordinates
 diag-internal-state-da0f = { $n } internal state
 diag-internal-states-7af1 = { $n } internal states
 diag-no-studies-e162 = no studies
+
+## laval-cli/src/import.rs
+
+diag-left-out-or-different-in-ross-343d = Left out, or different in ROSS:
 
 ## laval-cli/src/input.rs
 

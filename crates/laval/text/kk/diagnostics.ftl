@@ -1519,3 +1519,44 @@ diag-further-branch-at-c050 = басқа тармақ, { $speed } кезінде
 diag-stability-of-the-branch-from-the-29af = ең төмен айналу жиілігінен басталған тармақтың орнықтылығы, { $speed } кезінде
 diag-stability-of-the-branch-from-the-a793 = ең жоғары айналу жиілігінен басталған тармақтың орнықтылығы, { $speed } кезінде
 diag-stability-of-a-further-branch-at-5e02 = басқа тармақтың орнықтылығы, { $speed } кезінде
+
+# laval/src/import, laval-cli/src/import.rs
+
+diag-left-out-there-are-no-lateral-3572 = { $elements }: алынып тасталды, көлденең коэффициенттері жоқ
+diag-between-the-rows-of-a-table-98ce = кестенің жолдары арасында ROSS 2 сплайн, laval ROSS 3 сияқты монотонды кубтық қисық жүргізеді
+diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" ROSS конустарын береді; бұл кілтсіз олар тезірек жинақталады
+diag-lateral-motion-alone-is-carried-over-869f = тек көлденең қозғалыстар көшірілді; қалғандарын біліктің axial = true және torsional = true кілттері қосады
+diag-ross-takes-g-9-8065-m-9851 = ROSS run_static есебінде g = 9.8065 m/s^2 алады, laval 9.80665 m/s^2 алады
+diag-is-at-node-where-neither-the-2fb9 = { $element } { $node }-түйінде тұр, онда білік те, шоғырланған масса да жоқ
+diag-has-no-3dc9 = { $element } ішінде { $key } кілті жоқ
+diag-of-must-be-not-c7c2 = { $element } ішіндегі { $key }: { $wanted } керек, { $shape } емес
+diag-a-finite-number-ee7c = ақырлы сан
+diag-the-number-of-a-node-from-0b42 = 0 мен { $most } арасындағы түйін нөмірі
+diag-a-list-of-finite-numbers-3e52 = ақырлы сандар тізімі
+diag-left-out-5499 = { $elements }: көшірілмеді: { $keys }
+diag-a-disc-without-teeth-e596 = { $elements }: тістері жоқ диск
+diag-the-mean-of-mx-and-my-8318 = { $elements }: mx пен my орташасы алынды
+diag-the-length-of-must-be-positive-9a7e = { $element } ұзындығы оң болуы керек
+diag-has-values-of-for-speeds-0087 = { $element } ішінде { $key } мәндері: { $n }, ал айналу жиіліктері: { $wanted }
+diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: айналу жиілігі мен тербеліс жиілігі бойынша коэффициенттерден екі жиілік тең болатындары алынды
+diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: тербеліс жиілігі бойынша коэффициенттер айналу жиілігі бойынша алынды
+diag-the-coefficients-are-those-in-the-45ec = { $elements }: коэффициенттер файлдан алынды, геометрия көшірілмеді
+diag-in-effect-in-all-studies-ross-43d4 = { $elements }: барлық есептерде ескеріледі; ROSS run_static есебінде тығыздағыштарды ескермейді
+diag-it-is-not-utf-8-text-eb31 = бұл UTF-8 мәтіні емес
+diag-it-is-not-a-table-of-ed88 = бұл элементтер кестесі емес
+diag-its-tables-are-nested-too-deeply-59ac = кестелер тым терең кірістірілген
+diag-this-model-is-no-machine-here-551b = бұл модель бойынша машина құруға болмайды: { $why }
+diag-this-is-no-model-that-ross-c0a1 = бұл ROSS сақтаған модель емес: { $why }
+diag-rotor-save-rotor-toml-and-rotor-8e3a = ROSS 2 және 3 ішіндегі rotor.save("rotor.toml") мен rotor.save("rotor.json") жазған модельдер оқылады
+diag-the-file-cannot-be-read-3769 = файл оқылмайды: { $why }
+diag-elements-of-the-kind-are-not-89d8 = { $class } түріндегі элементтер көшірілмейді
+diag-elements-that-are-imported-23a2 = көшірілетін элементтер: { $all }
+diag-it-has-no-shaftelement-bf65 = онда ShaftElement жоқ
+diag-no-element-of-the-shaft-lies-e19b = { $k } және { $next } түйіндері арасында білік элементі жоқ
+diag-the-shafts-of-several-rotors-in-ca3c = бір модельдегі бірнеше ротордың біліктері көшірілмейді
+diag-one-section-with-the-element-below-fd4f = { $elements }: астындағы элементпен бір бөлік; ROSS олардың қатаңдықтарын қосады
+diag-the-mass-is-carried-over-as-2fac = { $elements }: масса диск ретінде көшірілді, қатаңдық көшірілмеді
+diag-of-elements-differs-that-of-is-d2a2 = { $key } өзгеше (элементтер саны: { $n }); бүкіл білікке { $first } мәні алынды
+diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia мен gyroscopic барлық элементтерде қосулы; модельде олар өшірулі (элементтер саны: { $n })
+diag-left-out-or-different-in-ross-343d = Көшірілмеді немесе ROSS ішінде басқаша:
+diag-and-more-1d3b = { $names } және тағы { $n }

@@ -1209,3 +1209,44 @@ diag-further-branch-at-c050 = другая ветвь, при { $speed }
 diag-stability-of-the-branch-from-the-29af = устойчивость ветви от наименьшей частоты вращения, при { $speed }
 diag-stability-of-the-branch-from-the-a793 = устойчивость ветви от наибольшей частоты вращения, при { $speed }
 diag-stability-of-a-further-branch-at-5e02 = устойчивость другой ветви, при { $speed }
+
+# laval/src/import, laval-cli/src/import.rs
+
+diag-left-out-there-are-no-lateral-3572 = { $elements }: пропущен, поперечных коэффициентов нет
+diag-between-the-rows-of-a-table-98ce = между строками таблицы ROSS 2 проводит сплайн, laval — монотонную кубическую кривую, как ROSS 3
+diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" даёт конусы ROSS; без этого ключа они сходятся быстрее
+diag-lateral-motion-alone-is-carried-over-869f = перенесены только поперечные движения; остальные добавляют axial = true и torsional = true у вала
+diag-ross-takes-g-9-8065-m-9851 = ROSS берёт g = 9.8065 m/s^2 в run_static, laval — 9.80665 m/s^2
+diag-is-at-node-where-neither-the-2fb9 = { $element } стоит в узле { $node }, где нет ни вала, ни сосредоточенной массы
+diag-has-no-3dc9 = у { $element } нет ключа { $key }
+diag-of-must-be-not-c7c2 = { $key } у { $element }: нужно { $wanted }, а не { $shape }
+diag-a-finite-number-ee7c = конечное число
+diag-the-number-of-a-node-from-0b42 = номер узла от 0 до { $most }
+diag-a-list-of-finite-numbers-3e52 = список конечных чисел
+diag-left-out-5499 = { $elements }: не перенесено: { $keys }
+diag-a-disc-without-teeth-e596 = { $elements }: диск без зубьев
+diag-the-mean-of-mx-and-my-8318 = { $elements }: взято среднее mx и my
+diag-the-length-of-must-be-positive-9a7e = длина { $element } должна быть положительной
+diag-has-values-of-for-speeds-0087 = у { $element } значений { $key }: { $n }, а частот вращения: { $wanted }
+diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: из коэффициентов по частоте вращения и частоте колебаний взяты те, где обе частоты равны
+diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: коэффициенты по частоте колебаний взяты по частоте вращения
+diag-the-coefficients-are-those-in-the-45ec = { $elements }: коэффициенты взяты из файла, геометрия не перенесена
+diag-in-effect-in-all-studies-ross-43d4 = { $elements }: учтено во всех расчётах; ROSS в run_static уплотнений не учитывает
+diag-it-is-not-utf-8-text-eb31 = это не текст UTF-8
+diag-it-is-not-a-table-of-ed88 = это не таблица элементов
+diag-its-tables-are-nested-too-deeply-59ac = таблицы вложены слишком глубоко
+diag-this-model-is-no-machine-here-551b = по этой модели машину построить нельзя: { $why }
+diag-this-is-no-model-that-ross-c0a1 = это не модель, сохранённая программой ROSS: { $why }
+diag-rotor-save-rotor-toml-and-rotor-8e3a = читаются модели, которые записывают rotor.save("rotor.toml") и rotor.save("rotor.json") в ROSS 2 и 3
+diag-the-file-cannot-be-read-3769 = файл не читается: { $why }
+diag-elements-of-the-kind-are-not-89d8 = элементы вида { $class } не переносятся
+diag-elements-that-are-imported-23a2 = переносятся элементы: { $all }
+diag-it-has-no-shaftelement-bf65 = в ней нет ShaftElement
+diag-no-element-of-the-shaft-lies-e19b = между узлами { $k } и { $next } нет элемента вала
+diag-the-shafts-of-several-rotors-in-ca3c = валы нескольких роторов в одной модели не переносятся
+diag-one-section-with-the-element-below-fd4f = { $elements }: один участок с элементом под ним; ROSS складывает их жёсткости
+diag-the-mass-is-carried-over-as-2fac = { $elements }: масса перенесена как диск, жёсткость не перенесена
+diag-of-elements-differs-that-of-is-d2a2 = { $key } отличается (элементов: { $n }); для всего вала взято значение из { $first }
+diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia и gyroscopic включены во всех элементах; в модели они выключены (элементов: { $n })
+diag-left-out-or-different-in-ross-343d = Не перенесено или иначе в ROSS:
+diag-and-more-1d3b = { $names } и ещё { $n }

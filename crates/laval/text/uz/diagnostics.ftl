@@ -1517,3 +1517,44 @@ diag-further-branch-at-c050 = boshqa tarmoq, { $speed } tezlikda
 diag-stability-of-the-branch-from-the-29af = eng past tezlikdan boshlangan tarmoqning turg‘unligi, { $speed } tezlikda
 diag-stability-of-the-branch-from-the-a793 = eng yuqori tezlikdan boshlangan tarmoqning turg‘unligi, { $speed } tezlikda
 diag-stability-of-a-further-branch-at-5e02 = boshqa tarmoqning turg‘unligi, { $speed } tezlikda
+
+# laval/src/import, laval-cli/src/import.rs
+
+diag-left-out-there-are-no-lateral-3572 = { $elements }: qoldirildi, ko‘ndalang koeffitsiyentlari yo‘q
+diag-between-the-rows-of-a-table-98ce = jadval qatorlari orasida ROSS 2 splayn, laval esa ROSS 3 kabi monoton kubik egri chiziq o‘tkazadi
+diag-cone-mid-section-gives-the-cones-61fb = cone = "mid_section" ROSS konuslarini beradi; bu kalitsiz ular tezroq yaqinlashadi
+diag-lateral-motion-alone-is-carried-over-869f = faqat ko‘ndalang harakatlar ko‘chirildi; qolganlarini valning axial = true va torsional = true kalitlari qo‘shadi
+diag-ross-takes-g-9-8065-m-9851 = ROSS run_static hisobida g = 9.8065 m/s^2 oladi, laval 9.80665 m/s^2 oladi
+diag-is-at-node-where-neither-the-2fb9 = { $element } { $node }-tugunda turibdi, u yerda val ham, nuqtaviy massa ham yo‘q
+diag-has-no-3dc9 = { $element } ichida { $key } kaliti yo‘q
+diag-of-must-be-not-c7c2 = { $element } ichidagi { $key }: { $wanted } kerak, { $shape } emas
+diag-a-finite-number-ee7c = chekli son
+diag-the-number-of-a-node-from-0b42 = 0 dan { $most } gacha tugun raqami
+diag-a-list-of-finite-numbers-3e52 = chekli sonlar ro‘yxati
+diag-left-out-5499 = { $elements }: ko‘chirilmadi: { $keys }
+diag-a-disc-without-teeth-e596 = { $elements }: tishsiz disk
+diag-the-mean-of-mx-and-my-8318 = { $elements }: mx va my o‘rtachasi olindi
+diag-the-length-of-must-be-positive-9a7e = { $element } uzunligi musbat bo‘lishi kerak
+diag-has-values-of-for-speeds-0087 = { $element } ichida { $key } qiymatlari: { $n }, tezliklar esa: { $wanted }
+diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: tezlik va tebranish chastotasi bo‘yicha koeffitsiyentlardan ikkalasi teng bo‘lganlari olindi
+diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: tebranish chastotasi bo‘yicha koeffitsiyentlar tezlik bo‘yicha olindi
+diag-the-coefficients-are-those-in-the-45ec = { $elements }: koeffitsiyentlar fayldan olindi, geometriya ko‘chirilmadi
+diag-in-effect-in-all-studies-ross-43d4 = { $elements }: barcha hisoblarda hisobga olinadi; ROSS run_static hisobida zichlagichlarni hisobga olmaydi
+diag-it-is-not-utf-8-text-eb31 = bu UTF-8 matni emas
+diag-it-is-not-a-table-of-ed88 = bu elementlar jadvali emas
+diag-its-tables-are-nested-too-deeply-59ac = jadvallar juda chuqur joylashtirilgan
+diag-this-model-is-no-machine-here-551b = bu model bo‘yicha mashina tuzib bo‘lmaydi: { $why }
+diag-this-is-no-model-that-ross-c0a1 = bu ROSS saqlagan model emas: { $why }
+diag-rotor-save-rotor-toml-and-rotor-8e3a = ROSS 2 va 3 dagi rotor.save("rotor.toml") va rotor.save("rotor.json") yozgan modellar o‘qiladi
+diag-the-file-cannot-be-read-3769 = fayl o‘qilmaydi: { $why }
+diag-elements-of-the-kind-are-not-89d8 = { $class } turidagi elementlar ko‘chirilmaydi
+diag-elements-that-are-imported-23a2 = ko‘chiriladigan elementlar: { $all }
+diag-it-has-no-shaftelement-bf65 = unda ShaftElement yo‘q
+diag-no-element-of-the-shaft-lies-e19b = { $k } va { $next } tugunlari orasida val elementi yo‘q
+diag-the-shafts-of-several-rotors-in-ca3c = bitta modeldagi bir nechta rotorning vallari ko‘chirilmaydi
+diag-one-section-with-the-element-below-fd4f = { $elements }: ostidagi element bilan bitta qism; ROSS ularning bikrliklarini qo‘shadi
+diag-the-mass-is-carried-over-as-2fac = { $elements }: massa disk sifatida ko‘chirildi, bikrlik ko‘chirilmadi
+diag-of-elements-differs-that-of-is-d2a2 = { $key } farq qiladi (elementlar soni: { $n }); butun val uchun { $first } qiymati olindi
+diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia va gyroscopic barcha elementlarda yoqilgan; modelda ular o‘chirilgan (elementlar soni: { $n })
+diag-left-out-or-different-in-ross-343d = Ko‘chirilmadi yoki ROSS da boshqacha:
+diag-and-more-1d3b = { $names } va yana { $n }

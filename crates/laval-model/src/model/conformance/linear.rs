@@ -36,6 +36,11 @@ impl<P: Part> Bench<'_, P> {
                 let exact = &exact[..column.len()];
                 self.compare(Promise::Blocks, &format!("block of {}", self.input_name(j)), &column, exact, &size, 1e-10);
             }
+            // so is the derivative in the spin acceleration
+            let turn = at.phase.sin_cos();
+            let rows: Vec<f64> = (0..self.n).map(|i| b.0.spin_accel_row(i, &at, turn)).collect();
+            let exact = &jacobian[self.spin_at() + 2][..self.n];
+            self.compare(Promise::Blocks, "derivative in the spin acceleration", &rows, exact, &size, 1e-12);
             // superposition over states at the same spin, on what is linear: force rows and rates
             let other = &states[(k + 1) % states.len()];
             let (mut y, mut sum, mut zero) = (x.clone(), x.clone(), x.clone());

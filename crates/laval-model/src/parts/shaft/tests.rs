@@ -57,6 +57,31 @@ fn rigid_motions() {
     }
 }
 
+/// Along and about the axis: inertia of a rigid motion, no force against it, and the stiffness of a cone in closed form.
+#[test]
+fn along_and_about_the_axis() {
+    let (l, d): (f64, [f64; 2]) = (0.25, [0.05, 0.08]);
+    for (outer, inner, cone) in [([0.05; 2], 0.02, Cone::MidSection), (d, 0.0, Cone::Flexibility), ([0.05; 2], 0.0, Cone::Flexibility)] {
+        let e = element(outer, [inner; 2], cone);
+        let (mass, polar) = e.inertia();
+        for (line, whole) in [(e.axial(), mass), (e.torsional(), polar)] {
+            assert!((line.mass.iter().flatten().sum::<f64>() / whole - 1.0).abs() < 1e-12, "{cone:?}");
+            assert!(line.stiffness.iter().all(|row| (row[0] + row[1]).abs() < 1e-12 * row[0].abs()));
+        }
+        // a constant section gives a sixth to the other end
+        if outer[0] == outer[1] {
+            assert!(
+                (e.axial().mass[0][1] / mass - 1.0 / 6.0).abs() < 1e-13 && (e.torsional().mass[0][1] / polar - 1.0 / 6.0).abs() < 1e-13
+            );
+        }
+    }
+    let e = element(d, [0.0; 2], Cone::Flexibility);
+    let axial = 2.11e11 * PI * d[0] * d[1] / (4.0 * l);
+    let torsional = 3.0 * PI * 8.12e10 / (32.0 * l) * (d[1] - d[0]) / (d[0].powi(-3) - d[1].powi(-3));
+    let far = |a: f64, b: f64| (a / b - 1.0).abs();
+    assert!(far(e.axial().stiffness[0][0], axial) < 1e-5 && far(e.torsional().stiffness[0][0], torsional) < 1e-4);
+}
+
 /// A cantilever under a force at its end: bending and shear in closed form, of a cylinder and of a cone.
 #[test]
 fn deflection_of_a_cantilever() {
