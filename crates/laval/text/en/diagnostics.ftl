@@ -579,15 +579,15 @@ diag-is-not-an-si-unit-b335 = { $kind }.{ $name }: { $unit } is not an SI unit
 
 ## laval/src/file/held.rs
 
-diag-nothing-holds-the-rotation-of-about-4390 = nothing holds the rotation of "{ $name }" about the axis: it may turn faster or slower than the spin
-diag-a-coupling-with-torsional-stiffness-to-b911 = a coupling with torsional_stiffness to "ground" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz
-diag-nothing-holds-along-the-axis-dda5 = nothing holds "{ $name }" along the axis
-diag-give-a-bearing-its-kzz-or-f5a6 = give a bearing its kzz, or a coupling its axial_stiffness
 diag-nothing-holds-the-tilt-of-alone-ad2e = nothing holds the tilt of "{ $name }" ({ $names }), alone or with that of the bodies it is joined to
 diag-hold-it-at-a-second-place-041d = hold it at a second place: attach another bearing
 diag-let-a-shaft-act-on-the-94fc = let a shaft act on the tilt (tilt_stiffness, or a round shaft), hold the body at two heights, or leave out its diametral_inertia: then it does not tilt
 diag-nothing-holds-in-it-can-move-41a0 = nothing holds "{ $name }" in { $names }: it can move away, alone or with the bodies it is joined to
 diag-join-it-to-ground-or-to-f640 = join it to "ground" or to a foundation with a bearing or a shaft; a damper holds nothing in place
+diag-nothing-holds-along-the-axis-dda5 = nothing holds "{ $name }" along the axis
+diag-give-a-bearing-its-kzz-or-f5a6 = give a bearing its kzz, or a coupling its axial_stiffness
+diag-nothing-holds-the-rotation-of-about-4390 = nothing holds the rotation of "{ $name }" about the axis: it may turn faster or slower than the spin
+diag-a-coupling-with-torsional-stiffness-to-b911 = a coupling with torsional_stiffness to "ground" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz
 diag-of-has-no-effect-what-it-e0f8 = { $name } of "{ $slot }" has no effect: what it is joined to does not tilt
 diag-give-a-disc-its-diametral-inertia-7912 = give a disc its diametral_inertia to let it tilt
 diag-acts-along-the-axis-without-effect-7085 = "{ $name }" acts along the axis without effect: what it is joined to does not move along it
