@@ -267,13 +267,13 @@ def suspension(
         viscosity: dynamic viscosity of the liquid, mu; this or viscosity_table (optional).
             a dynamic viscosity (mPa s, Pa s, cP), above 0 and at most 10 MPa s
         viscosity_table: viscosity over temperature; between the rows ln mu is a monotone cubic (PCHIP, slopes of Fritsch and Butland) (optional).
-            columns of equal length { temperature: temperatures, increasing [a temperature]; viscosity: viscosity at each [a dynamic viscosity] }
+            columns of equal length { temperature: temperatures, increasing [a temperature]; viscosity: viscosity at each [a dynamic viscosity] }, or a list of rows { temperature = .., .. }
         temperature: temperature of the liquid; needed with viscosity_table (optional).
             a temperature (degC, K), between 50 K (-223.1 degC) and 3000 K (2727 degC)
         density_deviation: geometric standard deviation of the densities (log-normal) (optional).
             a pure number, above 1 and at most 10
         densities: classes of density, instead of one (optional).
-            columns of equal length { density: densities, increasing [a density]; share: share of each class [a pure number] }
+            columns of equal length { density: densities, increasing [a density]; share: share of each class [a pure number] }, or a list of rows { density = .., .. }
         diameter: diameter of the particles, when all are equal (optional).
             a length (mm, m, µm), between 1 nm and 100 mm
         median_diameter: median diameter of a log-normal powder, by mass (optional).
@@ -285,7 +285,7 @@ def suspension(
         spread: exponent of that powder, n (optional).
             a pure number, above 0 and at most 100
         sizes: a measured powder (optional).
-            columns of equal length { diameter: diameters, increasing [a length]; undersize: share below each, up to 1 [a pure number], optional; share: share of each class, instead of undersize [a pure number], optional }
+            columns of equal length { diameter: diameters, increasing [a length]; undersize: share below each, up to 1 [a pure number], optional; share: share of each class, instead of undersize [a pure number], optional }, or a list of rows { diameter = .., .. }
         drag: law of the drag (default stokes).
             "stokes" (proportional to the velocity: Re below 1) or "schiller_naumann" (up to turbulent flow around the particle)
         added_mass: added-mass coefficient Ca; 0.5 for spheres that are not much denser than the liquid (default 0).

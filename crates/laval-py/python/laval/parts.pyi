@@ -9,7 +9,7 @@ from typing import Any, Literal
 from laval._blocks import Extra, Part, Study
 from laval._types import Lateral, Named, ParameterRange, Point, Quantities, Quantity, Range, Tolerance
 
-__all__ = ['disc', 'foundation', 'damper', 'bearing_linear', 'bearing_cubic', 'bearing_hertz', 'shaft_lumped', 'shaft_span', 'shaft_viscoelastic', 'stop', 'liquid', 'balancer_ball', 'motor', 'spin_load']
+__all__ = ['disc', 'foundation', 'damper', 'bearing_linear', 'bearing_cubic', 'bearing_hertz', 'bearing_journal', 'squeeze_film', 'shaft', 'shaft_lumped', 'shaft_span', 'shaft_viscoelastic', 'stop', 'liquid', 'balancer_ball', 'coupling', 'motor', 'spin_load']
 
 def __getattr__(name: str) -> Any: ...
 def __dir__() -> list[str]: ...
@@ -18,6 +18,9 @@ def disc(
     *,
     name: str | None = None,
     mass: Quantity,
+    on: Point | None = None,
+    axial: bool | None = None,
+    torsional: bool | None = None,
     unbalances: Mapping[Literal["unbalance", "phase", "at"], Quantities] | None = None,
     eccentricity: Quantity | None = None,
     eccentricity_phase: Quantity | None = None,
@@ -34,8 +37,14 @@ def disc(
         name: by which others refer to it.
         mass: mass m (required).
             a mass (kg, g, t), between 0.001 mg and 1e7 kg
+        on: the point of a shaft or of another body that it is fixed to and moves with; without it the disc has coordinates of its own (optional).
+            a point: "drum" or { body = "drum", at = "40 mm" }
+        axial: a disc with coordinates of its own also moves along its axis (default false).
+            true or false
+        torsional: a disc with coordinates of its own also twists: twist is its rotation relative to the spin (default false).
+            true or false
         unbalances: several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights; a study that varies parameters leaves them as they are (optional).
-            columns of equal length { unbalance: size [an unbalance]; phase: direction from the key mark [an angle], optional; at: height of its plane above the reference point, for a disc that tilts [a length], optional }
+            columns of equal length { unbalance: size [an unbalance]; phase: direction from the key mark [an angle], optional; at: height of its plane above the reference point, for a disc that tilts [a length], optional }, or a list of rows { unbalance = .., .. }
         eccentricity: distance e of the centre of mass from the shaft centre (default 0.0 m).
             a length (mm, m, µm), between 0 and 500 mm
         eccentricity_phase: direction of the eccentricity from the key mark (default 0.0 rad).
@@ -139,6 +148,8 @@ def bearing_linear(
     cxy: Quantity | None = None,
     cyx: Quantity | None = None,
     cyy: Quantity | None = None,
+    kzz: Quantity | None = None,
+    czz: Quantity | None = None,
 ) -> Part:
     """A bearing or seal given by its eight linear coefficients kxx kxy kyx kyy cxx cxy cyx cyy, constant or in a table over speed. The force on the first point is -K d - C d'; kxy > 0 > kyx drives forward whirl.
 
@@ -147,7 +158,7 @@ def bearing_linear(
         between: the two points it joins (required).
             two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
         table: coefficients over speed, instead of constant ones; between the rows each column is a monotone cubic (PCHIP, slopes of Fritsch and Butland), which stays between the values of neighbouring rows; two rows are joined by a straight line (optional).
-            columns of equal length { speed: spin speed, increasing [a speed]; kxx: stiffness in x against x [a stiffness]; kxy: force in -x per displacement in y [a stiffness], optional; kyx: force in -y per displacement in x [a stiffness], optional; kyy: stiffness in y against y [a stiffness]; cxx: damping in x against x [a damping constant], optional; cxy: force in -x per velocity in y [a damping constant], optional; cyx: force in -y per velocity in x [a damping constant], optional; cyy: damping in y against y [a damping constant], optional }
+            columns of equal length { speed: spin speed, increasing [a speed]; kxx: stiffness in x against x [a stiffness]; kxy: force in -x per displacement in y [a stiffness], optional; kyx: force in -y per displacement in x [a stiffness], optional; kyy: stiffness in y against y [a stiffness]; cxx: damping in x against x [a damping constant], optional; cxy: force in -x per velocity in y [a damping constant], optional; cyx: force in -y per velocity in x [a damping constant], optional; cyy: damping in y against y [a damping constant], optional }, or a list of rows { speed = .., .. }
         beyond: coefficients at speeds outside the table (default refuse).
             "refuse" (a study beyond the speeds of the table is refused) or "hold" (the first and last row hold beyond; results there are marked as outside the table) or "linear" (straight on along the slope at the ends; results there are marked as outside the table)
         stiffness: one stiffness in all directions, instead of kxx and kyy (optional).
@@ -170,6 +181,10 @@ def bearing_linear(
             a damping constant (N s/m, kN s/m), between -1e12 N s/m and 1e12 N s/m
         cyy: damping in y against y (default 0.0 N s/m).
             a damping constant (N s/m, kN s/m), between -1e12 N s/m and 1e12 N s/m
+        kzz: stiffness along the axis, at every speed; when given, the bearing acts on axial motion (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m
+        czz: damping along the axis, with kzz (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between 0 and 1e12 N s/m
 
     In a machine file::
 
@@ -248,6 +263,145 @@ def bearing_hertz(
         law = "radial"
         coefficient = "3e9 N/m^1.5"
         clearance = "10 um"
+    """
+
+def bearing_journal(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    diameter: Quantity,
+    length: Quantity,
+    clearance: Quantity,
+    viscosity: Quantity,
+    film: Literal["ruptured", "full"] | None = None,
+) -> Part:
+    """A plain journal bearing from its geometry, load, speed and oil by the closed form of the short bearing: nonlinear film forces, with the eight coefficients at the state where it carries the load. It drives whirl (oil whirl) where it carries little.
+
+    Args:
+        name: by which others refer to it.
+        between: the journal and what the bearing is fixed to (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        diameter: diameter 2 R of the journal (required).
+            a length (mm, m, µm), between 100 µm and 10 m
+        length: length L of the bearing along the axis (required).
+            a length (mm, m, µm), between 10 µm and 10 m
+        clearance: radial clearance c: half of the difference of the diameters (required).
+            a length (mm, m, µm), between 100 nm and 100 mm
+        viscosity: dynamic viscosity mu of the oil at its temperature in the film (required).
+            a dynamic viscosity (mPa s, Pa s, cP), between 1 µPa s and 1 kPa s
+        film: where the film carries pressure (default ruptured).
+            "ruptured" (pressure only where it is positive, as in a bearing with free ends) or "full" (pressure all around, as in a film under high supply pressure)
+
+    In a machine file::
+
+        [[part]]
+        kind = "bearing_journal"
+        between = ["drum", "ground"]
+        diameter = "60 mm"
+        length = "25 mm"
+        clearance = "60 um"
+        viscosity = "20 mPa s"
+    """
+
+def squeeze_film(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    diameter: Quantity,
+    length: Quantity,
+    clearance: Quantity,
+    viscosity: Quantity,
+    film: Literal["ruptured", "full"] | None = None,
+) -> Part:
+    """A squeeze-film damper from its geometry and oil by the closed form of the short film: it damps without stiffness, with forces that grow with the eccentricity. What centres its ring is another part.
+
+    Args:
+        name: by which others refer to it.
+        between: the ring and its housing (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        diameter: diameter 2 R of the film (required).
+            a length (mm, m, µm), between 100 µm and 10 m
+        length: length L of the film along the axis (required).
+            a length (mm, m, µm), between 10 µm and 10 m
+        clearance: radial clearance c: half of the difference of the diameters (required).
+            a length (mm, m, µm), between 100 nm and 100 mm
+        viscosity: dynamic viscosity mu of the oil at its temperature in the film (required).
+            a dynamic viscosity (mPa s, Pa s, cP), between 1 µPa s and 1 kPa s
+        film: where the film carries pressure (default ruptured).
+            "ruptured" (pressure only where it is positive, as in a bearing with free ends) or "full" (pressure all around, as in a film under high supply pressure)
+
+    In a machine file::
+
+        [[part]]
+        kind = "squeeze_film"
+        between = ["drum", "ground"]
+        diameter = "120 mm"
+        length = "30 mm"
+        clearance = "0.15 mm"
+        viscosity = "10 mPa s"
+        film = "full"
+    """
+
+def shaft(
+    *,
+    name: str | None = None,
+    section: Mapping[Literal["length", "outer_diameter", "inner_diameter", "end_outer_diameter", "end_inner_diameter"], Quantities],
+    material: Literal["steel", "stainless_steel", "aluminium", "titanium", "cast_iron"] | None = None,
+    elements: int | Literal["auto"] | None = None,
+    shear: Literal["cowper", "hutchinson", "none"] | None = None,
+    cone: Literal["flexibility", "mid_section"] | None = None,
+    axial: bool | None = None,
+    torsional: bool | None = None,
+    modulus: Quantity | None = None,
+    shear_modulus: Quantity | None = None,
+    density: Quantity | None = None,
+    axial_force: Quantity | None = None,
+    torque: Quantity | None = None,
+    rotating_damping: Quantity | None = None,
+    mass_damping: Quantity | None = None,
+    stiffness_damping: Quantity | None = None,
+) -> Part:
+    """An elastic shaft of sections: finite elements with bending, shear, rotary inertia and gyroscopic coupling. Other parts attach anywhere along it, at = "120 mm" from its lower end, and each gets a node; discs that give on = { body = .., at = .. } sit on it. It holds itself nowhere: bearings do.
+
+    Args:
+        name: by which others refer to it.
+        section: the sections from the lower end to the upper: as many entries in each list (required).
+            columns of equal length { length: length of the section [a length]; outer_diameter: outer diameter, of a conical section at its lower end [a length]; inner_diameter: inner diameter of a hollow section, of a conical one at its lower end [a length], optional; end_outer_diameter: outer diameter at the upper end of a conical section; 0 where it stays the same [a length], optional; end_inner_diameter: inner diameter at the upper end; 0 where it stays the same [a length], optional }, or a list of rows { length = .., .. }
+        material: material; modulus, shear_modulus and density are its values unless given (default steel).
+            "steel" (E 210 GPa, G 80.8 GPa, 7850 kg/m^3) or "stainless_steel" (austenitic: E 193 GPa, G 75 GPa, 7950 kg/m^3) or "aluminium" (wrought alloys: E 70 GPa, G 26.3 GPa, 2700 kg/m^3) or "titanium" (Ti-6Al-4V: E 114 GPa, G 43 GPa, 4430 kg/m^3) or "cast_iron" (with spheroidal graphite: E 169 GPa, G 66 GPa, 7100 kg/m^3)
+        elements: number of elements of every section; auto makes them half as long as thick, 60 for the whole shaft at most (default auto).
+            a whole number from 1 to 500, or "auto"
+        shear: shear deflection (default cowper).
+            "cowper" (with Cowper's coefficient) or "hutchinson" (with Hutchinson's coefficient) or "none" (left out: a slender beam of Euler and Bernoulli)
+        cone: elements of conical sections (default flexibility).
+            "flexibility" (from the flexibility of the cone: it converges fast) or "mid_section" (with the shape functions of the section in the middle, as other programs have it)
+        axial: it also moves along its axis; something must hold it there, such as kzz of a bearing (default false).
+            true or false
+        torsional: it also twists: twist is the rotation relative to the spin; a coupling to "ground" joins it to a drive that turns at the spin speed (default false).
+            true or false
+        modulus: Young's modulus E; left out it is that of the material (default 2.1e11 Pa).
+            a pressure (bar, MPa, Pa), between 100 kPa and 1e13 Pa
+        shear_modulus: shear modulus G; left out it is that of the material (default 8.08e10 Pa).
+            a pressure (bar, MPa, Pa), between 100 kPa and 1e13 Pa
+        density: density rho; left out it is that of the material (default 7850.0 kg/m^3).
+            a density (kg/m^3, g/cm^3), between 0.001 kg/m^3 and 100000 kg/m^3
+        axial_force: axial force P along the whole shaft, tension positive (default 0.0 N).
+            a force (N, kN), between -1e12 N and 1e12 N
+        torque: torque T through the whole shaft: the upper part acts on the lower with +T about z (default 0.0 N m).
+            a torque (N m, kN m), between -1e12 N m and 1e12 N m
+        rotating_damping: viscous damping c of the material over its stiffness, in axes that turn: it destabilises above the critical speed (default 0.0 s).
+            a time (s, ms, min), between 0 and 1 s
+        mass_damping: damping a over mass, in fixed axes (default 0.0 1/s).
+            a rate (1/s, 1/min), between 0 and 1e6 1/s
+        stiffness_damping: damping b over stiffness, in fixed axes (default 0.0 s).
+            a time (s, ms, min), between 0 and 1 s
+
+    In a machine file::
+
+        [[part]]
+        kind = "shaft"
+        section = { length = ["120 mm", "400 mm", "80 mm"], outer_diameter = ["40 mm", "60 mm", "40 mm"] }
+        material = "steel"
     """
 
 def shaft_lumped(
@@ -386,9 +540,9 @@ def shaft_viscoelastic(
         supports: how the stiffness follows from the geometry (default given).
             "given" (no geometry: the stiffness is given) or "simply_supported" (round shaft on simple supports) or "clamped" (round shaft clamped at both ends) or "overhung" (round shaft on two simple bearings, the disc beyond the second) or "cantilever" (round shaft clamped at one end) or "first_mode" (first bending mode of a round shaft on simple supports; the disc then has half the mass of the shaft)
         terms: several weakly singular terms, instead of one amplitude, exponent and decay (optional).
-            columns of equal length { amplitude: A of each term, bare numbers in 1/s^a [a pure number]; exponent: a of each term [a pure number]; decay: b of each term [a rate] }
+            columns of equal length { amplitude: A of each term, bare numbers in 1/s^a [a pure number]; exponent: a of each term [a pure number]; decay: b of each term [a rate] }, or a list of rows { amplitude = .., .. }
         exponentials: a sum of exponentials as the law itself (Prony series), instead of weakly singular terms (optional).
-            columns of equal length { share: share of the stiffness that relaxes [a pure number]; rate: rate at which it relaxes, the inverse of the relaxation time [a rate] }
+            columns of equal length { share: share of the stiffness that relaxes [a pure number]; rate: rate at which it relaxes, the inverse of the relaxation time [a rate] }, or a list of rows { share = .., .. }
         accuracy: relative error of the dynamic stiffness that the exponentials of weakly singular terms may make in time (default 1e-5).
             a pure number, between 1e-10 and 0.01
         band: highest frequency of motion, seen from the axes of the memory, at which they are that accurate (default 10000 rad/s).
@@ -563,7 +717,7 @@ def balancer_ball(
         balls: number of balls on the one track; with tracks, which say how many each has, leave it out or give their sum (default 2).
             a whole number from 1 to 64
         tracks: several tracks about one centre, one entry of each column for each track; { balls = [3, 2] } is three balls on the first and two on the second, numbered through: ball_1 to ball_3 run on the first, ball_4 and ball_5 on the second (optional).
-            columns of equal length { balls: number of balls on each track [a pure number]; radius: radius over track_radius [a pure number], optional; tilt: tilt in addition to tilt [an angle], optional; node_line: node line in addition to node_line [an angle], optional }
+            columns of equal length { balls: number of balls on each track [a pure number]; radius: radius over track_radius [a pure number], optional; tilt: tilt in addition to tilt [an angle], optional; node_line: node line in addition to node_line [an angle], optional }, or a list of rows { balls = .., .. }
         mass_ratios: mass of each ball over ball_mass in the order of their numbers, track by track, when they are unequal (optional).
             a list; a pure number, above 0 and at most 1e6
         rings: how the rings are mounted (default fixed).
@@ -620,6 +774,51 @@ def balancer_ball(
         body_tilt = false                   # the drum moves in its plane
     """
 
+def coupling(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    stiffness: Quantity | None = None,
+    damping: Quantity | None = None,
+    tilt_stiffness: Quantity | None = None,
+    tilt_damping: Quantity | None = None,
+    axial_stiffness: Quantity | None = None,
+    axial_damping: Quantity | None = None,
+    torsional_stiffness: Quantity | None = None,
+    torsional_damping: Quantity | None = None,
+) -> Part:
+    """An elastic coupling between two shafts, or from a shaft to a drive that turns at the spin speed ("ground"): stiffness and damping of displacement, tilt, motion along the axis and rotation about it. Its damping turns with the rotor.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        stiffness: lateral stiffness k (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m
+        damping: lateral damping c, in axes that turn with the rotor (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between 0 and 1e12 N s/m
+        tilt_stiffness: stiffness against tilt (default 0.0 N m/rad).
+            a rotational stiffness (N m/rad, N m/deg), between 0 and 1e15 N m/rad
+        tilt_damping: damping of tilt, in axes that turn with the rotor (default 0.0 N m s).
+            an angular momentum (N m s), between 0 and 1e12 N m s
+        axial_stiffness: stiffness ka along the axis (default 0.0 N/m).
+            a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m
+        axial_damping: damping ca along the axis (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between 0 and 1e12 N s/m
+        torsional_stiffness: stiffness kt about the axis (default 0.0 N m/rad).
+            a rotational stiffness (N m/rad, N m/deg), between 0 and 1e15 N m/rad
+        torsional_damping: damping ct about the axis (default 0.0 N m s).
+            an angular momentum (N m s), between 0 and 1e12 N m s
+
+    In a machine file::
+
+        [[part]]
+        kind = "coupling"
+        between = ["drum", "ground"]
+        torsional_stiffness = "2e5 N m/rad"
+        torsional_damping = "20 N m s"
+    """
+
 def motor(
     *,
     name: str | None = None,
@@ -641,7 +840,7 @@ def motor(
         curve: torque against speed (default constant).
             "constant" (torque at every speed) or "linear" (torque at standstill falls in a straight line to zero at synchronous_speed) or "squirrel_cage" (Kloss's curve: torque at breakdown, synchronous_speed, breakdown_slip) or "limited_power" (torque up to the speed where it takes the power, less above) or "table" (through the points of the table)
         table: torque at given speeds as shares of torque; between the rows a monotone cubic (PCHIP, slopes of Fritsch and Butland), constant outside (optional).
-            columns of equal length { speed: spin speed, increasing [a speed]; share: torque there over torque [a pure number] }
+            columns of equal length { speed: spin speed, increasing [a speed]; share: torque there over torque [a pure number] }, or a list of rows { speed = .., .. }
         synchronous_speed: speed W_s at which the torque is zero (default 0.0 rad/s).
             a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
         breakdown_slip: slip s_k of the largest torque of a squirrel cage (default 0.2 ).

@@ -32,7 +32,7 @@ def modes(
             "rest" (the static equilibrium, seen in fixed axes) or "turning" (the state that turns with the rotor, seen in axes that turn with it (frequencies are counted from the spin))
         growth_threshold: growth rate above which a mode is called unstable (default 0 1/s).
             a rate (1/s, 1/min), between -1e6 1/s and 1e6 1/s
-        frequency_limit: with parts that have no time form: roots with frequencies up to this are looked for; when left out, up to 1.2 times the larger of three times the speed and the highest frequency of the machine without those parts (optional).
+        frequency_limit: largest frequency of the modes, of machines with parts that have no time form and of those with more than 160 states; when left out, 1.2 times the larger of three times the speed and the highest frequency of the machine without those parts, or so high that twelve modes lie below, and three times the speed (optional).
             a speed (rad/s, rpm, Hz), above 0 and at most 1e7 rad/s (9.549e7 rpm)
 
     In a machine file::
@@ -83,7 +83,7 @@ def campbell(
             a list; a pure number, above 0 and at most 1000
         growth_threshold: growth rate above which a mode is called unstable (default 0 1/s).
             a rate (1/s, 1/min), between -1e6 1/s and 1e6 1/s
-        frequency_limit: with parts that have no time form: roots with frequencies up to this are looked for; when left out, up to 1.2 times the larger of three times the speed and the highest frequency of the machine without those parts (optional).
+        frequency_limit: largest frequency of the modes, of machines with parts that have no time form and of those with more than 160 states; when left out, 1.2 times the larger of three times the speed and the highest frequency of the machine without those parts, or so high that twelve modes lie below, and three times the speed (optional).
             a speed (rad/s, rpm, Hz), above 0 and at most 1e7 rad/s (9.549e7 rpm)
         compare: what the roots are drawn beside (default nothing).
             "nothing" (only the machine as it is) or "approximation" (the machine with few waves in place of waves without number, of parts that have such a form: of a liquid in three dimensions planar_tilt)
@@ -175,7 +175,7 @@ def stability_map(
             "growth" (growth above growth_threshold) or "flutter" (two frequencies of a machine without damping meet; refused where something damps or drives) or "viscous" (any growth, with what takes up energy inside the parts that turn; refused where no part has a layer that does)
         growth_threshold: growth rate above which a mode is called unstable (default 0 1/s).
             a rate (1/s, 1/min), between -1e6 1/s and 1e6 1/s
-        frequency_limit: with parts that have no time form: roots with frequencies up to this are looked for; when left out, up to 1.2 times the larger of three times the speed and the highest frequency of the machine without those parts (optional).
+        frequency_limit: largest frequency of the modes, of machines with parts that have no time form and of those with more than 160 states; when left out, 1.2 times the larger of three times the speed and the highest frequency of the machine without those parts, or so high that twelve modes lie below, and three times the speed (optional).
             a speed (rad/s, rpm, Hz), above 0 and at most 1e7 rad/s (9.549e7 rpm)
 
     In a machine file::
@@ -596,7 +596,7 @@ def run_up(
         shape: how the speed changes (default linear).
             "linear" (constant acceleration) or "smooth" (acceleration that begins and ends at zero) or "exponential" (constant rate relative to the speed: coasting down against viscous drag)
         programme: speeds at given times, joined smoothly, instead of from, to and duration (optional).
-            columns of equal length { time: times, increasing, from 0 [a time]; speed: spin speed at these times [a speed] }
+            columns of equal length { time: times, increasing, from 0 [a time]; speed: spin speed at these times [a speed] }, or a list of rows { time = .., .. }
         polynomial: speed as a polynomial of the time during duration, instead of from and to: coefficients of 1, t, t^2 ... in rad/s, rad/s^2, rad/s^3 ... (optional).
             a list; a pure number, between -1e12 and 1e12
         hold: time at the last speed (default 0 s).
@@ -691,7 +691,7 @@ def separation(
         ramp_shape: how the speed rises (default smooth).
             "linear" (constant acceleration) or "smooth" (10 u^3 - 15 u^4 + 6 u^5)
         programme: speeds at given times, joined by a monotone cubic (PCHIP, slopes of Fritsch and Butland), instead of speed and ramp; the speed a recovery needs and the sensitivities scale all of them (optional).
-            columns of equal length { time: times, increasing, from 0 [a time]; speed: spin speed at these times [a speed] }
+            columns of equal length { time: times, increasing, from 0 [a time]; speed: spin speed at these times [a speed] }, or a list of rows { time = .., .. }
         transfer_k: k-factor (in S h) of another rotor: the time that clears as much there (optional).
             a pure number, above 0 and at most 1e12
 
