@@ -15,6 +15,7 @@ use crate::model::blocks::Blocks;
 use crate::model::slot::scatter;
 use crate::model::station::Row;
 use crate::model::system::{Slot, System};
+use laval_num::dense::Mat;
 use serde::{Deserialize, Serialize};
 
 /// The state on both sides of a node.
@@ -39,9 +40,9 @@ pub struct Beam {
     pub slot: usize,
     /// From its lower end to its upper.
     pub cuts: Vec<Cut>,
-    /// Shear left over at the upper end, over all forces on the body.
+    /// Shear force above the upper end, which is 0 but for rounding, over all forces on the body.
     pub force_defect: f64,
-    /// Moment left over there, over all forces times the length.
+    /// Bending moment there, likewise, over all forces times the length.
     pub moment_defect: f64,
 }
 
@@ -211,19 +212,19 @@ fn cone(
     let (body, p) = (fine.body()?, &system.params()[slot.params.clone()]);
     let size = fine.layout().own.len() / body.nodes()?.len();
     // loads of 1, s, s^2
-    let mut a = vec![vec![0.0; 3]; PARTS - 1];
+    let mut a = Mat::zeros(PARTS - 1, 3);
     for part in 0..PARTS {
         for (x, weight) in GAUSS {
             let s = (part as f64 + x) / PARTS as f64;
             let shape = body.shape(p, start + s * length);
-            for (k, row) in a.iter_mut().enumerate() {
+            let dz = weight * length / PARTS as f64;
+            for k in 0..PARTS - 1 {
                 let n = shape.get(size * (first + 1 + k))?[0];
-                let dz = weight * length / PARTS as f64;
-                row.iter_mut().zip([1.0, s, s * s]).for_each(|(a, f)| *a += n * f * dz);
+                [1.0, s, s * s].into_iter().enumerate().for_each(|(j, f)| a[(k, j)] += n * f * dz);
             }
         }
     }
-    let c = super::gauss(a, of.to_vec())?;
+    let c = super::solved(&a, of.to_vec())?;
     let mass = length * (c[0] + c[1] / 2.0 + c[2] / 3.0);
     Some((mass, length * length * (c[0] / 2.0 + c[1] / 3.0 + c[2] / 4.0)))
 }

@@ -22,7 +22,7 @@ use crate::model::system::{System, Workspace};
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::rest::{no_equilibrium, not_held, rest};
 use laval_num::complex::{C64, c};
-use laval_num::dense::{Field, max_abs};
+use laval_num::dense::{Field, Lu, Mat, max_abs};
 use laval_num::factor::{Factors, Pattern, Plan, Terms};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -265,9 +265,9 @@ impl<'a> Equations<'a> {
             row.iter().for_each(|&(i, a)| unit[i].re = a);
             columns.push(solved(unit)?);
         }
-        let flexibility: Vec<Vec<f64>> = ties.iter().map(|row| columns.iter().map(|v| along(row, v)).collect()).collect();
+        let flexibility = Mat::from_fn(ties.len(), ties.len(), |i, j| along(&ties[i], &columns[j]));
         let away = ties.iter().map(|row| -(along(row, x) + along(row, &step))).collect();
-        let holding = gauss(flexibility, away)?;
+        let holding = self::solved(&flexibility, away)?;
         for (v, l) in columns.iter().zip(&holding) {
             step.iter_mut().zip(v).for_each(|(s, v)| *s += l * v);
         }
@@ -280,27 +280,12 @@ fn along(row: &Row, x: &[f64]) -> f64 {
     row.iter().map(|&(i, a)| a * x[i]).sum()
 }
 
-/// Solves a small system with pivoting; `None` where it is singular.
-fn gauss(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
-    let n = b.len();
-    let size = a.iter().map(|row| max_abs(row)).fold(0.0, f64::max);
-    for k in 0..n {
-        let pivot = (k..n).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
-        a.swap(k, pivot);
-        b.swap(k, pivot);
-        if !(a[k][k].abs() > 1e-13 * size) {
-            return None;
-        }
-        for i in k + 1..n {
-            let f = a[i][k] / a[k][k];
-            let above = a[k].clone();
-            a[i].iter_mut().zip(above).skip(k).for_each(|(x, y)| *x -= f * y);
-            b[i] -= f * b[k];
-        }
+/// Solves a small system; `None` where it is singular.
+fn solved(a: &Mat, mut b: Vec<f64>) -> Option<Vec<f64>> {
+    if b.is_empty() {
+        return Some(b);
     }
-    for i in (0..n).rev() {
-        let rest: f64 = (i + 1..n).map(|j| a[i][j] * b[j]).sum();
-        b[i] = (b[i] - rest) / a[i][i];
-    }
+    let lu = Lu::new(a).ok().filter(|lu| lu.pivot_ratio() > 1e-13)?;
+    lu.solve(&mut b);
     Some(b)
 }

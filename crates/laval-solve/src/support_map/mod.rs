@@ -76,7 +76,7 @@ const EXACT: f64 = 4.0 * f64::EPSILON;
 const BOUNDED: f64 = 0.01;
 /// Distance over W^2 at which a root is counted on both sides.
 const BESIDE: f64 = 1e-8;
-/// Steps by a factor of four in W^2 within which roots are looked for.
+/// Most steps by a factor of four in W^2 of the search for roots.
 const DECADES: i32 = 40;
 
 impl SupportMap {

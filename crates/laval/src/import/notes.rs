@@ -6,7 +6,7 @@ use crate::text::{Arg, Joint, Text};
 /// Elements named in a sentence; the others are counted.
 const NAMED: usize = 3;
 
-/// What is said of elements.
+/// A remark on elements of the model.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Note {
     /// Keys without a place here.
@@ -39,7 +39,7 @@ impl Notes {
             None => self.of.push((note, vec![element.to_string()])),
         }
     }
-    /// What is said of the whole model.
+    /// Adds a remark on the whole model.
     pub fn say(&mut self, text: Text) {
         self.whole.push(text);
     }

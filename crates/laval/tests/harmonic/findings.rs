@@ -90,7 +90,7 @@ fn a_cancelled_study_tells_no_jump() {
     assert!(said(&o, "sweep_down_unfinished").sentence().contains("were not followed"));
 }
 
-/// While a response is computed, what is under way is said: each branch with the speed it has come to, then its stability.
+/// While a response is computed, its progress text names each branch with the speed that is reached, then its stability.
 #[test]
 fn a_response_says_what_it_is_doing() {
     #[derive(Default)]

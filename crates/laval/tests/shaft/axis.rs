@@ -173,7 +173,7 @@ fn they_change_nothing_across_the_axis() {
         assert_eq!(a.findings.len(), b.findings.len(), "{:?} {:?}", a.findings, b.findings);
         let values = |o: &laval::outcome::Outcome| o.findings.iter().filter_map(|f| f.value).collect::<Vec<f64>>();
         for (x, y) in values(a).iter().zip(values(b)) {
-            // what is left over of a balance is rounding
+            // defects of a balance are rounding
             assert!((x - y).abs() <= 1e-9 * y.abs() || y.abs() < 1e-9, "{}: {x} {y}", a.kind);
         }
     }

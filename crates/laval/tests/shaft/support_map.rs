@@ -193,7 +193,7 @@ fn study(parts: &str, fields: &str) -> String {
     format!("[machine]\nname = \"t\"\n{DISC}{parts}[[study]]\nkind = \"support_stiffness_map\"\n{fields}\n")
 }
 
-/// What is said, and a result that is stored says the same.
+/// Sentences of the findings, and the same from a stored result.
 #[test]
 fn findings_and_storage() {
     let two = bearing("a", "drum", -0.2, "ground", "stiffness = 1e6") + &bearing("b", "drum", 0.2, "ground", "stiffness = 1e6");
