@@ -122,6 +122,9 @@ pub(super) fn equilibrate(of: &Selection, t: &[C64], slope: &[C64], s: f64) -> (
     (rows.iter().map(power).collect(), cols.iter().map(power).collect())
 }
 
+/// Inverse of a singular value, over the size one of the entries, from which on no further iteration is needed.
+const NEAR_SINGULAR: f64 = 1e5;
+
 /// Left and right singular directions of the smallest singular value, roughly, by inverse iteration.
 pub(super) fn singular_directions(of: &Selection, t: &[C64]) -> Option<(Vec<C64>, Vec<C64>)> {
     let (pattern, k) = (of.inner.pattern(), of.members.len());
@@ -144,12 +147,17 @@ pub(super) fn singular_directions(of: &Selection, t: &[C64]) -> Option<(Vec<C64>
         normalise(&mut y)?;
         x = y.clone();
         factors.solve_roughly(&mut x);
-        normalise(&mut x)?;
+        let grown = normalise(&mut x)?;
+        // near a root the first directions are those of the smallest singular value but for its share of the next one
+        if grown >= NEAR_SINGULAR && !of.inner.is_dense() {
+            break;
+        }
     }
     Some((y, x))
 }
 
-fn normalise(x: &mut [C64]) -> Option<()> {
+/// Divides by the norm, which is returned.
+fn normalise(x: &mut [C64]) -> Option<f64> {
     let m = x.iter().fold(0.0, |m: f64, z| if z.size() > m || z.size().is_nan() { z.size() } else { m });
     if !(m > 0.0 && m.is_finite()) {
         return None;
@@ -157,5 +165,5 @@ fn normalise(x: &mut [C64]) -> Option<()> {
     x.iter_mut().for_each(|z| *z = z.scale(1.0 / m));
     let n = x.iter().map(|z| z.norm_sqr()).sum::<f64>().sqrt();
     x.iter_mut().for_each(|z| *z = z.scale(1.0 / n));
-    Some(())
+    Some(m * n)
 }

@@ -26,6 +26,8 @@ use std::sync::Arc;
 const MOST_STEPS: usize = 25;
 /// Step over the step before from which on the vectors of a test are exact enough for the root that it leads to.
 const SHRUNK: f64 = 1e-4;
+/// Relative step by the form of exact vectors that confirms a root.
+const CONFIRMED: f64 = 1e-12;
 /// Relative step below which Newton's method has converged when its steps stop decreasing.
 const NEAR: f64 = 1e-9;
 
@@ -484,6 +486,7 @@ impl<'a> Characteristic<'a> {
             let mut test = self.test(s, &border)?;
             let mut change = step(s, &test);
             let mut length = change.abs();
+            let mut confirmed = false;
             // Errors of the vectors are about the square of how steps shrink, those of g the square of that: where it is rounding the vectors serve once more.
             if length <= SHRUNK * last
                 && length <= NEAR * size
@@ -492,13 +495,15 @@ impl<'a> Characteristic<'a> {
                 (s, last, test.g) = (s - change, length, g);
                 change = step(s, &test);
                 length = change.abs();
+                // the last step left this much, and this one leaves less by the factor that the vectors are wrong by
+                confirmed = length <= CONFIRMED * size;
             }
             if !change.is_finite() {
                 return None;
             }
             // in turning axes T is evaluated at s + i W, and its rounding is that of the sum
             let resolved = 1e-14 * (size + self.shift(Sector::Forward).abs());
-            let small = length <= 1e-15 * size || (length >= 0.5 * last && (length <= NEAR * size || length <= resolved));
+            let small = confirmed || length <= 1e-15 * size || (length >= 0.5 * last && (length <= NEAR * size || length <= resolved));
             if small {
                 let right = border.spread(&test.right, &border.cols, self.size());
                 let left = border.spread(&test.left, &border.rows, self.size());

@@ -118,7 +118,7 @@ fn impedance_changes(system: &System, slot: &Slot, speed: f64) -> bool {
     [c(0.0, 0.7 * speed + 10.0), c(5.0, 1.3 * speed + 50.0)].iter().any(|&s| {
         let mut local = vec![C64::zero(); k * k];
         if let Some(part) = slot.part.frequency_domain() {
-            part.impedance_f64(params, s, speed, &mut local);
+            part.impedance_f64(params, s, slot.speed(system.params(), speed), &mut local);
         }
         let mut z = Mat::zeros(system.n(), system.n());
         for (i, rows) in slot.map.iter().enumerate() {

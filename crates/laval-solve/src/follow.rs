@@ -90,9 +90,9 @@ pub(super) fn follow(
                 *id = out.branches.len();
                 out.branches.push(Branch::default());
             }
-            out.branches[*id].points.push((speed, mode.clone()));
+            out.branches[*id].points.push((speed, mode.without_vectors()));
         }
-        out.points.push((speed, found));
+        record(&mut out, speed, found);
     }
     traced_back(system, state, limit, out)
 }
@@ -151,15 +151,21 @@ pub(super) fn follow_large(
                     (out.branches.len() - 1, t.polish(m.value, m.sector))
                 }
             };
-            out.branches[id].points.push((speed, m.clone()));
+            out.branches[id].points.push((speed, m.without_vectors()));
             let tangent = beside.as_mut().zip(root.as_ref()).and_then(|(beside, root)| slope(&mut t, beside, root));
             let old = earlier.iter().find(|b| b.branch == id && b.mode.sector == m.sector);
             let old = old.and_then(|b| Some((speeds[k - 1], b.mode.value, b.tangent?)));
-            before.push(Before { branch: id, mode: m.clone(), tangent, old, border: root.map(|r| r.border) });
+            before.push(Before { branch: id, mode: m.without_vectors(), tangent, old, border: root.map(|r| r.border) });
         }
-        out.points.push((speed, spectrum));
+        record(&mut out, speed, spectrum);
     }
     traced_back(system, state, frequency.unwrap_or(limit), out)
+}
+
+/// The spectrum of one more speed; of those before it values are enough.
+fn record(out: &mut Sweep, speed: f64, mut spectrum: Spectrum) {
+    spectrum.forget_vectors();
+    out.points.push((speed, spectrum));
 }
 
 /// A root at the speed before.
@@ -290,6 +296,7 @@ fn back(system: &System, state: State, limit: f64, born: usize, out: &mut Sweep)
             if !out.points[k - 1].1.modes.iter().any(own) {
                 let there = mode_near(system, &state(before)?, value, mode.sector);
                 let Some(there) = there.filter(|m| own(m) && m.value.im.abs() <= limit) else { return Ok(()) };
+                let there = there.without_vectors();
                 out.points[k - 1].1.modes.push(there.clone());
                 out.branches[born].points.insert(0, (before, there));
                 break;

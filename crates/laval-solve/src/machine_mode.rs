@@ -94,6 +94,10 @@ impl MachineMode {
     pub fn is_free(&self) -> bool {
         matches!(self.whirl, Whirl::Axial | Whirl::Torsional) && self.value == C64::zero()
     }
+    /// The same without its vectors, where many are kept.
+    pub fn without_vectors(&self) -> Self {
+        MachineMode { q: Vec::new(), z: Vec::new(), ..*self }
+    }
     /// Growth rate, 1/s.
     pub fn growth(&self) -> f64 {
         self.value.re

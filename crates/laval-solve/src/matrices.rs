@@ -58,8 +58,12 @@ pub fn matrices(system: &System, about: &Equilibrium) -> Result<Matrices, Diagno
     let (mut gyroscopic, mut circulatory) = (Mat::zeros(n, n), Mat::zeros(n, n));
     let mut blocks = Blocks::default();
     for slot in system.slots().iter().filter(|s| s.is_linear()) {
-        blocks.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, about.speed);
-        slot.part.linear_f64(&system.params()[slot.params.clone()], about.speed, &mut blocks);
+        let speed = slot.speed(system.params(), about.speed);
+        blocks.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
+        slot.part.linear_f64(&system.params()[slot.params.clone()], speed, &mut blocks);
+        if let Some(i) = slot.ratio {
+            blocks.per_spin(system.params()[i]);
+        }
         spread(slot, &blocks.gyroscopic, &mut gyroscopic);
         spread(slot, &blocks.circulatory, &mut circulatory);
     }

@@ -65,6 +65,11 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
+    /// Drops the vectors: of many speeds they would take most of the memory.
+    pub fn forget_vectors(&mut self) {
+        self.families.clear();
+        self.modes.iter_mut().for_each(|m| *m = m.without_vectors());
+    }
     /// Largest growth rate and its mode; free motions along and about the axis are not among them.
     pub fn least_stable(&self) -> Option<&MachineMode> {
         self.modes.iter().filter(|m| !m.is_free()).max_by(|a, b| a.value.re.total_cmp(&b.value.re))

@@ -52,6 +52,11 @@ fn is_plain(system: &System, slot: &Slot) -> bool {
         let list = [&t.q, &t.v, &t.a][k.min(2)];
         if k < 3 { list.0.iter().map(|e| e.2).collect() } else { t.force.clone() }
     };
+    // loads of another spin have another angle than those of the structure
+    let turned = |phase: f64| entries(&at(system, [w, phase, 0.0], |s| s.name == slot.name), 3);
+    if slot.ratio.is_some() && turned(0.0) != turned(1.0) {
+        return false;
+    }
     // second differences, third ones of the loads
     (0..4).all(|k| {
         let [a, b, c, d] = [&a, &b, &c, &d].map(|t| entries(t, k));

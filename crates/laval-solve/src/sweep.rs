@@ -119,7 +119,7 @@ impl Follower<'_> {
         for (family, order) in order.iter().enumerate() {
             for (&branch, &mode) in self.ids[family].iter().zip(order) {
                 if let Some(m) = spectrum.modes.iter().find(|m| m.place == (family, mode)) {
-                    self.out.branches[branch].points.push((speed, m.clone()));
+                    self.out.branches[branch].points.push((speed, m.without_vectors()));
                 }
             }
         }

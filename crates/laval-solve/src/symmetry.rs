@@ -134,7 +134,7 @@ fn impedance_force(system: &System, slot: &Slot, speed: f64, s: C64, amplitude: 
     let k = slot.map.len();
     let mut z = vec![C64::zero(); k * k];
     if let Some(part) = slot.part.frequency_domain() {
-        part.impedance_f64(&system.params()[slot.params.clone()], s, speed, &mut z);
+        part.impedance_f64(&system.params()[slot.params.clone()], s, slot.speed(system.params(), speed), &mut z);
     }
     let mut parts = amplitude.map(<[f64]>::to_vec);
     parts[1].iter_mut().for_each(|x| *x /= s.abs());

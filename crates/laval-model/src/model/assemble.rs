@@ -68,6 +68,7 @@ impl System {
         for k in 0..system.slots.len() {
             system.place(k, &mut stand, &mut diagnostics);
         }
+        system.check_spins(&mut diagnostics);
         if system.coordinates.is_empty() {
             diagnostics.push(
                 Diagnostic::error("machine.no_body", text!("the machine has no body that can move"))
@@ -127,6 +128,7 @@ impl System {
             physics: part.physics(),
             uses: part.uses(),
             params: p0..self.params.len(),
+            ratio: None,
             map: vec![],
             weight: vec![],
             own: q0..self.coordinates.len(),
@@ -211,6 +213,10 @@ impl System {
                     self.place(body, stand, diagnostics);
                 }
             }
+        }
+        match self.spin_of(k) {
+            Ok(ratio) => self.slots[k].ratio = ratio,
+            Err(d) => diagnostics.push(*d),
         }
         match self.local_map(k) {
             Ok(map) => {

@@ -313,6 +313,22 @@ impl<S: Scalar> Blocks<S> {
         }
     }
 
+    /// What is multiplied by the speed and acceleration of the part's own spin, for those of a spin that it turns `ratio` times as fast as.
+    pub fn per_spin(&mut self, ratio: S) {
+        for g in [&mut self.gyroscopic, &mut self.circulatory, &mut self.spin_accel_stiffness, &mut self.spin_accel_state_force] {
+            g.data.iter_mut().for_each(|x| *x = ratio * *x);
+        }
+        for f in [
+            &mut self.spin_accel_force,
+            &mut self.spin_accel_cos,
+            &mut self.spin_accel_sin,
+            &mut self.spin_accel_rate_cos,
+            &mut self.spin_accel_rate_sin,
+        ] {
+            f.iter_mut().for_each(|x| *x = ratio * *x);
+        }
+    }
+
     /// Derivative of force row `i` with respect to the spin acceleration, at a point.
     #[inline(always)]
     pub fn spin_accel_row(&self, i: usize, at: &super::context::At<S>, (sin, cos): (S, S)) -> S {

@@ -64,9 +64,36 @@ pub struct Loads<S> {
     pub spin_accel_rate_cos: Vec<S>,
     /// hs: rate per spin acceleration on sin(phase).
     pub spin_accel_rate_sin: Vec<S>,
+    /// Loads that turn with other spins.
+    pub others: Vec<Turning<S>>,
+}
+
+/// Loads that turn with another spin than the machine's, at `ratio` times its angle. Rates are per acceleration of the machine's spin.
+#[derive(Clone, Debug)]
+pub struct Turning<S> {
+    /// Parameter of the machine that is the ratio of the speeds.
+    pub parameter: usize,
+    /// Its value.
+    pub ratio: S,
+    /// Forces on cos and sin of the angle of that spin, N.
+    pub force: [Vec<S>; 2],
+    /// Forces per spin acceleration on them.
+    pub spin_accel: [Vec<S>; 2],
+    /// Rates of states per spin acceleration on them.
+    pub spin_accel_rate: [Vec<S>; 2],
 }
 
 impl<S: Scalar> Loads<S> {
+    /// Those of another spin, created where there are none yet.
+    fn of_spin(&mut self, parameter: usize, ratio: S) -> &mut Turning<S> {
+        let place = self.others.iter().position(|o| o.parameter == parameter).unwrap_or_else(|| {
+            let (n, m) = (self.force.len(), self.rate.len());
+            let two = |len: usize| [vec![S::zero(); len], vec![S::zero(); len]];
+            self.others.push(Turning { parameter, ratio, force: two(n), spin_accel: two(n), spin_accel_rate: two(m) });
+            self.others.len() - 1
+        });
+        &mut self.others[place]
+    }
     fn empty() -> Self {
         let v = Vec::new;
         Loads {
@@ -79,6 +106,7 @@ impl<S: Scalar> Loads<S> {
             rate: v(),
             spin_accel_rate_cos: v(),
             spin_accel_rate_sin: v(),
+            others: Vec::new(),
         }
     }
     fn reset(&mut self, n: usize, m: usize) {
@@ -95,6 +123,7 @@ impl<S: Scalar> Loads<S> {
         for f in [&mut self.rate, &mut self.spin_accel_rate_cos, &mut self.spin_accel_rate_sin] {
             refill(f, m, S::zero());
         }
+        self.others.clear();
     }
 }
 
@@ -103,6 +132,8 @@ impl<S: Scalar> Loads<S> {
 pub struct SlotMemory<S> {
     /// Slot of the part.
     pub slot: usize,
+    /// Speed of its spin, rad/s.
+    pub speed: S,
     /// Global index of its first memory state.
     pub first: usize,
     /// The states, with local inputs and outputs.
@@ -229,6 +260,16 @@ impl<S: Scalar> LinearModel<S> {
             r -= at.spin_accel * (loads.spin_accel_force[i] + loads.spin_accel_cos[i] * cos + loads.spin_accel_sin[i] * sin);
             force[i] += r;
         }
+        for o in &loads.others {
+            let (sin, cos) = (o.ratio * at.phase).sin_cos();
+            for (i, force) in force.iter_mut().enumerate() {
+                *force -= o.force[0][i] * cos + o.force[1][i] * sin;
+                *force -= at.spin_accel * (o.spin_accel[0][i] * cos + o.spin_accel[1][i] * sin);
+            }
+            for (i, rate) in rate.iter_mut().enumerate() {
+                *rate += at.spin_accel * (o.spin_accel_rate[0][i] * cos + o.spin_accel_rate[1][i] * sin);
+            }
+        }
         for (i, rate) in rate.iter_mut().enumerate() {
             let (mut own, mut q, mut v, mut a) = (S::zero(), S::zero(), S::zero(), S::zero());
             for (e, j) in pattern.row(self.n + i).take_while(|x| x.1 < held) {
@@ -272,6 +313,34 @@ fn add_at<S: Scalar>(places: &Places, local: &Grid<S>, global: &mut [S]) {
     }
 }
 
+/// Adds the loads of a part that turn, its states beginning at row `first`, to those of its spin.
+fn add_turning<S: Scalar>(slot: &Slot, first: usize, b: &Blocks<S>, params: &[S], loads: &mut Loads<S>) {
+    let turning = |x: &Vec<S>| x.iter().any(|x| !x.is_nothing());
+    let [force, accel, rate] = match slot.ratio {
+        None => [
+            [&mut loads.force_cos, &mut loads.force_sin],
+            [&mut loads.spin_accel_cos, &mut loads.spin_accel_sin],
+            [&mut loads.spin_accel_rate_cos, &mut loads.spin_accel_rate_sin],
+        ],
+        Some(i) => {
+            let own = [&b.force_cos, &b.force_sin, &b.spin_accel_cos, &b.spin_accel_sin, &b.spin_accel_rate_cos, &b.spin_accel_rate_sin];
+            if !own.into_iter().any(turning) {
+                return;
+            }
+            let Turning { force: [fc, fs], spin_accel: [gc, gs], spin_accel_rate: [hc, hs], .. } = loads.of_spin(i, params[i]);
+            [[fc, fs], [gc, gs], [hc, hs]]
+        }
+    };
+    for (global, local) in force.into_iter().chain(accel).zip([&b.force_cos, &b.force_sin, &b.spin_accel_cos, &b.spin_accel_sin]) {
+        scatter(&slot.map, local, global);
+    }
+    for (global, local) in rate.into_iter().zip([&b.spin_accel_rate_cos, &b.spin_accel_rate_sin]) {
+        for (k, &x) in local.iter().enumerate() {
+            global[first + k] += x;
+        }
+    }
+}
+
 /// Scratch for [`System::linear`] and [`System::dynamic_stiffness`].
 pub struct LinearScratch<S> {
     local: Blocks<S>,
@@ -294,8 +363,12 @@ impl System {
             let slot = &self.slots()[stamp.slot];
             let m = stamp.states;
             let b = &mut scratch.local;
-            b.reset_band(slot.map.len(), m, slot.reach, speed);
-            S::linear(&*slot.part, &params[slot.params.clone()], speed, b);
+            let own_speed = slot.speed(params, speed);
+            b.reset_band(slot.map.len(), m, slot.reach, own_speed);
+            S::linear(&*slot.part, &params[slot.params.clone()], own_speed, b);
+            if let Some(i) = slot.ratio {
+                b.per_spin(params[i]);
+            }
             for (i, &w) in slot.weight.iter().enumerate() {
                 for j in b.mass.columns(i) {
                     b.force[j] -= b.mass[(j, i)].scale(w);
@@ -306,24 +379,20 @@ impl System {
             }
             out.add(stamp, b);
             let loads = &mut out.loads;
-            for (local, global) in [
-                (&b.force, &mut loads.force),
-                (&b.force_cos, &mut loads.force_cos),
-                (&b.force_sin, &mut loads.force_sin),
-                (&b.spin_accel_force, &mut loads.spin_accel_force),
-                (&b.spin_accel_cos, &mut loads.spin_accel_cos),
-                (&b.spin_accel_sin, &mut loads.spin_accel_sin),
-            ] {
-                scatter(&slot.map, local, global);
-            }
+            scatter(&slot.map, &b.force, &mut loads.force);
+            scatter(&slot.map, &b.spin_accel_force, &mut loads.spin_accel_force);
             let row = stamp.first_state - self.n();
             for i in 0..m {
                 loads.rate[row + i] += b.rate[i];
-                loads.spin_accel_rate_cos[row + i] += b.spin_accel_rate_cos[i];
-                loads.spin_accel_rate_sin[row + i] += b.spin_accel_rate_sin[i];
             }
+            add_turning(slot, row, b, params, loads);
             if slot.memory > 0 {
-                out.memory.push(SlotMemory { slot: stamp.slot, first: slot.states.start + m, list: b.memory.clone() });
+                out.memory.push(SlotMemory {
+                    slot: stamp.slot,
+                    speed: own_speed,
+                    first: slot.states.start + m,
+                    list: b.memory.clone(),
+                });
             }
         }
         if form == Form::Frequency {
@@ -334,20 +403,18 @@ impl System {
     /// Adds the loads of the parts given in the frequency domain, and what their mass weighs.
     fn add_loads<S: Evaluate>(&self, params: &[S], speed: S, out: &mut Loads<S>, local: &mut Blocks<S>) {
         for slot in self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_))) {
-            local.reset(slot.map.len(), 0, speed);
+            let own_speed = slot.speed(params, speed);
+            local.reset(slot.map.len(), 0, own_speed);
             if let Some(part) = slot.part.frequency_domain() {
-                S::load(part, &params[slot.params.clone()], speed, local);
+                S::load(part, &params[slot.params.clone()], own_speed, local);
             }
             for (i, &w) in slot.weight.iter().enumerate() {
                 for j in 0..slot.map.len() {
                     local.force[j] -= local.mass[(j, i)].scale(w);
                 }
             }
-            for (local, global) in
-                [(&local.force, &mut out.force), (&local.force_cos, &mut out.force_cos), (&local.force_sin, &mut out.force_sin)]
-            {
-                scatter(&slot.map, local, global);
-            }
+            scatter(&slot.map, &local.force, &mut out.force);
+            add_turning(slot, 0, local, params, out);
         }
     }
 
@@ -422,8 +489,8 @@ impl System {
                     Axes::Fixed => add(slot, z.output, z.input, r.recip().scale(z.gain)),
                     Axes::RotorX | Axes::RotorY => {
                         let partner = if z.axes == Axes::RotorX { &mem.list[k + 1] } else { &mem.list[k - 1] };
-                        let f = (r * r + Complex::real(model.speed * model.speed)).recip().scale(z.gain);
-                        let w = if z.axes == Axes::RotorX { -model.speed } else { model.speed };
+                        let f = (r * r + Complex::real(mem.speed * mem.speed)).recip().scale(z.gain);
+                        let w = if z.axes == Axes::RotorX { -mem.speed } else { mem.speed };
                         add(slot, z.output, z.input, f * r);
                         add(slot, z.output, partner.input, f.scale(w));
                     }
@@ -434,7 +501,7 @@ impl System {
             for (slot, part) in self.in_frequency_domain() {
                 let k = slot.map.len();
                 refill(&mut scratch.impedance, k * k, Complex::zero());
-                S::impedance(part, &params[slot.params.clone()], s, model.speed, &mut scratch.impedance);
+                S::impedance(part, &params[slot.params.clone()], s, slot.speed(params, model.speed), &mut scratch.impedance);
                 for i in 0..k {
                     for j in 0..k {
                         add(slot, i, j, scratch.impedance[i * k + j]);
@@ -451,7 +518,7 @@ impl System {
     pub fn domains(&self, speed: f64) -> Vec<Domain> {
         let params = self.params();
         let one = |s: &Slot| match s.physics {
-            Physics::Frequency(_) => s.part.frequency_domain()?.domain(&params[s.params.clone()], speed),
+            Physics::Frequency(_) => s.part.frequency_domain()?.domain(&params[s.params.clone()], s.speed(params, speed)),
             _ => (s.memory > 0).then(Domain::passive),
         };
         self.slots().iter().filter_map(one).collect()
@@ -481,7 +548,7 @@ impl System {
     /// The product of [`regular`](super::capability::FrequencyDomain::regular) of the parts given in the frequency domain.
     pub fn regular<S: Evaluate>(&self, params: &[S], s: Complex<S>, speed: S) -> Complex<S> {
         let all = self.in_frequency_domain();
-        all.fold(Complex::one(), |product, (slot, part)| product * S::regular(part, &params[slot.params.clone()], s, speed))
+        all.fold(Complex::one(), |product, (slot, part)| product * S::regular(part, &params[slot.params.clone()], s, slot.speed(params, speed)))
     }
 
     fn in_frequency_domain(&self) -> impl Iterator<Item = (&Slot, &dyn FrequencyDomain)> {

@@ -19,6 +19,7 @@ pub mod probe;
 mod probes;
 pub mod projected;
 pub mod slot;
+pub mod spins;
 pub mod station;
 pub mod system;
 pub mod tangent;

@@ -135,6 +135,9 @@ macro_rules! absorbed {
             fn memory(&self) -> usize {
                 0
             }
+            fn spin_ratio(&self) -> Option<usize> {
+                self.0.spin_ratio()
+            }
             fn slots(&self) -> Vec<ParamSlot> {
                 self.0.slots()
             }
@@ -237,6 +240,7 @@ impl System {
                 physics: s.physics,
                 uses: s.uses,
                 params: s.params.clone(),
+                ratio: s.ratio,
                 map: s.map.iter().map(over).collect(),
                 weight: s.weight.clone(),
                 own: 0..0,
@@ -256,6 +260,7 @@ impl System {
             physics: Physics::Linear,
             uses: Uses { velocity: true, acceleration: true, spin: true },
             params: end..end,
+            ratio: None,
             map: (0..n).map(|g| vec![(g, 1.0)]).collect(),
             weight: Vec::new(),
             own: 0..n,

@@ -1,7 +1,7 @@
 //! Parts in their places: how their local coordinates stand over those of the machine.
 
 use super::erased::Erased;
-use super::part::{Dof, Layout, Physics, Uses};
+use super::part::{At, Dof, Layout, Physics, Uses};
 use crate::diagnostic::Span;
 use laval_num::scalar::Scalar;
 use std::ops::Range;
@@ -34,6 +34,8 @@ pub struct Slot {
     pub uses: Uses,
     /// Its parameters among the machine's.
     pub params: Range<usize>,
+    /// Of a part that turns with another spin than the machine's: the parameter that is the ratio of their speeds.
+    pub ratio: Option<usize>,
     /// Each local coordinate as a combination of global ones: the rows of B.
     pub map: Vec<Vec<(usize, f64)>>,
     /// What the weight adds to the local accelerations the part sees (a body at rest in a field g moves like one accelerated by -g), m/s^2.
@@ -54,6 +56,24 @@ impl Slot {
     /// A linear (or time-fitted) part, given by its blocks in time.
     pub fn is_linear(&self) -> bool {
         self.physics != Physics::Nonlinear
+    }
+    /// The speed of its spin when the machine turns at `speed`.
+    #[inline(always)]
+    pub fn speed<S: Scalar>(&self, params: &[S], speed: S) -> S {
+        self.ratio.map_or(speed, |i| params[i] * speed)
+    }
+    /// The angle, speed and acceleration of its spin at a point of the machine.
+    #[inline(always)]
+    pub fn turned<'a, S: Scalar>(&self, params: &[S], at: At<'a, S>) -> At<'a, S> {
+        match self.ratio {
+            None => at,
+            Some(i) => At { phase: params[i] * at.phase, speed: params[i] * at.speed, spin_accel: params[i] * at.spin_accel, ..at },
+        }
+    }
+    /// Its share in the spin row of the machine: the torque on its spin, carried over by the ratio.
+    #[inline(always)]
+    pub fn torque<S: Scalar>(&self, params: &[S], torque: S) -> S {
+        self.ratio.map_or(torque, |i| params[i] * torque)
     }
     /// Local coordinates that are coupled with one of them.
     pub fn neighbours(&self, i: usize) -> Range<usize> {

@@ -106,6 +106,13 @@ impl System {
             None => Some(vec![found(&format!("{path}.x"))?, found(&format!("{path}.y"))?]),
         }
     }
+    /// The parameters that are ratios of other spins to that of the machine, each once.
+    pub fn spins(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.slots.iter().filter_map(|s| s.ratio).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
     /// The same machine with some parameters changed. Refuses inadmissible values.
     pub fn with(&self, overrides: &[(&str, f64)]) -> Result<System, Diagnostics> {
         let mut diagnostics = Diagnostics::default();
@@ -208,10 +215,10 @@ impl System {
             refill(&mut ws.force, n, S::zero());
             refill(&mut ws.rate, slot.states.len(), S::zero());
             let mut spin = S::zero();
-            let local = At { q: &ws.q, v: &ws.v, a: &ws.a, z: &at.z[slot.states.clone()], ..*at };
+            let local = slot.turned(params, At { q: &ws.q, v: &ws.v, a: &ws.a, z: &at.z[slot.states.clone()], ..*at });
             let mut rows = Rows { force: &mut ws.force, rate: &mut ws.rate, spin: &mut spin };
             S::residual(&*slot.part, &params[slot.params.clone()], &local, &mut rows, &mut ws.blocks);
-            *out.spin += spin;
+            *out.spin += slot.torque(params, spin);
             scatter(&slot.map, &ws.force, out.force);
             for (r, &x) in out.rate[slot.states.clone()].iter_mut().zip(&ws.rate) {
                 *r += x;
@@ -231,7 +238,14 @@ impl System {
     /// Calls `f` with a part's local view of a global point.
     pub fn with_local<S: Scalar, R>(&self, slot: &Slot, at: &At<S>, ws: &mut Workspace<S>, f: impl FnOnce(&At<S>) -> R) -> R {
         self.slot_local(slot, at, ws);
-        f(&At { q: &ws.q, v: &ws.v, a: &ws.a, z: &at.z[slot.states.clone()], ..*at })
+        let local = At { q: &ws.q, v: &ws.v, a: &ws.a, z: &at.z[slot.states.clone()], ..*at };
+        f(&match slot.ratio {
+            None => local,
+            Some(i) => {
+                let by = |x: S| x.scale(self.params[i]);
+                At { phase: by(at.phase), speed: by(at.speed), spin_accel: by(at.spin_accel), ..local }
+            }
+        })
     }
 
     /// Energy of the machine; `None` when a part keeps no account (its name is the error).
@@ -257,7 +271,7 @@ impl System {
     }
     /// Torque of all drives at a speed, N m; `None` without a drive.
     pub fn drive_torque(&self, speed: f64) -> Option<f64> {
-        self.slots.iter().filter_map(|s| Some(s.part.spin_drive()?.torque(&self.params[s.params.clone()], speed))).reduce(|a, b| a + b)
+        self.slots.iter().filter_map(|s| Some(s.torque(&self.params, s.part.spin_drive()?.torque(&self.params[s.params.clone()], s.speed(&self.params, speed))))).reduce(|a, b| a + b)
     }
     /// Parameters of parts that spin without inertia about the axis although they have mass, by path.
     pub fn without_spin_inertia(&self) -> Vec<String> {

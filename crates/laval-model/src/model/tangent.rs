@@ -8,6 +8,7 @@ use super::system::{System, Workspace};
 use laval_num::dense::Mat;
 use laval_num::dual::Dual;
 use laval_num::refill::refill;
+use laval_num::scalar::Scalar;
 use laval_num::work::spend;
 
 /// A matrix that is added to entry by entry.
@@ -151,9 +152,10 @@ impl System {
         let p = slot.params.clone();
         w.seeds.clear();
         if slot.is_linear() {
-            w.blocks.reset_band(n, m - slot.memory, slot.reach, at.speed);
-            slot.part.linear_f64(&self.params()[p.clone()], at.speed, &mut w.blocks);
-            self.add_block_tangent(slot, at.spin_accel, &w.blocks, out);
+            let speed = slot.speed(self.params(), at.speed);
+            w.blocks.reset_band(n, m - slot.memory, slot.reach, speed);
+            slot.part.linear_f64(&self.params()[p.clone()], speed, &mut w.blocks);
+            self.add_block_tangent(slot, slot.speed(self.params(), at.spin_accel), &w.blocks, out);
             if spin {
                 // the spin row of a linear part may depend on everything
                 for g in [Group::Q, Group::V, Group::A] {
@@ -202,9 +204,16 @@ impl System {
         let mut spin_row = D8::lift(0.0);
         let [q, v, a, z] = &w.seeded;
         let [phase, speed, spin_accel] = spin_vars;
-        let local = At { q, v, a, z, phase, speed, spin_accel, t: D8::lift(at.t) };
+        let mut local = At { q, v, a, z, phase, speed, spin_accel, t: D8::lift(at.t) };
+        if let Some(i) = slot.ratio {
+            let by = |x: D8| Scalar::scale(x, self.params()[i]);
+            (local.phase, local.speed, local.spin_accel) = (by(phase), by(speed), by(spin_accel));
+        }
         let mut rows = Rows { force: &mut w.force, rate: &mut w.rate, spin: &mut spin_row };
         D8::residual(&*slot.part, &w.params, &local, &mut rows, &mut w.blocks8);
+        if let Some(i) = slot.ratio {
+            spin_row = Scalar::scale(spin_row, self.params()[i]);
+        }
         let spin_index = self.n();
         for (k, &Seed(group, index)) in chunk.iter().enumerate() {
             let linear_known = slot.is_linear() && index.is_some();

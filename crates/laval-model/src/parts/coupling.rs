@@ -21,8 +21,11 @@
 
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
+use crate::model::capability::Scope;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, PortKind};
+use crate::model::spins::same_ratio;
 use crate::params;
 use crate::text;
 use crate::text::Text;
@@ -156,10 +159,19 @@ torsional_damping = "20 N m s"
         let torque = along(TWIST, p.torsional_stiffness, p.torsional_damping);
         show("torque", "N m", torque, p.torsional_stiffness != 0.0 || p.torsional_damping != 0.0);
     }
+    fn scope(&self) -> Option<&dyn erased::Scope> {
+        Some(self)
+    }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         use crate::model::params::Family as _;
         let nothing = CouplingFamily::to_vec(p).iter().all(|x| *x == 0.0);
         if nothing { vec![("between", text!("the coupling does nothing: give it a stiffness"))] } else { Vec::new() }
+    }
+}
+
+impl Scope for Coupling {
+    fn refuses_ratio(&self, _: &Params<Self, f64>, ratio: f64) -> Option<Text> {
+        (!same_ratio(ratio, 1.0)).then(|| text!("a coupling joins shafts of one speed; between shafts of different speeds use a gear or a bearing"))
     }
 }
 

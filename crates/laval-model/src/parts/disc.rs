@@ -35,6 +35,7 @@ use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, PortKind, Validity};
 use crate::params;
+use crate::parts::spin::SPIN;
 use crate::text;
 use crate::text::Text;
 use laval_num::complex::{Complex, c};
@@ -77,13 +78,15 @@ pub struct Disc {
     along: [bool; 2],
     /// The point of another body that carries it; a disc without one has coordinates of its own.
     on: Option<Attach>,
+    /// The part that gives the ratio of its spin.
+    spin: Option<String>,
     unbalances: Vec<Unbalance>,
 }
 
 impl Disc {
     /// Two coordinates: x, y.
     pub fn planar() -> Self {
-        Disc { tilts: false, along: [false; 2], on: None, unbalances: Vec::new() }
+        Disc { tilts: false, along: [false; 2], on: None, spin: None, unbalances: Vec::new() }
     }
     /// Four coordinates: x, y and tilt; needs the inertias.
     pub fn tilting() -> Self {
@@ -103,6 +106,10 @@ impl Disc {
     /// Fixed to a point of another body, as a shaft: it moves with it and has no coordinates of its own.
     pub fn on(self, attach: Attach) -> Self {
         Disc { on: Some(attach), ..self }
+    }
+    /// Turning with another spin than that of the machine: the name of the part that gives its ratio.
+    pub fn spin(self, name: impl Into<String>) -> Self {
+        Disc { spin: Some(name.into()), ..self }
     }
     /// With one more unbalance (kg m) in this direction from the key mark (rad), at this height above the reference point (m).
     pub fn unbalanced(mut self, size: f64, phase: f64, at: f64) -> Self {
@@ -164,6 +171,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
             "",
             "the point of a shaft or of another body that it is fixed to and moves with; without it the disc has coordinates of its own",
         ),
+        Field::optional("spin", FieldKind::Text, "", SPIN),
         Field::optional("axial", FieldKind::Flag, "false", "a disc with coordinates of its own also moves along its axis"),
         Field::optional(
             "torsional",
@@ -182,7 +190,8 @@ skew = "0.1 mrad"                   # dynamic unbalance
     fn build(values: &Values, _: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
         let tilts = values.number("diametral_inertia").is_some_and(|x| x > 0.0);
         let along = ["axial", "torsional"].map(|name| values.flag(name) == Some(true));
-        let disc = Disc { tilts, along, on: values.attach("on").filter(|a| a.body.is_some()), unbalances: Vec::new() };
+        let on = values.attach("on").filter(|a| a.body.is_some());
+        let disc = Disc { tilts, along, on, spin: values.text("spin").map(str::to_string), unbalances: Vec::new() };
         if let (Some(_), Some(name)) = (&disc.on, ["axial", "torsional"].into_iter().find(|n| values.written(n))) {
             diagnostics.push(
                 Diagnostic::error("disc.on", text!("{name} has no effect on a disc that another body carries", name))
@@ -224,7 +233,8 @@ skew = "0.1 mrad"                   # dynamic unbalance
     fn layout(&self) -> Layout {
         if let Some(attach) = &self.on {
             let link = Link::On(attach.clone());
-            return Layout { body: true, ..Layout::on(PortKind { tilt: self.tilts, ..PortKind::ALL }, link) };
+            let port = PortKind { tilt: self.tilts, ..PortKind::ALL };
+            return Layout { body: true, spin: self.spin.clone(), ..Layout::on(port, link) };
         }
         let mut own = Dof::lateral();
         if self.tilts {
@@ -232,7 +242,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
         }
         own.extend(self.along[0].then(Dof::axial));
         own.extend(self.along[1].then(Dof::twist));
-        Layout::body(own)
+        Layout { spin: self.spin.clone(), ..Layout::body(own) }
     }
 
     fn physics(&self) -> Physics {

@@ -10,12 +10,14 @@ pub mod damper;
 pub mod disc;
 pub mod film;
 pub mod foundation;
+pub mod gear;
 pub mod liquid;
 pub mod motor;
 pub mod shaft;
 pub mod shaft_lumped;
 pub mod shaft_span;
 pub mod shaft_viscoelastic;
+pub mod spin;
 pub mod spin_load;
 pub mod squeeze_film;
 pub mod stop;
@@ -58,6 +60,8 @@ pub fn registry() -> Vec<PartKind> {
         kind::<liquid::Liquid>(),
         kind::<balancer_ball::BallBalancer>(),
         kind::<coupling::Coupling>(),
+        kind::<spin::Spin>(),
+        kind::<gear::Gear>(),
         kind::<motor::Motor>(),
         kind::<spin_load::SpinLoad>(),
     ]

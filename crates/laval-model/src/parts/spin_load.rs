@@ -20,9 +20,10 @@
 
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
-use crate::model::field::{Bounds, Field, ParamValues, Values};
+use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Observed, Params, Part, Physics};
 use crate::params;
+use crate::parts::spin::SPIN;
 use crate::text;
 use crate::text::Text;
 use laval_num::scalar::Scalar;
@@ -38,7 +39,11 @@ params! {
 }
 
 /// See the [module](self).
-pub struct SpinLoad;
+#[derive(Default)]
+pub struct SpinLoad {
+    /// The part that gives the ratio of the spin it loads.
+    spin: Option<String>,
+}
 
 impl SpinLoad {
     #[inline(always)]
@@ -55,17 +60,17 @@ drag = "2e-3 N m s"
     const DOC: &'static str = "Inertia about the axis and torques that resist the spin: a coupling or gear on the shaft, drag of bearings, windage. It counts in the \
         torque and power of the drive, and with drive = \"free\" in how the speed changes, as in a run-down.";
     type Family = SpinLoadFamily;
-    const FIELDS: &'static [Field] = &[];
+    const FIELDS: &'static [Field] = &[Field::optional("spin", FieldKind::Text, "", SPIN)];
 
-    fn build(_: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
-        Some(SpinLoad)
+    fn build(values: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
+        Some(SpinLoad { spin: values.text("spin").map(str::to_string) })
     }
     #[inline(never)]
     fn erased(self) -> ErasedPart {
         Arc::new(self)
     }
     fn layout(&self) -> Layout {
-        Layout::default()
+        Layout { spin: self.spin.clone(), ..Layout::default() }
     }
     /// Nothing but a share of the spin row.
     fn physics(&self) -> Physics {
@@ -100,16 +105,16 @@ pub(super) mod tests {
 
     #[test]
     fn resists_either_way() {
-        let torque = |w: f64| SpinLoad.resists(&params(), w);
+        let torque = |w: f64| SpinLoad::default().resists(&params(), w);
         assert!((torque(500.0) - 2.0).abs() < 1e-14 && torque(-500.0) == -torque(500.0));
-        assert!(SpinLoad.spin_drive().is_none());
-        assert_eq!(SpinLoad.check(&SpinLoadParams { inertia: 0.0, drag: 0.0, windage: 0.0 })[0].0, "inertia");
+        assert!(SpinLoad::default().spin_drive().is_none());
+        assert_eq!(SpinLoad::default().check(&SpinLoadParams { inertia: 0.0, drag: 0.0, windage: 0.0 })[0].0, "inertia");
     }
 }
 
 crate::conformance! {
     SpinLoad {
-        all: SpinLoad, tests::params(), Options::default();
-        inertia: SpinLoad, SpinLoadParams { drag: 0.0, windage: 0.0, ..tests::params() }, Options::default();
+        all: SpinLoad::default(), tests::params(), Options::default();
+        inertia: SpinLoad::default(), SpinLoadParams { drag: 0.0, windage: 0.0, ..tests::params() }, Options::default();
     }
 }

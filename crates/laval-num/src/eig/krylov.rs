@@ -204,7 +204,7 @@ pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: 
         column[k + 1] = c(if ended { 0.0 } else { rest }, 0.0);
         columns.push(column);
         let steps = k + 1;
-        if ended || steps >= most || steps % ROUND == 0 {
+        if ended || steps >= most || (steps % ROUND == 0 && steps > wanted) {
             let found = resolved(&columns, shift)?;
             if ended || steps >= most || found.values.len() >= wanted {
                 return Ok(if ended { Nearest { radius: f64::INFINITY, ..found } } else { found });

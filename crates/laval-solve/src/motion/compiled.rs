@@ -15,8 +15,10 @@ pub(crate) struct Compiled {
     pub model: LinearModel<f64>,
     /// Columns of the rows' dependence on (q, v, linear states): summing column by column lets the rows go in parallel.
     pub columns: Mat,
-    /// Constant, cosine and sine of the phase.
-    pub forcing: [Vec<f64>; 3],
+    /// Constant, then cosine and sine of the phase, then those of each other spin that turns loads.
+    pub forcing: Vec<Vec<f64>>,
+    /// Ratios of those spins.
+    pub others: Vec<f64>,
     /// Coordinates that nonlinear parts and memory act on, and the rows' answer to a force on each.
     pub touched: Vec<usize>,
     pub answers: Mat,
@@ -38,11 +40,13 @@ impl Compiled {
         let lu = Lu::new(&mass).map_err(|s| singular(system, s.column, mass.data()))?;
         // the force rows over (q, v, z, constant, cos, sin), solved for the accelerations
         let cols = 2 * n + m;
-        let mut top = Mat::from_fn(n, cols + 3, |i, j| match j {
+        let mut acting: Vec<&[f64]> = vec![&loads.force, &loads.force_cos, &loads.force_sin];
+        acting.extend(loads.others.iter().flat_map(|o| &o.force).map(Vec::as_slice));
+        let mut top = Mat::from_fn(n, cols + acting.len(), |i, j| match j {
             j if j < n => -b.stiffness(i, j),
             j if j < 2 * n => -b.damping(i, j - n),
             j if j < cols => -b.stiffness(i, j - n),
-            j => [loads.force[i], loads.force_cos[i], loads.force_sin[i]][j - cols],
+            j => acting[j - cols][i],
         });
         lu.solve_mat(&mut top);
         let state_a = Mat::from_fn(m, n, |i, j| b.mass(n + i, j));
@@ -68,7 +72,8 @@ impl Compiled {
         Ok(Compiled {
             columns: Mat::from_fn(cols, n + m, |j, i| full(i, j)),
             sum: vec![0.0; n + m],
-            forcing: [0, 1, 2].map(|k| (0..n + m).map(|i| full(i, cols + k)).collect()),
+            forcing: (0..acting.len()).map(|k| (0..n + m).map(|i| full(i, cols + k)).collect()).collect(),
+            others: loads.others.iter().map(|o| o.ratio).collect(),
             answers: Mat::from_fn(touched.len(), n + m, |j, i| if i < n { unit[(i, j)] } else { below[(i - n, j)] }),
             touched,
             nonlinear: system.slots().iter().any(|s| !s.is_linear()),
@@ -109,9 +114,15 @@ impl Compiled {
         }
         // the same sine as the parts use, on every machine
         let (sin, cos) = Scalar::sin_cos(spin.phase);
-        let [constant, fc, fs] = &self.forcing;
+        let (constant, fc, fs) = (&self.forcing[0], &self.forcing[1], &self.forcing[2]);
         for (i, sum) in self.sum.iter_mut().enumerate() {
             *sum = constant[i] + fc[i] * cos + fs[i] * sin;
+        }
+        for (ratio, turning) in self.others.iter().zip(self.forcing[3..].chunks(2)) {
+            let (sin, cos) = Scalar::sin_cos(ratio * spin.phase);
+            for (i, sum) in self.sum.iter_mut().enumerate() {
+                *sum += turning[0][i] * cos + turning[1][i] * sin;
+            }
         }
         for (j, &x) in self.x.iter().enumerate() {
             for (sum, a) in self.sum.iter_mut().zip(self.columns.row(j)) {

@@ -228,8 +228,8 @@ pub(super) fn linear_rows(
 /// Adds force rows and rates of the memory states of linear parts.
 pub(super) fn memory_rows(system: &System, model: &LinearModel<f64>, at: &At<f64>, force: &mut [f64], rate: &mut [f64]) {
     use crate::model::blocks::Axes;
-    let speed = model.speed;
     for part in &model.memory {
+        let speed = part.speed;
         let map = &system.slots()[part.slot].map;
         for (k, s) in part.list.iter().enumerate() {
             let i = part.first + k;

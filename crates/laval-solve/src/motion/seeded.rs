@@ -8,6 +8,7 @@ use crate::model::erased::{D8, Evaluate};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System};
 use laval_num::dense::Mat;
+use laval_num::scalar::Scalar;
 use std::ops::Range;
 
 /// What the rows of all parts are added to. With a free spin the rows and columns of `mass`, and the entries of `force`, end with those of the spin.
@@ -54,6 +55,8 @@ impl Seeded {
 
     /// Adds a part's rows and their derivatives, those in the spin's acceleration too when it is `free`.
     pub fn add(&mut self, system: &System, slot: &Slot, at: &At<f64>, free: bool, out: &mut Targets) {
+        // the part sees its own spin, also of derivatives in the spin's acceleration
+        let at = &slot.turned(system.params(), *at);
         for (x, local) in [at.q, at.v, at.a].iter().zip(&mut self.local) {
             local.clear();
             local.extend(slot.map.iter().map(|row| row.iter().map(|&(g, c)| c * x[g]).sum::<f64>()));
@@ -111,7 +114,7 @@ impl Seeded {
         if free {
             let turn @ (sin, cos) = at.phase.sin_cos();
             let rate = |i: usize| blocks.spin_accel_rate_cos[i] * cos + blocks.spin_accel_rate_sin[i] * sin;
-            column(spin_row(system), 1.0, 0..n, &|i| blocks.spin_accel_row(i, &local, turn), &rate);
+            column(spin_row(system), slot.torque(system.params(), 1.0), 0..n, &|i| blocks.spin_accel_row(i, &local, turn), &rate);
         }
     }
 
@@ -128,7 +131,7 @@ impl Seeded {
                 if j < n {
                     self.vars[2][j].eps[j - start] = 1.0;
                 } else {
-                    accel.eps[j - start] = 1.0;
+                    accel.eps[j - start] = slot.torque(system.params(), 1.0);
                 }
             }
             let (force, rate) = (&mut self.seeded_force, &mut self.seeded_rate);
@@ -145,6 +148,7 @@ impl Seeded {
                 rate.resize(m, lift(0.0));
                 D8::residual(&*slot.part, params, &local, &mut Rows { force, rate, spin: &mut spin }, &mut self.unused);
             }
+            spin = Scalar::scale(spin, slot.torque(system.params(), 1.0));
             if start == 0 {
                 for (row, f) in slot.map.iter().zip(&self.seeded_force) {
                     for &(g, c) in row {

@@ -92,6 +92,8 @@ struct Law<'a> {
     /// Its states in y, and their rates.
     states: Range<usize>,
     rates: Vec<f64>,
+    /// Ratio of its spin.
+    ratio: f64,
 }
 
 /// Sines and cosines of the phase at times to come, all computed side by side.
@@ -129,8 +131,10 @@ pub(super) struct Single<'a> {
     local: Vec<[f64; BLOCK]>,
     states: Columns,
     terms: Columns,
-    /// 1, cosine and sine of the phase, forces of the nonlinear parts.
+    /// 1, cosine and sine of the phase of each spin, forces of the nonlinear parts.
     x: Vec<f64>,
+    /// Ratios of the other spins that turn loads.
+    others: Vec<f64>,
     laws: Vec<Law<'a>>,
     /// Accelerations of a part: one that reads them has a mass that varies.
     zero: Vec<f64>,
@@ -158,9 +162,11 @@ impl<'a> Single<'a> {
         }
         let nonlinear = || system.slots().iter().filter(|s| !s.is_linear());
         let mut locals = Mat::zeros(nonlinear().map(|s| 2 * s.map.len()).sum(), 2 * n);
-        let (mut laws, mut answers, mut first) = (vec![], vec![], 3);
+        // constant, cosine and sine of the phase of each spin, then the forces of the nonlinear parts
+        let head = compiled.forcing.len();
+        let (mut laws, mut answers, mut first) = (vec![], vec![], head);
         for slot in nonlinear() {
-            let (own, count) = (2 * (first - 3), slot.map.len());
+            let (own, count) = (2 * (first - head), slot.map.len());
             for (l, coordinate) in slot.map.iter().enumerate() {
                 for &(g, c) in coordinate {
                     locals[(own + l, g)] += c;
@@ -177,6 +183,7 @@ impl<'a> Single<'a> {
                 forces: first..first + count,
                 states: 2 * n + slot.states.start..2 * n + slot.states.end,
                 rates: vec![0.0; slot.states.len()],
+                ratio: slot.torque(system.params(), 1.0),
             });
             first += count;
         }
@@ -195,6 +202,7 @@ impl<'a> Single<'a> {
             states: Columns::of(&states),
             terms: Columns::of(&terms),
             x,
+            others: compiled.others.clone(),
             zero: vec![0.0; first],
             laws,
             speed,
@@ -238,6 +246,10 @@ impl<'a> Single<'a> {
     fn rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) {
         let (sin, cos) = self.sine(t);
         (self.x[1], self.x[2]) = (cos, sin);
+        for (k, ratio) in self.others.iter().enumerate() {
+            let phase = ratio * (self.phase + self.speed * t);
+            (self.x[4 + 2 * k], self.x[3 + 2 * k]) = Scalar::sin_cos(phase);
+        }
         for at in 0..self.local.len() {
             self.local[at] = self.locals.times(at, y);
         }
@@ -247,11 +259,11 @@ impl<'a> Single<'a> {
             let force = &mut self.x[law.forces.clone()];
             clear(force);
             clear(&mut law.rates);
-            let (mut spin, phase) = (0.0, self.phase + self.speed * t);
+            let (mut spin, phase) = (0.0, law.ratio * (self.phase + self.speed * t));
             let z = &y[law.states.clone()];
             let mut args = ResidualArgs {
                 p: &law.params,
-                at: At { q, v: &v[..q.len()], a: &self.zero[..q.len()], z, phase, speed: self.speed, spin_accel: 0.0, t },
+                at: At { q, v: &v[..q.len()], a: &self.zero[..q.len()], z, phase, speed: law.ratio * self.speed, spin_accel: 0.0, t },
                 out: Rows { force, rate: &mut law.rates, spin: &mut spin },
             };
             f64::enter::<Residual, _>(law.part, &mut args);

@@ -18,6 +18,7 @@ pub struct Share {
 
 pub(crate) fn blocks(system: &System, slot: &Slot, speed: f64) -> Blocks<f64> {
     let mut b = Blocks::default();
+    let speed = slot.speed(system.params(), speed);
     match slot.physics {
         Physics::Linear => {
             b.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
@@ -125,7 +126,7 @@ pub fn share(system: &System, slot: &Slot, speed: f64, q: &[f64], z: &[f64]) -> 
 /// Residual of a nonlinear part at local coordinates, rates and accelerations.
 fn residual(system: &System, slot: &Slot, speed: f64, [q, v, a]: [&[f64]; 3], z: &[f64]) -> Vec<f64> {
     let (mut force, mut rate, mut spin) = (vec![0.0; q.len()], vec![0.0; z.len()], 0.0);
-    let at = At { q, v, a, z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    let at = slot.turned(system.params(), At { q, v, a, z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 });
     let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
     slot.part.residual_f64(&system.params()[slot.params.clone()], &at, &mut rows, &mut Blocks::default());
     force

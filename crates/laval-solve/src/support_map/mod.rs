@@ -94,7 +94,10 @@ impl SupportMap {
             if (slot.physics != Physics::Linear || !slot.states.is_empty()) && !without {
                 return Err(refused(system, index));
             }
-            let b = blocks(system, slot, at.speed);
+            let mut b = blocks(system, slot, at.speed);
+            if let Some(i) = slot.ratio {
+                b.per_spin(system.params()[i]);
+            }
             for (grid, list) in [(&b.stiffness, &mut k), (&b.mass, &mut m), (&b.gyroscopic, &mut g)] {
                 for (i, rows) in slot.map.iter().enumerate() {
                     for j in grid.columns(i).filter(|&j| grid[(i, j)] != 0.0) {

@@ -25,6 +25,8 @@ pub trait Study: Send + Sync + Sized + 'static {
     const FIELDS: &'static [Field];
     /// Whether its rows are kept in chunks ([`store`](crate::store)): then several processes can compute it together.
     const IN_CHUNKS: bool = false;
+    /// Whether it takes a machine of which parts turn with several spins ([`System::spins`]), or runs another study that may.
+    const SEVERAL_SPINS: bool = false;
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
     /// Spin speeds at which the study needs the coefficients of the parts; none where it does not rest on the motion of the machine, or runs
@@ -105,18 +107,18 @@ impl<T: Study> ErasedStudy for T {
         T::IN_CHUNKS
     }
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        speed_range::known(self, system)?;
+        speed_range::able(self, system)?;
         watch::admit(self, system)
     }
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
-        speed_range::known(self, system)?;
+        speed_range::able(self, system)?;
         watch::prepare(self, system, context)
     }
     fn speeds(&self, system: &System) -> Vec<SpinSpeeds> {
         self.spin_speeds(system)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        speed_range::known(self, system)?;
+        speed_range::able(self, system)?;
         let run = || {
             let result = self.compute(system, context)?;
             self.conclude(system, result, context.name)
@@ -138,7 +140,7 @@ pub trait TypedStudy: Study {
     /// # Errors
     /// A request this machine cannot answer, or `study.stopped` where it was stopped within a computation that has no partial result.
     fn result(&self, system: &System, context: &Context) -> Result<Self::Result, Diagnostic> {
-        speed_range::known(self, system)?;
+        speed_range::able(self, system)?;
         watch::run(self, system, context, || self.compute(system, context))?
             .map_err(|_| Diagnostic::error(watch::STOPPED, text!("the study was stopped within a computation that has no partial result")))
     }

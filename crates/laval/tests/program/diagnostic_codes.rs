@@ -8,9 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Calls that take a code, all of whose messages are among their arguments or named there.
 const CALLS: [&str; 6] = ["error(", "warning(", "UnitError::new(", "wrong(", "incomplete(", "invalid("];
 /// Codes whose sentences functions of this name return, and where these are.
-const BY_FUNCTION: [(&str, &str, &str); 8] = [
+const BY_FUNCTION: [(&str, &str, &str); 9] = [
     ("bearing_linear.table", "pub fn new(speed: &[f64]", "laval-model/src/parts/bearing_linear.rs"),
     ("part.axis", "fn refuses_axis(", "laval-"),
+    ("part.spins", "fn refuses_ratio(", "laval-"),
     ("part.check", "fn check(&self, p:", "laval-model/src/parts/"),
     ("part.check", "fn wrong(&self, p:", "laval-model/src/parts/"),
     ("part.incomplete", "fn incomplete(", "laval/src/file/"),

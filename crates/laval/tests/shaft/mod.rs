@@ -8,5 +8,6 @@ mod imported;
 mod machines;
 mod reduced;
 mod rotors;
+mod spins;
 mod statics;
 mod support_map;

@@ -42,6 +42,12 @@ diag-and-no-inertia-is-left-for-2cc3 = "{ $slot }": { $what }, and no inertia is
 diag-is-missing-3e54 = { $name } is missing
 diag-is-it-must-be-2e8e = { $name } is { $value }; it must be { $wanted }
 
+## laval-model/src/model/spins.rs
+
+diag-add-a-part-of-kind-spin-abab = add a part of kind = "spin" with this name and its ratio to the speed of the machine
+diag-spins-of-this-machine-d82c = spins of this machine: { $spins }
+diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" turns with the spin "{ $name }", which does not exist
+
 ## laval-model/src/model/system.rs
 
 diag-parameters-of-a-reduced-machine-cannot-b5d6 = parameters of a reduced machine cannot be changed
@@ -138,6 +144,7 @@ diag-the-coefficients-come-from-the-table-544d = the coefficients come from the 
 ## laval-model/src/parts/coupling.rs
 
 diag-the-coupling-does-nothing-give-it-f96d = the coupling does nothing: give it a stiffness
+diag-a-coupling-joins-shafts-of-one-3e2d = a coupling joins shafts of one speed; between shafts of different speeds use a gear or a bearing
 
 ## laval-model/src/parts/damper.rs
 
@@ -157,6 +164,12 @@ diag-the-height-of-an-unbalance-acts-aa0a = the height of an unbalance acts on t
 diag-give-diametral-inertia-as-well-or-5350 = give diametral_inertia as well, or leave at out
 diag-no-body-has-a-polar-inertia-d7e0 = no body has a polar inertia ({ $polar_inertia }) above twice its diametral inertia ({ $diametral_inertia }); a thin disc has just twice
 diag-acts-on-the-tilt-and-this-25d2 = { $field } acts on the tilt, and this disc does not tilt: give diametral_inertia as well
+
+## laval-model/src/parts/gear.rs
+
+diag-a-wheel-sits-on-a-turning-8ee2 = a wheel sits on a turning body, not on the ground
+diag-name-the-two-shafts-or-discs-cbce = name the two shafts or discs that carry the wheels
+diag-the-second-body-turns-times-as-56df = the second body turns { $ratio } times as fast as the first, and by the radii { $needed } times; give it a spin of that ratio
 
 ## laval-model/src/parts/liquid/check.rs
 
@@ -277,6 +290,10 @@ diag-the-disc-at-is-not-between-4718 = the disc at { $x } is not between support
 diag-the-exponentials-were-chosen-for-another-1eef = the exponentials were chosen for another kernel and miss this one by more than their accuracy: build the machine with it, or widen band
 diag-amplitude-exponent-and-decay-have-no-58ce = amplitude, exponent and decay have no effect beside several terms
 diag-amplitude-exponent-and-decay-have-no-4e1d = amplitude, exponent and decay have no effect beside exponentials
+
+## laval-model/src/parts/spin.rs
+
+diag-a-spin-of-ratio-0-stands-f193 = a spin of ratio 0 stands still: parts that do not turn need none
 
 ## laval-model/src/parts/spin_load.rs
 
@@ -1502,6 +1519,8 @@ diag-take-about-gb-of-memory-more-e408 = { $of } take about { $needed } GB of me
 
 ## laval/src/study/shared/speed_range.rs
 
+diag-this-study-knows-one-spin-and-77ac = this study knows one spin, and the machine has another one, "{ $name }"
+diag-its-linear-studies-and-its-motion-2269 = its linear studies and its motion in time (modes, campbell, critical_speeds, transient) take several spins
 diag-the-study-needs-the-coefficients-of-46db = the study needs the coefficients of "{ $name }" at { $from }; its table goes from { $low } to { $high }
 diag-the-study-needs-the-coefficients-of-bb45 = the study needs the coefficients of "{ $name }" from { $from } to { $to }; its table goes from { $low } to { $high }
 diag-keep-to-speeds-of-the-table-c95a = keep to speeds of the table, add rows to it, or write beyond = "hold" or beyond = "linear" in "{ $name }": results beyond are then marked

@@ -1560,3 +1560,13 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } өзгеше (элемент
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia мен gyroscopic барлық элементтерде қосулы; модельде олар өшірулі (элементтер саны: { $n })
 diag-left-out-or-different-in-ross-343d = Көшірілмеді немесе ROSS ішінде басқаша:
 diag-and-more-1d3b = { $names } және тағы { $n }
+diag-add-a-part-of-kind-spin-abab = осы аты бар kind = "spin" бөлшегін және оның машинаның айналу жиілігіне қатынасын қосыңыз
+diag-spins-of-this-machine-d82c = осы машинаның айналулары: { $spins }
+diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" "{ $name }" айналуымен айналады, ал ондай айналу жоқ
+diag-a-coupling-joins-shafts-of-one-3e2d = муфта айналу жиілігі бірдей біліктерді қосады; әртүрлі жиіліктегі біліктер арасында тісті беріліс немесе подшипник керек
+diag-a-wheel-sits-on-a-turning-8ee2 = дөңгелек айналатын денеде отырады, жерде емес
+diag-name-the-two-shafts-or-discs-cbce = дөңгелектер отырған екі білікті немесе дискіні атаңыз
+diag-the-second-body-turns-times-as-56df = екінші дене біріншіден { $ratio } есе жылдам айналады, ал радиустар бойынша { $needed } есе; оған осы қатынастағы айналу беріңіз
+diag-a-spin-of-ratio-0-stands-f193 = қатынасы 0 айналу орнында тұр: айналмайтын бөлшектерге ол керек емес
+diag-this-study-knows-one-spin-and-77ac = бұл есепке бір айналу керек, ал машинада басқасы бар, "{ $name }"
+diag-its-linear-studies-and-its-motion-2269 = сызықтық есептер мен уақыттағы қозғалыс (modes, campbell, critical_speeds, transient) бірнеше айналуға жол береді

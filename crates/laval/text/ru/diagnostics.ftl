@@ -1250,3 +1250,13 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } отличается (эле
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia и gyroscopic включены во всех элементах; в модели они выключены (элементов: { $n })
 diag-left-out-or-different-in-ross-343d = Не перенесено или иначе в ROSS:
 diag-and-more-1d3b = { $names } и ещё { $n }
+diag-add-a-part-of-kind-spin-abab = добавьте деталь kind = "spin" с этим именем и её отношением к частоте вращения машины
+diag-spins-of-this-machine-d82c = вращения этой машины: { $spins }
+diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" вращается вместе с "{ $name }", а такого вращения нет
+diag-a-coupling-joins-shafts-of-one-3e2d = муфта соединяет валы с одной частотой вращения; между валами с разной частотой нужны зубчатая передача или подшипник
+diag-a-wheel-sits-on-a-turning-8ee2 = колесо сидит на вращающемся теле, а не на земле
+diag-name-the-two-shafts-or-discs-cbce = назовите два вала или диска, на которых сидят колёса
+diag-the-second-body-turns-times-as-56df = второе тело вращается в { $ratio } раза быстрее первого, а по радиусам в { $needed }; задайте ему вращение с этим отношением
+diag-a-spin-of-ratio-0-stands-f193 = вращение с отношением 0 стоит на месте: деталям, которые не вращаются, оно не нужно
+diag-this-study-knows-one-spin-and-77ac = этому расчёту нужно одно вращение, а у машины есть другое, "{ $name }"
+diag-its-linear-studies-and-its-motion-2269 = линейные расчёты и движение во времени (modes, campbell, critical_speeds, transient) допускают несколько вращений

@@ -1558,3 +1558,13 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } farq qiladi (elementlar soni
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia va gyroscopic barcha elementlarda yoqilgan; modelda ular o‘chirilgan (elementlar soni: { $n })
 diag-left-out-or-different-in-ross-343d = Ko‘chirilmadi yoki ROSS da boshqacha:
 diag-and-more-1d3b = { $names } va yana { $n }
+diag-add-a-part-of-kind-spin-abab = shu nomli kind = "spin" qismini va uning mashina aylanish chastotasiga nisbatini qo‘shing
+diag-spins-of-this-machine-d82c = bu mashinaning aylanishlari: { $spins }
+diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" "{ $name }" aylanishi bilan aylanadi, bunday aylanish esa yo‘q
+diag-a-coupling-joins-shafts-of-one-3e2d = mufta bir xil chastotada aylanadigan vallarni ulaydi; har xil chastotadagi vallar orasida tishli uzatma yoki podshipnik kerak
+diag-a-wheel-sits-on-a-turning-8ee2 = g‘ildirak aylanadigan jismda o‘tiradi, yerda emas
+diag-name-the-two-shafts-or-discs-cbce = g‘ildiraklar o‘tirgan ikki val yoki diskni ayting
+diag-the-second-body-turns-times-as-56df = ikkinchi jism birinchidan { $ratio } marta tez aylanadi, radiuslar bo‘yicha esa { $needed } marta; unga shu nisbatdagi aylanish bering
+diag-a-spin-of-ratio-0-stands-f193 = nisbati 0 bo‘lgan aylanish joyida turadi: aylanmaydigan qismlarga u kerak emas
+diag-this-study-knows-one-spin-and-77ac = bu hisobga bitta aylanish kerak, mashinada esa boshqasi bor, "{ $name }"
+diag-its-linear-studies-and-its-motion-2269 = chiziqli hisoblar va vaqtdagi harakat (modes, campbell, critical_speeds, transient) bir necha aylanishga yo‘l qo‘yadi

@@ -37,6 +37,7 @@ use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
 use crate::model::params::{RowFamily, WithRows};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Params, Part, Physics, Validity};
 use crate::params;
+use crate::parts::spin::SPIN;
 use crate::text;
 use crate::text::Text;
 use element::{Cone, Element, M4, Material, Plane, Shear};
@@ -115,6 +116,8 @@ pub struct Shaft {
     axial: bool,
     /// It also twists.
     torsional: bool,
+    /// The part that gives the ratio of its spin.
+    spin: Option<String>,
     mesh: Mesh,
 }
 
@@ -130,6 +133,7 @@ impl Shaft {
             cone: Cone::Flexibility,
             axial: false,
             torsional: false,
+            spin: None,
             mesh,
         }
     }
@@ -149,6 +153,10 @@ impl Shaft {
     /// With displacement along the axis and rotation about it as well.
     pub fn coordinates(self, axial: bool, torsional: bool) -> Self {
         Shaft { axial, torsional, ..self }
+    }
+    /// Turning with another spin than that of the machine: the name of the part that gives its ratio.
+    pub fn spin(self, name: impl Into<String>) -> Self {
+        Shaft { spin: Some(name.into()), ..self }
     }
     /// Coordinates of a node: x, y, tilt_x, tilt_y, then axial and twist as far as it has them.
     fn node(&self) -> usize {
@@ -223,6 +231,7 @@ material = "steel"
             FieldKind::Columns(SECTION),
             "the sections from the lower end to the upper: as many entries in each list",
         ),
+        Field::optional("spin", FieldKind::Text, "", SPIN),
         Field::optional(
             "material",
             FieldKind::Choice(WORDS),
@@ -305,6 +314,7 @@ material = "steel"
         let cone = if values.choice("cone") == Some("mid_section") { Cone::MidSection } else { Cone::Flexibility };
         let own = |name: &str| values.flag(name) == Some(true);
         let shaft = Shaft::new(lengths, outer).shear(shear).cone(cone).coordinates(own("axial"), own("torsional"));
+        let shaft = Shaft { spin: values.text("spin").map(str::to_string), ..shaft };
         let Some(n) = values.integer("elements") else { return Some(shaft) };
         let n = n.clamp(1, MOST_ELEMENTS) as usize;
         if n * lengths.len() > MOST {
@@ -324,7 +334,7 @@ material = "steel"
             let node = Dof::lateral().into_iter().chain(Dof::tilt()).chain(along);
             own.extend(node.map(|d| Dof { name: format!("node_{k}.{}", d.name), ..d }));
         }
-        Layout::body(own)
+        Layout { spin: self.spin.clone(), ..Layout::body(own) }
     }
     fn physics(&self) -> Physics {
         Physics::Linear

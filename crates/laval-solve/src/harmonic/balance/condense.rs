@@ -187,8 +187,8 @@ impl Condenser {
 
     /// Fills the memory states that belong to coordinates moving as `amplitude exp(s t)`.
     pub fn memory_states(&self, system: &System, s: C64, coordinates: &[C64], states: &mut [C64]) {
-        let speed = self.model.speed.re;
         for mem in &self.model.memory {
+            let speed = mem.speed.re;
             let map = &system.slots()[mem.slot].map;
             let input = |i: usize| map[i].iter().fold(C64::zero(), |sum, &(g, x)| sum + coordinates[g].scale(x));
             for (k, z) in mem.list.iter().enumerate() {

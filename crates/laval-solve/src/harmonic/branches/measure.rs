@@ -253,8 +253,9 @@ impl<S: Evaluate> Local<S> {
         refill(rows, slot.map.len(), S::zero());
         refill(rate, slot.states.len(), S::zero());
         let mut spin = S::zero();
-        let at =
+        let point =
             At { q, v, a, z: &now.z[slot.states.clone()], phase: S::cst(now.phase), speed: now.speed, spin_accel: S::zero(), t: S::zero() };
+        let at = slot.turned(params, point);
         let mut out = Rows { force: rows, rate, spin: &mut spin };
         S::residual(&*slot.part, &params[slot.params.clone()], &at, &mut out, blocks);
         [rows[0], rows[1]]

@@ -45,12 +45,22 @@ pub(in crate::study) const ORDERS: Field = Field::optional(
     "multiples of the spin speed that excite: 1 is unbalance",
 );
 
-/// The orders requested, ascending and different; 1 when none are.
-pub(in crate::study) fn orders(values: &Values) -> Vec<f64> {
-    let mut orders = values.list("orders").map_or_else(|| vec![1.0], <[f64]>::to_vec);
+/// The orders requested, ascending and different; where none are, those of the spins.
+pub(in crate::study) fn orders(values: &Values, system: &System) -> Vec<f64> {
+    let mut orders = values.list("orders").map_or_else(Vec::new, <[f64]>::to_vec);
+    if orders.is_empty() {
+        orders = spin_orders(system);
+    }
     ascending(&mut orders);
     orders.dedup();
-    if orders.is_empty() { vec![1.0] } else { orders }
+    orders
+}
+
+/// Orders at which unbalance acts: 1, and the ratios of other spins.
+pub(in crate::study) fn spin_orders(system: &System) -> Vec<f64> {
+    let mut all = vec![1.0];
+    all.extend(system.spins().iter().map(|&i| system.params()[i].abs()));
+    all
 }
 
 /// A crossing as a special point.
@@ -196,6 +206,7 @@ orders = [1, 2]
 "#;
     const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
         and the critical speeds where they cross.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"),
         ORDERS,
@@ -204,13 +215,13 @@ orders = [1, 2]
         approximation::COMPARE,
     ];
 
-    fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let one: fn(Text) -> Text = |help| text!("{help}; modes shows the modes at one speed", help);
         let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics)?;
         let threshold = values.number("growth_threshold").unwrap_or(0.0);
         Some(Campbell {
             speed,
-            orders: orders(values),
+            orders: orders(values, system),
             threshold,
             frequency: values.number("frequency_limit"),
             compare: approximation::wanted(values),

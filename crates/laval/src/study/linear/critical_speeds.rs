@@ -52,6 +52,7 @@ margin = "20 %"
 "#;
     const DOC: &'static str = "Critical speeds, solved for on the dynamic stiffness of the machine, with the peaks of the unbalance response beside \
         them and the distance to the operating speed.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds to search; 120 points unless given"),
         ORDERS,
@@ -66,7 +67,7 @@ margin = "20 %"
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
         let margin = values.number("margin").or_else(|| operation::required_margin(system)).unwrap_or(operation::MARGIN);
-        Some(CriticalSpeeds { speed, orders: orders(values), margin })
+        Some(CriticalSpeeds { speed, orders: orders(values, system), margin })
     }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {

@@ -80,6 +80,7 @@ kick = { "drum.x'" = "20 mm/s" }
     const DOC: &'static str = "Motion in time from a given start at constant speed, or with the spin free to move by itself when the machine's drive \
         is free. Reports the motion, the energy balance, the largest displacements and whether the motion grows. A spatial \
         liquid is a sum over waves in time: its error is stated, and how far it moves the roots; so is a viscous liquid at constant speed.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("duration", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) }, "time to compute"),
         Field::optional(

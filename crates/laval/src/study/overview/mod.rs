@@ -130,7 +130,7 @@ fn ends(speeds: &[f64]) -> Option<(f64, f64)> {
 fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::Result> {
     let run = || {
         // coefficients beyond a table that refuses them are not known
-        speed_range::known(study, system)?;
+        speed_range::able(study, system)?;
         study.admit(system)?;
         study.compute(system, context)
     };
@@ -232,7 +232,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
     let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
     let worst = operating.and_then(|o| {
-        speed_range::known(&map(ordered(o.low, o.high, 2)), system).ok()?;
+        speed_range::able(&map(ordered(o.low, o.high, 2)), system).ok()?;
         worst::worst(system, o, sign, context)
     });
     let near = operating.filter(|_| matches!(stability, Known::Yes(_))).and_then(|o| {
@@ -240,7 +240,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         let known = match &worst {
             // the boundaries of what is unstable between two of the speeds as well
             Some(worst) if !in_region(system) => limited(context, || {
-                speed_range::known(&map(about), system)?;
+                speed_range::able(&map(about), system)?;
                 let mut speeds = about.linspace(NEAR);
                 speeds.extend(&worst.peaks);
                 ascending(&mut speeds);

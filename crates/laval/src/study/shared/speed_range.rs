@@ -4,7 +4,7 @@
 use crate::diagnostic::{Diagnostic, Span};
 use crate::model::field::Values;
 use crate::model::part::{Beyond, Tabulated};
-use crate::model::system::System;
+use crate::model::system::{Slot, System};
 use crate::outcome::{Arg, Finding, Level, Message, Outcome};
 use crate::study::Study;
 use crate::text;
@@ -49,8 +49,22 @@ pub(in crate::study) fn place(values: &Values) -> Option<Span> {
 pub(in crate::study) const BEYOND: &str = "study.beyond_table";
 
 /// # Errors
+/// A machine of several spins in a study of one; a speed at which a part is not known.
+pub(in crate::study) fn able<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
+    let another = || system.spins().first().and_then(|&i| system.slots().iter().find(|s| s.params.contains(&i)));
+    if !T::SEVERAL_SPINS
+        && let Some(spin) = another()
+    {
+        let message = text!("this study knows one spin, and the machine has another one, \"{name}\"", name = spin.name);
+        let help = text!("its linear studies and its motion in time (modes, campbell, critical_speeds, transient) take several spins");
+        return Err(Diagnostic::error("study.spins", message).help(help));
+    }
+    known(study, system)
+}
+
+/// # Errors
 /// A speed at which a part is not known.
-pub(in crate::study) fn known<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
+fn known<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
     let refusing: Vec<_> = tabulated(system).filter(|(_, t)| t.beyond == Beyond::Refuse).collect();
     if refusing.is_empty() {
         return Ok(());
@@ -96,7 +110,13 @@ pub(in crate::study) fn mark_beyond<T: Study>(study: &T, system: &System, outcom
 }
 
 fn tabulated(system: &System) -> impl Iterator<Item = (&str, Tabulated)> {
-    system.slots().iter().filter_map(|s| Some((s.name.as_str(), s.part.scope()?.tabulated()?)))
+    let table = |s: &Slot| {
+        let t = s.part.scope()?.tabulated()?;
+        // over the speed of the machine
+        let ratio = s.speed(system.params(), 1.0);
+        Some(Tabulated { from: (t.from / ratio).min(t.to / ratio), to: (t.from / ratio).max(t.to / ratio), ..t })
+    };
+    system.slots().iter().filter_map(move |s| Some((s.name.as_str(), table(s)?)))
 }
 
 /// How far the speeds go beyond the table, rad/s.

@@ -93,6 +93,21 @@ pub const CASES: &[Case] = &[
              torsional_stiffness = 1e3\ntorsional_damping = 0.1",
         )
     },
+    Case {
+        beside: "[[part]]\nkind = \"disc\"\nname = \"other_wheel\"\nspin = \"other\"\nmass = 1.5\ndiametral_inertia = 2e-3\npolar_inertia = 3e-3\neccentricity = 1e-5\n\
+                 [[part]]\nkind = \"shaft_lumped\"\nname = \"link\"\nbetween = [\"other_wheel\", \"drum\"]\nstiffness = 3e6\ntilt_stiffness = 2e3\n",
+        ..case("other", "spin", "ratio = -1.3")
+    },
+    Case {
+        beside: "[[part]]\nkind = \"spin\"\nname = \"fast\"\nratio = -2\n\
+                 [[part]]\nkind = \"disc\"\nname = \"wheel\"\nspin = \"fast\"\nmass = 1.5\npolar_inertia = 3e-3\ntorsional = true\n\
+                 [[part]]\nkind = \"bearing_linear\"\nname = \"link\"\nbetween = [\"wheel\", \"ground\"]\nkxx = 3e6\nkyy = 5e6\ncxx = 100\ncyy = 100\n",
+        ..case(
+            "mesh",
+            "gear",
+            "between = [\"drum\", \"wheel\"]\nfirst_radius = 0.1\nsecond_radius = 0.05\nstiffness = 1e7\ndamping = 20\nazimuth = 0.4\npressure_angle = 0.35\ntorque = 5",
+        )
+    },
     case("journal", "bearing_journal", "clearance = \"0.5 mm\"\nviscosity = \"5 mPa s\""),
     case("ring", "squeeze_film", "clearance = \"0.6 mm\"\nviscosity = \"2 mPa s\""),
     case("stop", "stop", "gap = \"15 um\"\nstiffness = 1e6"),

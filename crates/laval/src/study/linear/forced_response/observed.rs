@@ -284,10 +284,11 @@ fn exact_forces(system: &System, r: &Response) -> Vec<(String, f64)> {
         let (n, params) = (slot.map.len(), &system.params()[slot.params.clone()]);
         let moved: Vec<C64> = slot.map.iter().map(|row| row.iter().fold(C64::zero(), |sum, &(g, x)| sum + r.x[g].scale(x))).collect();
         let (mut reaction, mut load) = (vec![C64::zero(); n * n], Blocks::default());
-        load.reset(n, 0, r.speed);
+        let speed = slot.speed(system.params(), r.speed);
+        load.reset(n, 0, speed);
         if let Some(part) = slot.part.frequency_domain() {
-            part.impedance_f64(params, c(0.0, r.speed), r.speed, &mut reaction);
-            part.load_f64(params, r.speed, &mut load);
+            part.impedance_f64(params, c(0.0, r.speed), speed, &mut reaction);
+            part.load_f64(params, speed, &mut load);
         }
         let force = |i: usize| (0..n).fold(c(-load.force_cos[i], load.force_sin[i]), |sum, j| sum + reaction[i * n + j] * moved[j]);
         let (forward, backward) = circular(force(0), force(1));

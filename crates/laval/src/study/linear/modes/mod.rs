@@ -85,6 +85,7 @@ impl Study for Modes {
 "#;
     const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body \
         takes part, and the shape along the axis of a machine with several points. about = \"turning\" linearises about the state that turns with the rotor.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] =
         &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD, region::FREQUENCY_LIMIT];
 

@@ -64,6 +64,7 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
     const DOC: &'static str = "Where the machine is unstable: growth rate over the spin speed, alone or together with one parameter, with the \
         boundary and the peaks of the growth located. Nonlinear parts enter by their tangent in the state it is linearised about; nonlinear_response \
         assesses the motion that unbalance drives, whose ranges differ where that motion is not small.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "one spin speed, or a range of 200 points unless given"),
         Field::optional(

@@ -48,6 +48,7 @@ impl Study for Static {
     const DOC: &'static str = "The machine at rest under its weight (axis = \"horizontal\" in [machine]) and constant forces: deflection, slope, shear force and \
         bending moment along its shafts, loads of its bearings, mass and moments of inertia. Twice: with the stiffness that the bearings have at a speed, and on \
         rigid supports in their places.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::optional("speed", SPEED, "", "speed whose coefficients the bearings have; the machine's when left out, or 0 without one"),
         supporting::SUPPORTS,

@@ -67,6 +67,7 @@ maximise = "least_damped_mode damping ratio"
 "#;
     const DOC: &'static str = "Recommended parameters within bounds: makes a number that another study finds as small or as large as possible (least peak, least force, \
         widest window, highest speed of instability), keeps limits on others, and says how far each parameter may stray.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("study", FieldKind::Study, "what is computed for every machine"),
         Field::required(

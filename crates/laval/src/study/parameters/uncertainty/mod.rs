@@ -86,6 +86,7 @@ samples = 256
 "#;
     const DOC: &'static str = "Runs another study for many values of uncertain parameters: mean, deviation and quantiles of every number it finds, how often \
         it finds it at all, and, where requested, which parameter matters how much.";
+    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("study", FieldKind::Study, "what is computed for every sample"),
         Field::required("parameters", FieldKind::Tolerances, "the uncertain parameters, independent of each other"),

@@ -1,0 +1,59 @@
+//! Spins of a machine: with which of them its parts turn.
+//!
+//! A machine has one spin, of angle phase and speed W, and others of fixed ratios to it: angle r phase, speed r W. A part sees the angle, speed and acceleration of
+//! its own spin; the torque that it puts on that spin enters the spin row of the machine times r (virtual work).
+
+use super::slot::Slot;
+use super::system::System;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::text;
+
+/// Difference of ratios that belong together, over their size.
+const SAME: f64 = 1e-6;
+
+impl System {
+    /// The parameter that is the ratio of a part's spin: of the one that it names, or of the first turning body that it is attached to.
+    pub(super) fn spin_of(&self, k: usize) -> Result<Option<usize>, Box<Diagnostic>> {
+        let slot = &self.slots[k];
+        if let Some(name) = &slot.layout.spin {
+            let ratio = |s: &Slot| Some(s.params.start + s.part.spin_ratio()?);
+            if let Some(found) = self.slots.iter().find(|s| &s.name == name).and_then(ratio) {
+                return Ok(Some(found));
+            }
+            let spins: Vec<&str> = self.slots.iter().filter(|s| s.part.spin_ratio().is_some()).map(|s| s.name.as_str()).collect();
+            let help = if spins.is_empty() {
+                text!("add a part of kind = \"spin\" with this name and its ratio to the speed of the machine")
+            } else {
+                text!("spins of this machine: {spins}", spins = spins.join(", "))
+            };
+            let message = text!("\"{slot}\" turns with the spin \"{name}\", which does not exist", slot = slot.name, name);
+            return Err(Box::new(Diagnostic::error("spin.missing", message).at(slot.span.clone()).help(help)));
+        }
+        Ok(self.turning(k).next().and_then(|s| s.ratio))
+    }
+
+    /// The turning bodies that a part is attached to.
+    fn turning(&self, k: usize) -> impl Iterator<Item = &Slot> {
+        let bodies = self.slots[k].layout.ports.iter().flat_map(|p| p.link.bodies());
+        let body = |name: &str| self.slots.iter().find(|s| s.name == name);
+        bodies.filter_map(body).filter(|s| s.ratio.is_some() || s.part.body().is_some_and(|b| b.turns()))
+    }
+
+    /// Refuses parts that do not join bodies of their spins.
+    pub(super) fn check_spins(&self, diagnostics: &mut Diagnostics) {
+        let factor = |s: &Slot| s.ratio.map_or(1.0, |i| self.params[i]);
+        for (k, slot) in self.slots.iter().enumerate() {
+            let mut ends = self.turning(k).map(factor);
+            let (Some(first), Some(second)) = (ends.next(), ends.next()) else { continue };
+            if let Some(message) = slot.part.scope().and_then(|s| s.refuses_ratio(&self.params[slot.params.clone()], second / first)) {
+                let message = text!("\"{name}\": {message}", name = slot.name, message);
+                diagnostics.push(Diagnostic::error("part.spins", message).at(slot.span.clone()));
+            }
+        }
+    }
+}
+
+/// Two ratios of speeds are one, but for rounding of what a file says.
+pub fn same_ratio(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME * a.abs().max(b.abs())
+}

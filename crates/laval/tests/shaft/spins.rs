@@ -1,0 +1,264 @@
+//! Machines of several spins: coaxial shafts, geared shafts, and what does not go together.
+
+use crate::common::files::load;
+use laval::model::erased::D1;
+use laval::model::linear::{Form, LinearModel, LinearScratch};
+use laval::model::part::{At, Rows};
+use laval::model::system::{System, Workspace};
+use laval::model::system::Drive;
+use laval::solve::motion::trajectory::{Choice, Plan, simulate};
+use laval::solve::motion::{Motion, SpinLaw};
+use laval::solve::pencil::{Linearised, MachineMode};
+use laval::solve::rest::rest;
+
+const RATIO: f64 = -1.4;
+
+/// An outer disc at the speed of the machine and an inner one at another, on bearings of their own and one between them.
+fn coaxial(speed: f64, between: &str) -> String {
+    format!(
+        r#"
+[machine]
+name = "coaxial"
+speed = {speed}
+[[part]]
+kind = "spin"
+name = "inner"
+ratio = {RATIO}
+[[part]]
+kind = "disc"
+name = "case"
+mass = 12.0
+polar_inertia = 0.3
+diametral_inertia = 0.2
+eccentricity = 2e-5
+[[part]]
+kind = "disc"
+name = "core"
+spin = "inner"
+mass = 7.0
+polar_inertia = 0.11
+diametral_inertia = 0.08
+eccentricity = 3e-5
+eccentricity_phase = 0.4
+{own}{between}"#,
+        own = ["case", "core"]
+            .iter()
+            .enumerate()
+            .flat_map(|(k, body)| [("lower", -0.2), ("upper", 0.3)].map(|at| (k, *body, at)))
+            .map(|(k, body, (name, at))| format!(
+                "[[part]]\nkind = \"bearing_linear\"\nname = \"{body}_{name}\"\nbetween = [{{ body = \"{body}\", at = {at} }}, \"ground\"]\nkxx = {0}\nkyy = {1}\ncxx = 200.0\ncyy = 260.0\n",
+                2e6 + 4e5 * k as f64,
+                2.6e6
+            ))
+            .collect::<String>(),
+    )
+}
+
+/// The core alone, at the speed of its own spin.
+fn core(speed: f64) -> String {
+    let all = coaxial((RATIO * speed).abs(), "");
+    let blocks: Vec<&str> = all.split("[[part]]").collect();
+    let own = |b: &&&str| b.contains("\"core") || b.contains("[machine]");
+    blocks.iter().filter(own).map(|b| b.replace("spin = \"inner\"\n", "")).collect::<Vec<_>>().join("[[part]]")
+}
+
+const BETWEEN: &str = "[[part]]\nkind = \"bearing_linear\"\nname = \"between\"\nbetween = [{ body = \"core\", at = 0.1 }, { body = \"case\", at = 0.1 }]\nkxx = 3e6\nkyy = 3e6\ncxx = 150.0\ncyy = 150.0\n";
+
+fn modes(system: &System, speed: f64) -> Vec<MachineMode> {
+    Linearised::new(system, &rest(system, speed).unwrap()).unwrap().spectrum().unwrap().modes
+}
+
+/// What turns with another spin and touches nothing else behaves as a machine of that speed.
+#[test]
+fn a_shaft_of_its_own_spin_is_a_machine_of_that_speed() {
+    let (speed, both) = (700.0, load(&coaxial(700.0, "")).system);
+    let alone = load(&core(speed)).system;
+    let (all, own) = (modes(&both, speed), modes(&alone, RATIO * speed));
+    assert_eq!((own.len(), all.len()), (4, 8));
+    for m in &own {
+        let near = all.iter().map(|o| (o.value - m.value).abs() / m.value.abs()).fold(f64::INFINITY, f64::min);
+        assert!(near < 1e-12, "{:?}", m.value);
+    }
+    // at the speed of the machine it would have other modes
+    let wrong = modes(&alone, speed);
+    assert!(wrong.iter().all(|m| all.iter().all(|o| (o.value - m.value).abs() / m.value.abs() > 1e-4)));
+}
+
+/// The state after 0.2 s.
+fn end_of(motion: &mut Motion, y: &[f64]) -> Vec<f64> {
+    let plan = Plan {
+        t_end: 0.2,
+        choice: Choice::Explicit,
+        relative: 1e-11,
+        absolute: 1e-12,
+        outputs: &[],
+        windows: 1,
+        rest: &[],
+        bound: f64::INFINITY,
+        kick: None,
+        max_steps: 10_000_000,
+        cancel: &|| false,
+        progress: &|_| {},
+    };
+    simulate(motion, y, &plan).unwrap().state
+}
+
+/// A spin that is free carries the energy of all that it turns: it changes by what is dissipated, and by the square of the ratio for a drag on the other spin.
+#[test]
+fn a_free_spin_keeps_the_account_of_its_energy() {
+    let drag = "[[part]]\nkind = \"spin_load\"\nspin = \"inner\"\ndrag = 0.3\n";
+    let mut system = load(&coaxial(300.0, &format!("{BETWEEN}{drag}"))).system;
+    system.machine.drive = Drive::Free;
+    let mut motion = Motion::new(&system, SpinLaw::Free).unwrap();
+    motion.keep_account().unwrap();
+    let mut y = vec![0.0; 2 * system.n() + 2 + 4];
+    y[2 * system.n() + 1] = 300.0;
+    y[system.coordinate("core.x").unwrap()] = 3e-4;
+    let end = end_of(&mut motion, &y);
+    let (from, to) = (motion.stored_energy(0.0, &y).unwrap(), motion.stored_energy(0.2, &end).unwrap());
+    let account = &end[2 * system.n() + 2..];
+    let lost = account[0] - account[1] - account[2] - account[3];
+    assert!(from - to > 1000.0 && (from - to - lost).abs() < 1e-8 * from, "{from} {to} {lost}");
+    // the drag alone, on rigid rotors
+    let inertia = 0.3 + RATIO * RATIO * 0.11;
+    let expected = 300.0 * (-RATIO * RATIO * 0.3 / inertia * 0.2f64).exp();
+    let speed = end[2 * system.n() + 1];
+    assert!((speed / expected - 1.0).abs() < 2e-3, "{speed} {expected}");
+}
+
+/// In time as well: loads, gyroscopic moments and their signs, at constant speed and while the speed changes.
+#[test]
+fn its_motion_is_that_of_the_machine_of_that_speed() {
+    use laval::solve::programme::{Programme, Shape};
+    for changing in [false, true] {
+        let programme = |ratio: f64| {
+            let (a, b) = (300.0 * ratio, if changing { 900.0 * ratio } else { 300.0 * ratio });
+            if changing { Programme::ramp(a, b, 0.2, Shape::Linear, 0.3 * ratio).unwrap() } else { Programme::constant(a, 0.3 * ratio) }
+        };
+        let end = |text: &str, ratio: f64| {
+            let system = load(text).system;
+            let y = end_of(&mut Motion::new(&system, SpinLaw::Programme(programme(ratio))).unwrap(), &vec![0.0; 2 * system.n()]);
+            let first = system.coordinate("core.x").unwrap();
+            y[first..first + 4].to_vec()
+        };
+        let (both, alone) = (end(&coaxial(300.0, ""), 1.0), end(&core(300.0), RATIO));
+        let size = alone.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        assert!(size > 1e-7);
+        for (a, b) in both.iter().zip(&alone) {
+            assert!((a - b).abs() < 1e-8 * size, "{changing}: {both:?} {alone:?}");
+        }
+    }
+}
+
+/// A machine seen in a mirror has its spins reversed and the same frequencies.
+#[test]
+fn mirrored_spins_have_the_same_frequencies() {
+    let system = load(&coaxial(700.0, BETWEEN)).system;
+    let (there, back) = (modes(&system, 700.0), modes(&system, -700.0));
+    for (a, b) in there.iter().zip(&back) {
+        assert!((a.value.im.abs() - b.value.im.abs()).abs() < 1e-9 * a.value.abs());
+    }
+    let own = modes(&load(&coaxial(700.0, "")).system, 700.0);
+    assert!(there.iter().any(|m| own.iter().all(|o| (o.value - m.value).abs() > 1e-3 * m.value.abs())), "the bearing between them couples");
+}
+
+/// The model holds exact derivatives in the ratio.
+#[test]
+fn the_ratio_is_a_parameter() {
+    let system = load(&coaxial(700.0, BETWEEN)).system;
+    let index = system.param("inner.ratio").unwrap()[0];
+    let (speed, step) = (700.0, 1e-5);
+    let plain = |ratio: f64| {
+        let mut params = system.params().to_vec();
+        params[index] = ratio;
+        let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+        system.linear(&params, speed, Form::Time, &mut model, &mut scratch);
+        (model.polynomial()[1].clone(), model.loads.others[0].force[0].clone())
+    };
+    let mut params: Vec<D1> = system.params().iter().map(|&x| D1::lift(x)).collect();
+    params[index].eps[0] = 1.0;
+    let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+    system.linear(&params, D1::lift(speed), Form::Time, &mut model, &mut scratch);
+    let ((up, load_up), (down, load_down)) = (plain(RATIO + step), plain(RATIO - step));
+    let mut seen = 0;
+    let exact: Vec<f64> = model.polynomial()[1].iter().chain(&model.loads.others[0].force[0]).map(|x| x.eps[0]).collect();
+    for (d, (a, b)) in exact.iter().zip(up.iter().chain(&load_up).zip(down.iter().chain(&load_down))) {
+        let difference = (a - b) / (2.0 * step);
+        assert!((d - difference).abs() < 1e-7 * (1.0 + difference.abs()), "{d} {difference}");
+        seen += usize::from(difference != 0.0);
+    }
+    assert!(seen >= 3, "gyroscopic moments and the load depend on it");
+}
+
+/// Inertia about the axis counts in the spin row with the square of the ratio, and the torque of gyroscopic and unbalanced forces is a power over the speed.
+#[test]
+fn the_spin_row_is_that_of_the_geared_train() {
+    let system = load(&coaxial(700.0, "").replace("eccentricity = 2e-5", "").replace("eccentricity = 3e-5", "")).system;
+    let zero = vec![0.0; system.n()];
+    let at = At { q: &zero, v: &zero, a: &zero, z: &[], phase: 0.2, speed: 700.0, spin_accel: 3.0, t: 0.0 };
+    let (mut force, mut spin) = (zero.clone(), 0.0);
+    let mut rows = Rows { force: &mut force, rate: &mut [], spin: &mut spin };
+    system.residual(system.params(), &at, &mut rows, &mut Workspace::default(), |_| true);
+    assert!((spin - 3.0 * (0.3 + RATIO * RATIO * 0.11)).abs() < 1e-13, "{spin}");
+}
+
+/// Two wheels on isotropic springs and free to turn: the mesh is one spring between them, so that the squares of the frequencies are the roots of a sum.
+#[test]
+fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
+    let (r, k, phi): ([f64; 2], f64, f64) = ([0.12, 0.06], 3e7, 0.35);
+    let (m, j, own) = ([20.0, 6.0], [0.15, 0.012], [4e6, 7e6]);
+    let wheel = |name: &str, i: usize, spin: &str| {
+        format!(
+            "[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = {}\npolar_inertia = {}\ntorsional = true\n{spin}[[part]]\nkind = \"bearing_linear\"\nname = \"of_{name}\"\nbetween = [\"{name}\", \"ground\"]\nkxx = {}\nkyy = {2}\n",
+            m[i], j[i], own[i]
+        )
+    };
+    let text = format!(
+        "[machine]\nname = \"geared\"\nspeed = 300.0\n[[part]]\nkind = \"spin\"\nname = \"fast\"\nratio = -2.0\n{}{}[[part]]\nkind = \"gear\"\nbetween = [\"wheel\", \"pinion\"]\nfirst_radius = 0.12\nsecond_radius = 0.06\nstiffness = {k}\npressure_angle = {phi}\nazimuth = 0.6\n",
+        wheel("wheel", 0, ""),
+        wheel("pinion", 1, "spin = \"fast\"\n")
+    );
+    let system = load(&text).system;
+    // two uncoupled motions across the line of action, rolling, and three of the equation
+    let sum = |w: f64| -> f64 {
+        let at = |i: usize| 1.0 / (own[i] - m[i] * w * w) - (phi.cos() * r[i]).powi(2) / (j[i] * w * w);
+        1.0 + k * (at(0) + at(1))
+    };
+    let mut counts = [0; 3];
+    for mode in modes(&system, 300.0) {
+        let w = mode.value.im;
+        if mode.value.abs() < 1.0 {
+            counts[0] += 1;
+            continue;
+        }
+        let across = [0, 1].into_iter().any(|i| (w - (own[i] / m[i] as f64).sqrt()).abs() < 1e-8 * w);
+        // near a root the sum changes its sign
+        let root = sum(w * (1.0 - 1e-9)) * sum(w * (1.0 + 1e-9)) < 0.0 && sum(w).abs() < 1.0;
+        assert!(across != root, "{w}: {}", sum(w));
+        counts[if root { 2 } else { 1 }] += 1;
+    }
+    assert_eq!(counts[1..], [2, 3], "{counts:?}");
+    assert!(counts[0] >= 1, "the wheels roll");
+}
+
+fn mistake(text: &str) -> String {
+    let found = laval::file::load(text).err().unwrap_or_else(|| panic!("accepted:\n{text}"));
+    assert!(found.0.iter().all(|d| d.span.is_some()), "{found:?}");
+    found.0.iter().map(|d| format!("{}: {}", d.code, d.message)).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn mistakes_are_found_at_their_place() {
+    let both = coaxial(700.0, "");
+    assert!(mistake(&both.replace("spin = \"inner\"", "spin = \"iner\"")).contains("spin.missing"));
+    let coupling = "[[part]]\nkind = \"coupling\"\nbetween = [\"case\", \"core\"]\nstiffness = 1e5\n";
+    assert!(mistake(&coaxial(700.0, coupling)).contains("part.spins"));
+    let gear = "[[part]]\nkind = \"gear\"\nbetween = [\"case\", \"core\"]\nfirst_radius = 0.1\nsecond_radius = 0.2\nstiffness = 1e5\n";
+    let told = mistake(&coaxial(700.0, gear));
+    assert!(told.contains("part.spins") && told.contains("-0.5"), "{told}");
+    assert!(mistake(&both.replace("ratio = -1.4", "ratio = 0")).contains("stands still"));
+    let study = "[[study]]\nkind = \"basins\"\nx = { coordinate = \"case.x\", from = -1e-3, to = 1e-3 }\n";
+    let loaded = laval::file::load(&format!("{both}[[study]]\nkind = \"nonlinear_response\"\nspeed = {{ from = 100, to = 400 }}\n"));
+    let refusals = loaded.unwrap_or_else(|d| panic!("{d:?}")).refusals();
+    assert!(refusals[0].diagnostic.code == "study.spins" && refusals[0].diagnostic.message.contains("inner"), "{study}");
+}
