@@ -12,6 +12,7 @@ use crate::model::system::{Drive, Slot, System};
 use crate::model::tangent::{SparseTangent, TangentOf, TangentScratch};
 use crate::reduction::{Reduced, Reduction, projected};
 use laval_num::dense::Mat;
+use std::sync::Arc;
 
 /// Frequency up to which the reduced machine is compared, over the largest speed at least; difference of its receptance that is enough; coordinates at most.
 const OF_SPEED: f64 = 8.0;
@@ -23,7 +24,7 @@ const SAME: f64 = 1e-12;
 /// A machine over few coordinates.
 pub struct ReducedMachine {
     /// The machine.
-    pub system: System,
+    pub system: Arc<System>,
     /// What it was reduced to.
     pub reduced: Reduced,
     /// Its coordinates over those of the whole machine.
@@ -111,7 +112,7 @@ impl ReducedMachine {
             stiffness: still.q,
         };
         let inverse = found.inverse(&at(system, [0.0; 3], is_inside).a, &ports.rows);
-        Some(ReducedMachine { system: system.projected(basis, &inside, structure), reduced: found.summary(), inverse, n })
+        Some(ReducedMachine { system: Arc::new(system.projected(basis, &inside, structure)), reduced: found.summary(), inverse, n })
     }
 
     /// A state (q, v, z) of the whole machine in its own coordinates: displacements of the ports, and of the modes what the inertia sees.

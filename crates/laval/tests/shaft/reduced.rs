@@ -107,6 +107,27 @@ fn motions() {
     assert!(kept(&many) < 1e-6, "{:e}", kept(&many));
 }
 
+/// Basins of many elements, on the reduced machine, are those of few elements: as many motions, of the same amplitudes, from the same initial values.
+#[test]
+fn basins_of_many_elements() {
+    let study = "[[study]]\nkind = \"basins\"\nspeed = \"320 rad/s\"\nfrom = { \"left.x\" = \"-0.3 mm\", \"left.y'\" = \"-0.1 m/s\" }\n\
+                 to = { \"left.x\" = \"0.3 mm\", \"left.y'\" = \"0.1 m/s\" }\npoints = 3\n";
+    let of = |elements: usize| run_all(&(machine(elements).replace("horizontal", "vertical") + study)).swap_remove(0);
+    let (few, many) = (of(2), of(8));
+    assert!(findings(&few, "reduced").is_empty());
+    assert_eq!(findings(&many, "reduced").len(), 1);
+    let column = |o: &laval::outcome::Outcome, name: &str| -> Vec<f64> {
+        let table = o.find_table("cells").unwrap();
+        let c = table.column(name).unwrap_or_else(|| panic!("{name}: {:?}", table.columns().iter().map(|c| &c.name).collect::<Vec<_>>()));
+        (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+    };
+    let (a, b) = (column(&few, "amplitude.left"), column(&many, "amplitude.left"));
+    assert!(a.len() == b.len() && a.len() >= 9);
+    for (x, y) in a.iter().zip(&b) {
+        assert!(*x > 1e-6 && (x / y - 1.0).abs() < 0.02, "{a:?} {b:?}");
+    }
+}
+
 /// Twice the elements are twice the work of a motion, not eight times.
 #[test]
 fn work_of_a_motion_grows_with_the_elements() {

@@ -21,7 +21,7 @@ mod rows;
 pub use masses::{Checked, Class, Differs, MassAttractor, MassKind, Rehearsal};
 pub use result::{Attractor, AttractorSet, BasinMotion, BasinsResult, Found, MassBasins, MassCell, ModesAtRest, MotionBasins};
 
-use super::history::{METHOD, stopped, time_forms};
+use super::history::{METHOD, reduced_to, stopped, time_forms};
 use super::record::exact_parts;
 use super::start::{self, Entry, INITIAL, Start, state_names};
 use super::steady_state::columns::cells;
@@ -35,6 +35,7 @@ use crate::model::system::{Drive, Station, System};
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
+use crate::solve::reduced_machine::ReducedMachine;
 use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
 use crate::study::shared::size::{KEPT, Size};
@@ -226,22 +227,29 @@ points = 50
         };
         let varied = self.axes.each_ref().map(|a| a.index.and_then(moved));
         let initial = start::renumbered(&self.initial, system, &own);
+        let written = Start::new(&own, self.speed);
+        let reduced = ReducedMachine::of(&own, self.speed);
+        let own = reduced.as_ref().map_or_else(|| Arc::new(own), |r| r.system.clone());
+        let rest = reduced.as_ref().map_or_else(|| written.rest.clone(), |r| r.coordinates(&written.rest));
         let members = Members {
             budget: Budget::new(context.work_limit),
             study: self,
-            start: Start::new(&own, self.speed),
+            written,
+            rest,
             modes: ModesAtRest {
                 decay: slowest_decay(&own, self.speed),
                 growth: fastest_growth(&own, self.speed),
                 neutral: neutral(&own, self.speed),
             },
             stations: system.stations(),
-            probes: probes::all(system),
+            probes: probes::all(&own),
+            reduced,
             values: self.axes.each_ref().map(InitialValueAxis::values),
             method: method(&own, self.rules.method, self.speed),
             varied,
             initial,
-            system: Arc::new(own),
+            coordinates: system.n(),
+            system: own,
         };
         let columns = rows::columns(self, &members);
         // the first row is the undisturbed start
@@ -269,16 +277,19 @@ points = 50
         let motions = Collected::of(&results)?;
         let end = context.end(motions.end == End::Reached);
         let (states, sizes) = (state_names(&members.system), sizes(&members.system, self.speed));
-        let ruler = Ruler { sizes: &sizes, rest: &members.start.rest, tolerance: self.rules.tolerance };
+        let ruler = Ruler { sizes: &sizes, rest: &members.rest, tolerance: self.rules.tolerance };
         let attractors = ruler.sort(&rows::motions(self, &motions, &states, &members.probes, &members.modes)?);
         let forms = exact_parts(&members.system);
-        let found = MotionBasins { motions, attractors, states, sizes, modes: members.modes, forms };
-        Ok(BasinsResult { found: Some(Found::Motions(Box::new(found))), undeflected: members.start.undeflected, end })
+        let reduced = members.reduced.as_ref().map(|r| r.reduced);
+        let found = MotionBasins { motions, attractors, states, sizes, modes: members.modes, forms, reduced };
+        Ok(BasinsResult { found: Some(Found::Motions(Box::new(found))), undeflected: members.written.undeflected, end })
     }
 
     fn report(&self, system: &System, result: &BasinsResult, name: &str) -> Result<Outcome, Diagnostic> {
         match &result.found {
-            Some(Found::Motions(found)) => Ok(time_forms(&found.forms, report::report(self, system, (result, found), name)?)),
+            Some(Found::Motions(found)) => {
+                Ok(reduced_to(found.reduced, time_forms(&found.forms, report::report(self, system, (result, found), name)?)))
+            }
             Some(Found::Masses(found)) => masses::report(self, system, (result, found), name),
             None => Ok(masses::nothing(result, name)),
         }
@@ -289,12 +300,17 @@ points = 50
 struct Members<'a> {
     budget: Budget,
     study: &'a Basins,
-    /// Start, by entries of the machine in time, and the places of the two initial values in its state.
+    /// Start, by entries of the machine in time, and the places of the two initial values in its state, before it was reduced.
     initial: Vec<(Entry, f64)>,
     varied: [Option<usize>; 2],
+    written: Start,
+    /// Number of its coordinates.
+    coordinates: usize,
+    /// The machine whose motions are followed, what it was reduced to, and its coordinates at rest.
     system: Arc<System>,
+    reduced: Option<ReducedMachine>,
+    rest: Vec<f64>,
     method: Method,
-    start: Start,
     modes: ModesAtRest,
     stations: &'a [Station],
     /// What is recorded of every motion.
@@ -318,8 +334,8 @@ impl ModesAtRest {
 impl Members<'_> {
     /// Start from rest and what the file says of it.
     fn undisturbed(&self) -> Vec<f64> {
-        let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
-        self.start.write(&self.initial, &mut y);
+        let mut y = vec![0.0; 2 * self.coordinates + self.system.m()];
+        self.written.write(&self.initial, &mut y);
         y
     }
 
@@ -342,8 +358,8 @@ impl Members<'_> {
         let member = |row: usize| Member {
             system: self.system.clone(),
             speed: self.study.speed,
-            y: self.start_of(row),
-            rest: self.start.rest.clone(),
+            y: self.reduced.as_ref().map_or_else(|| self.start_of(row), |r| r.state(&self.start_of(row))),
+            rest: self.rest.clone(),
             rate: self.modes.decay,
         };
         let members: Vec<Member> = range.clone().map(member).collect();
@@ -352,7 +368,7 @@ impl Members<'_> {
         let settings = Settings { method: self.method, ..Settings::default() };
         let steady_state: Vec<SteadyState> = ensemble::run(&task, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let place = |y: &[f64]| self.varied.map(|i| i.map_or(f64::NAN, |i| y[i]));
-        let list = members.iter().zip(steady_state).map(|(m, steady_state)| rows::Row { place: place(&m.y), steady_state }).collect();
+        let list = range.zip(steady_state).map(|(k, steady_state)| rows::Row { place: place(&self.start_of(k)), steady_state }).collect();
         // a motion that the budget cut short is none
         (!self.budget.used_up()).then_some(list)
     }

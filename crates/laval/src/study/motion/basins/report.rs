@@ -402,7 +402,7 @@ fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
         table = table.float(probes::column(p), p.unit(), largest(p), column(&|a| map.peak(a, k)));
         if let Some(rms) = map.rms.get(k) {
             let doc = "root of the mean squared displacement of its best motion";
-            table = table.float(format!("rms.{}", p.name), "m", doc, column(&|a| rms[a.best]));
+            table = table.float(format!("rms.{}", probes::owner(p)), "m", doc, column(&|a| rms[a.best]));
         }
     }
     table = table

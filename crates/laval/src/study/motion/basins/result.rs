@@ -4,6 +4,7 @@ use super::masses::{self, Checked, MassAttractor, Rehearsal};
 use super::rows::PLACE;
 pub use super::{attractors::Attractor, attractors::AttractorSet};
 use crate::outcome::End;
+use crate::solve::reduction::Reduced;
 use crate::store::Collected;
 use crate::study::motion::record::{SettledMotion, UsedForm};
 use crate::study::motion::steady_state::stored::settled;
@@ -44,6 +45,8 @@ pub struct MotionBasins {
     pub modes: ModesAtRest,
     /// Rational forms that stood for exact parts.
     pub forms: Vec<UsedForm>,
+    /// What the machine was reduced to.
+    pub reduced: Option<Reduced>,
 }
 
 /// A motion from the undisturbed start or from a cell.

@@ -227,17 +227,19 @@ start = "up_and_down"
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);
-        // a start is written in the coordinates of the whole machine
-        let whole = if initial.is_empty() { ReducedMachine::of(&own, self.fastest()) } else { None };
-        let reduced = whole.as_ref().map(|r| r.reduced);
-        let own = whole.map_or(own, |r| r.system);
+        let whole = Arc::new(own);
+        let reduction = ReducedMachine::of(&whole, self.fastest());
+        let reduced = reduction.as_ref().map(|r| r.reduced);
+        let own = reduction.as_ref().map_or_else(|| whole.clone(), |r| r.system.clone());
         let members = Members {
             budget: Budget::new(context.work_limit),
             study: self,
             initial,
             method: method(&own, self.rules.method, self.fastest()),
             probes: probes::all(&own),
-            system: Arc::new(own),
+            system: own,
+            whole,
+            reduction,
             speeds: self.speed.linspace(DEFAULT_POINTS),
             stations: system.stations(),
         };
@@ -380,6 +382,10 @@ struct Members<'a> {
     study: &'a Sweep,
     /// Start, by entries of the machine in time.
     initial: Vec<(Entry, f64)>,
+    /// The machine as it is written, and what it was reduced to.
+    whole: Arc<System>,
+    reduction: Option<ReducedMachine>,
+    /// The machine whose motions are followed.
     system: Arc<System>,
     method: Method,
     speeds: Vec<f64>,
@@ -402,7 +408,11 @@ impl Members<'_> {
         let start = Start::new(&self.system, speed);
         let y = carried.cloned().unwrap_or_else(|| {
             let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
-            start.write(&self.initial, &mut y);
+            match &self.reduction {
+                // a start that the file gives is written in the coordinates of the whole machine
+                Some(r) if !self.initial.is_empty() => drop(Start::new(&self.whole, speed).on(Some(r), &self.initial, &mut y)),
+                _ => start.write(&self.initial, &mut y),
+            }
             y
         });
         Member { speed, y, rest: start.rest, rate: slowest_decay(&self.system, speed), system: self.system.clone() }
