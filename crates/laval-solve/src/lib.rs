@@ -9,6 +9,7 @@ pub mod characteristic;
 pub mod co_rotating;
 pub mod counted;
 pub mod criticals;
+pub mod cross_coupling;
 pub mod ensemble;
 pub mod exact;
 pub mod extrema;

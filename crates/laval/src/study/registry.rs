@@ -12,6 +12,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<linear::critical_speeds::CriticalSpeeds>(),
         kind::<linear::support_stiffness_map::SupportStiffnessMap>(),
         kind::<linear::stability_map::StabilityMap>(),
+        kind::<linear::stability_threshold::StabilityThreshold>(),
         kind::<linear::forced_response::ForcedResponse>(),
         kind::<nonlinear::nonlinear_response::NonlinearResponse>(),
         kind::<nonlinear::bifurcation_loci::BifurcationLoci>(),

@@ -23,6 +23,7 @@ mod sensitivity;
 mod several_unbalances;
 mod shapes;
 mod stability;
+mod stability_threshold;
 mod tilt;
 mod uncertainty;
 mod viscoelastic;

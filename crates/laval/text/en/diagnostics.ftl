@@ -1217,6 +1217,16 @@ diag-at-most-points-in-all-2d77 = at most { $most } points in all
 diag-the-machine-does-not-exist-at-46f1 = the machine does not exist at { $path } = { $x }: { $why }
 diag-narrow-the-range-of-the-parameter-aa3f = narrow the range of the parameter
 
+## laval/src/study/linear/stability_threshold/mod.rs
+
+diag-up-to-is-below-the-anticipated-90ef = up_to is below the anticipated stiffness { $anticipated }
+diag-give-a-larger-up-to-or-f72d = give a larger up_to, or leave it out
+diag-no-lateral-mode-of-this-machine-bf9e = no lateral mode of this machine oscillates
+diag-cross-coupled-stiffness-makes-lateral-modes-69e4 = cross-coupled stiffness makes lateral modes unstable: modes lists those of the machine
+diag-roots-to-follow-61c7 = roots to follow
+diag-no-mode-becomes-less-stable-with-f0e4 = no mode becomes less stable with the stiffness, so that there is no largest one to propose
+diag-give-up-to-2dd8 = give up_to
+
 ## laval/src/study/linear/support_stiffness_map/mod.rs
 
 diag-the-machine-has-no-support-that-86fb = the machine has no support that could be replaced

@@ -5,6 +5,7 @@ study-campbell = Natural frequencies over the speed
 study-critical_speeds = Critical speeds
 study-support_stiffness_map = Critical speeds over the stiffness of the supports
 study-stability_map = Where is the machine stable?
+study-stability_threshold = How much cross-coupled stiffness does it bear?
 study-forced_response = Unbalance response
 study-nonlinear_response = Unbalance response with nonlinear parts
 study-methods = Approximate methods compared

@@ -5,6 +5,7 @@ study-campbell = Айналу жиілігіне тәуелді меншікті
 study-critical_speeds = Сындық айналу жиіліктері
 study-support_stiffness_map = Тіректер қатаңдығына байланысты сындық айналу жиіліктері
 study-stability_map = Машина қай кезде орнықты?
+study-stability_threshold = Машина қандай айқас қатаңдыққа шыдайды?
 study-forced_response = Дисбаланстан болатын тербеліс
 study-nonlinear_response = Бейсызық бөлшектері бар машинаның дисбаланстан болатын тербелісі
 study-methods = Жуық әдістерді салыстыру

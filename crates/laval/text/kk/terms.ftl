@@ -601,3 +601,5 @@ term-pressure-only-where-it-is-positive-as-in-a-bearing-with-free-ends = қыс�
 term-radial-clearance-c-half-of-the-difference-of-the-diameters = радиалдық саңылау c: диаметрлер айырмасының жартысы
 term-the-journal-and-what-the-bearing-is-fixed-to = цапфа және подшипник бекітілген дене
 term-the-ring-and-its-housing = сақина және оның корпусы
+term-0-and-equal-ratios-over-three-powers-of-ten = 0 және үш рет бойынша тең қатынастар
+term-point-of-a-body-on-which-the-stiffness-acts-level-1-takes-the-middle-between-the-bearings = қатаңдық әсер ететін дене нүктесі; 1-деңгейде мойынтіректердің ортасы

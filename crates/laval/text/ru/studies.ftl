@@ -5,6 +5,7 @@ study-campbell = Собственные частоты в зависимости
 study-critical_speeds = Критические частоты вращения
 study-support_stiffness_map = Критические частоты вращения в зависимости от жёсткости опор
 study-stability_map = Где машина устойчива?
+study-stability_threshold = Какую перекрёстную жёсткость машина выдерживает?
 study-forced_response = Отклик на дисбаланс
 study-nonlinear_response = Отклик на дисбаланс с нелинейными элементами
 study-methods = Сравнение приближённых методов

@@ -477,3 +477,5 @@ term-pressure-only-where-it-is-positive-as-in-a-bearing-with-free-ends = дав�
 term-radial-clearance-c-half-of-the-difference-of-the-diameters = радиальный зазор c: половина разности диаметров
 term-the-journal-and-what-the-bearing-is-fixed-to = шип и то, на чём закреплён подшипник
 term-the-ring-and-its-housing = кольцо и его корпус
+term-0-and-equal-ratios-over-three-powers-of-ten = 0 и равные отношения на трёх порядках
+term-point-of-a-body-on-which-the-stiffness-acts-level-1-takes-the-middle-between-the-bearings = точка тела, на которую действует жёсткость; на уровне 1 середина между опорами

@@ -5,6 +5,7 @@ study-campbell = Tezlik bo‘yicha xususiy chastotalar
 study-critical_speeds = Kritik aylanish chastotalari
 study-support_stiffness_map = Tayanchlar bikrligiga bog‘liq kritik aylanish chastotalari
 study-stability_map = Mashina qayerda turg‘un?
+study-stability_threshold = Mashina qanday kesishma bikrlikka chidaydi?
 study-forced_response = Disbalansga javob
 study-nonlinear_response = Chiziqsiz qismlar bilan disbalansga javob
 study-methods = Taqribiy usullarni solishtirish

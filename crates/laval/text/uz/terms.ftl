@@ -477,3 +477,5 @@ term-pressure-only-where-it-is-positive-as-in-a-bearing-with-free-ends = bosim f
 term-radial-clearance-c-half-of-the-difference-of-the-diameters = radial tirqish c: diametrlar farqining yarmi
 term-the-journal-and-what-the-bearing-is-fixed-to = sapfa va podshipnik mahkamlangan jism
 term-the-ring-and-its-housing = halqa va uning korpusi
+term-0-and-equal-ratios-over-three-powers-of-ten = 0 va uch tartib bo‘yicha teng nisbatlar
+term-point-of-a-body-on-which-the-stiffness-acts-level-1-takes-the-middle-between-the-bearings = bikrlik ta’sir qiladigan jism nuqtasi; 1-darajada podshipniklar o‘rtasi

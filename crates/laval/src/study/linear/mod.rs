@@ -10,6 +10,7 @@ pub mod modes;
 mod numbering;
 pub(in crate::study) mod operating;
 pub mod stability_map;
+pub mod stability_threshold;
 #[path = "static/mod.rs"]
 pub mod statics;
 pub mod support_stiffness_map;

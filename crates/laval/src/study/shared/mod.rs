@@ -3,6 +3,7 @@
 pub(in crate::study) mod headings;
 pub mod limits;
 pub mod operation;
+pub(in crate::study) mod place;
 pub mod presentation;
 pub(in crate::study) mod probes;
 pub(in crate::study) mod region;

@@ -7,6 +7,7 @@ pub const STUDIES: &[(&str, &str, bool)] = &[
     ("campbell", "speed = { from = 100, to = 1300, points = 4 }", true),
     ("critical_speeds", "speed = { from = 100, to = 1300, points = 6 }", true),
     ("stability_map", "speed = { from = 100, to = 2000, points = 4 }", true),
+    ("stability_threshold", "place = \"drum\"\nspeed = 400\nup_to = 1e5\npoints = 3", true),
     ("forced_response", "speed = { from = 100, to = 1300, points = 6 }", true),
     ("nonlinear_response", "speed = { from = 800, to = 900 }\nharmonics = 1\nstability = false", false),
     (
@@ -90,7 +91,7 @@ pub const LONG: &[(&str, &[&str])] = &[
 ];
 
 /// Studies of small motions about rest, and those that ask them.
-const ROOTS: &[&str] = &["modes", "campbell", "stability_map", "optimum"];
+const ROOTS: &[&str] = &["modes", "campbell", "stability_map", "stability_threshold", "optimum"];
 const STEADY: &[&str] = &[
     "forced_response",
     "bifurcation_loci",
@@ -103,7 +104,8 @@ const STEADY: &[&str] = &[
     "methods",
     "sweep",
 ];
-const ABOUT_REST: &[&str] = &["modes", "campbell", "critical_speeds", "stability_map", "forced_response", "uncertainty", "optimum"];
+const ABOUT_REST: &[&str] =
+    &["modes", "campbell", "critical_speeds", "stability_map", "stability_threshold", "forced_response", "uncertainty", "optimum"];
 const EVERY: &[&str] = &[];
 
 /// Changed properties (`case.key`, `*` for every key) that change nothing in some studies (none named: in all), and why.
@@ -127,7 +129,7 @@ pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
             "ice.eccentricity",
             "ice.skew",
         ],
-        &["modes", "campbell", "stability_map", "optimum", "backbone", "limit_cycles"],
+        &["modes", "campbell", "stability_map", "stability_threshold", "optimum", "backbone", "limit_cycles"],
         "unbalance forces the machine and moves no root; free whirls are without it; a state that turns moves by it less than its tangent shows",
     ),
     (&["drum.eccentricity"], &["bifurcation_loci", "response_map"], "the eccentricity is the parameter over which these go"),
@@ -162,6 +164,7 @@ pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
             "campbell",
             "critical_speeds",
             "stability_map",
+            "stability_threshold",
             "forced_response",
             "uncertainty",
             "optimum",
