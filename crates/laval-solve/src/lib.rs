@@ -16,6 +16,7 @@ pub mod extrema;
 mod extremum;
 mod follow;
 pub mod harmonic;
+pub mod harmonic_force;
 pub mod large;
 pub mod linear_response;
 pub mod locate;

@@ -18,6 +18,7 @@ use crate::characteristic::{Characteristic, Equilibrium, Polished};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::machine_mode::{MachineMode, Unknowns, Whirl};
 use crate::model::field::Attach;
+use crate::model::station::Row;
 use crate::model::system::{PartInput, System};
 use crate::pencil::modes_about;
 use crate::rest::rest;
@@ -130,24 +131,38 @@ const ROUNDING: f64 = 1e-13;
 /// Growth over the eigenvalue that is none: of a mode without damping.
 pub const NEUTRAL: f64 = 1e-10;
 
+/// The machine with a part at a place, which has no stiffness yet, and the name of the part.
+fn with_point(system: &System, at: &Attach) -> Result<(System, String), Diagnostics> {
+    let mut name = "cross_coupling".to_string();
+    while system.slot(&name).is_some() {
+        name.push('_');
+    }
+    let mut inputs = system.inputs();
+    inputs.push(PartInput {
+        name: name.clone(),
+        part: CrossCoupling(at.clone()).erased(),
+        params: CrossCouplingFamily::to_vec(&CrossCouplingParams { cross_coupled: 0.0 }),
+        span: None,
+    });
+    Ok((System::assemble(system.machine.clone(), inputs)?, name))
+}
+
+/// The machine with a node at a place, and the displacements of the place in x and y over its coordinates.
+pub(crate) fn placed(system: &System, at: &Attach) -> Result<(System, [Row; 2]), Diagnostics> {
+    let (system, name) = with_point(system, at)?;
+    let map = system.slot(&name).map(|s| s.map.clone()).unwrap_or_default();
+    let row = |k: usize| map.get(k).cloned().unwrap_or_default();
+    let rows = [row(0), row(1)];
+    Ok((system, rows))
+}
+
 impl Coupled {
     /// Places the stiffness; the state is that of the machine without it.
     ///
     /// # Errors
     /// A place that the machine does not have; no equilibrium at the speed (rad/s).
     pub fn new(system: &System, at: &Attach, speed: f64) -> Result<Self, Diagnostics> {
-        let mut name = "cross_coupling".to_string();
-        while system.slot(&name).is_some() {
-            name.push('_');
-        }
-        let mut inputs = system.inputs();
-        inputs.push(PartInput {
-            name: name.clone(),
-            part: CrossCoupling(at.clone()).erased(),
-            params: CrossCouplingFamily::to_vec(&CrossCouplingParams { cross_coupled: 0.0 }),
-            span: None,
-        });
-        let base = System::assemble(system.machine.clone(), inputs)?;
+        let (base, name) = with_point(system, at)?;
         let about = rest(&base, speed).map_err(|d| Diagnostics(vec![d]))?;
         Ok(Coupled { path: format!("{name}.cross_coupled"), base, about })
     }

@@ -14,6 +14,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<linear::stability_map::StabilityMap>(),
         kind::<linear::stability_threshold::StabilityThreshold>(),
         kind::<linear::forced_response::ForcedResponse>(),
+        kind::<linear::harmonic_force::HarmonicForce>(),
         kind::<nonlinear::nonlinear_response::NonlinearResponse>(),
         kind::<nonlinear::bifurcation_loci::BifurcationLoci>(),
         kind::<nonlinear::response_map::ResponseMap>(),

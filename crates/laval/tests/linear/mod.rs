@@ -4,6 +4,7 @@ mod claims;
 mod criticals;
 mod first_page;
 mod first_page_dangers;
+mod harmonic_force;
 mod liquid_force;
 mod long_shafts;
 mod matrices;

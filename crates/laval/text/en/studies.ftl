@@ -7,6 +7,7 @@ study-support_stiffness_map = Critical speeds over the stiffness of the supports
 study-stability_map = Where is the machine stable?
 study-stability_threshold = How much cross-coupled stiffness does it bear?
 study-forced_response = Unbalance response
+study-harmonic_force = Response to a harmonic force
 study-nonlinear_response = Unbalance response with nonlinear parts
 study-methods = Approximate methods compared
 study-backbone = Nonlinear natural frequencies

@@ -32,3 +32,18 @@ forced-response-gap-closes = Тербеліс { $speeds ->
     } «{ $part }» бөлшегінің тепе-теңдіктегі { $gap } саңылауын жабады. Жанасу ескерілмеген, сондықтан ондағы амплитудалар жарамсыз: nonlinear_response қолданыңыз.
 forced-response-validity = Жарамсыз: тербеліс { $speed } кезінде «{ $part }» бөлшегінің жарамдылық шегінен тыс, { $what } = { $value } (шегі 1).
 forced-response-validity-unbounded = Жарамсыз: тербеліс { $speed } кезінде «{ $part }» бөлшегінің жарамдылық шегінен тыс, { $what } шексіз (шегі 1).
+
+# Separation margins.
+forced-response-margin-kept = Жиілік қорлары сақталған (API 684, SP6.8.2.10). Ең азы { $resonance } резонансында: { $operating } жиілігінен { $value }, { $required } талап етіледі ({ $body }, { $damped ->
+        [yes] күшейту коэффициенті { $factor }
+       *[no] демпферлеусіз
+    }).
+forced-response-margin-broken = Жиілік қоры аз (API 684, SP6.8.2.10): { $resonance } резонансы { $side ->
+        [among] жұмыс жиіліктерінің арасында
+       *[other] { $operating } жиілігінен { $value } қашықтықта
+    }, { $required } талап етіледі ({ $body }, { $damped ->
+        [yes] күшейту коэффициенті { $factor }
+       *[no] демпферлеусіз
+    }).
+forced-response-margin-none = Бұл диапазонда ешбір резонанс жиілік қорын талап етпейді (API 684, SP6.8.2.10): күшейту коэффициенті 2,5-тен кем емес резонанс жоқ.
+forced-response-margin-unknown = Жиілік қорлары анықталмады (API 684, SP6.8.2.10): резонанстың жартылай қуат нүктелері диапазоннан тыс, немесе есептеу тоқтатылды. Диапазонды кеңейтіңіз.

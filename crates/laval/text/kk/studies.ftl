@@ -7,6 +7,7 @@ study-support_stiffness_map = Тіректер қатаңдығына байла
 study-stability_map = Машина қай кезде орнықты?
 study-stability_threshold = Машина қандай айқас қатаңдыққа шыдайды?
 study-forced_response = Дисбаланстан болатын тербеліс
+study-harmonic_force = Гармоникалық күшке жауап
 study-nonlinear_response = Бейсызық бөлшектері бар машинаның дисбаланстан болатын тербелісі
 study-methods = Жуық әдістерді салыстыру
 study-backbone = Бейсызық меншікті жиіліктер

@@ -35,3 +35,18 @@ forced-response-gap-closes = Колебания закрывают зазор э
     }. Контакт не учтён, поэтому амплитуды там недействительны: используйте nonlinear_response.
 forced-response-validity = Недействительно: отклик при { $speed } вне области применимости элемента «{ $part }», { $what } = { $value } (предел 1).
 forced-response-validity-unbounded = Недействительно: отклик при { $speed } вне области применимости элемента «{ $part }», { $what } = ∞ (предел 1).
+
+# Separation margins.
+forced-response-margin-kept = Запасы по частоте выдержаны (API 684, SP6.8.2.10). Наименьший у резонанса при { $resonance }: { $value } от { $operating }, требуется { $required } ({ $body }, { $damped ->
+        [yes] коэффициент усиления { $factor }
+       *[no] без демпфирования
+    }).
+forced-response-margin-broken = Запас по частоте мал (API 684, SP6.8.2.10): резонанс при { $resonance } { $side ->
+        [among] лежит среди рабочих частот вращения
+       *[other] отстоит на { $value } от { $operating }
+    }, требуется { $required } ({ $body }, { $damped ->
+        [yes] коэффициент усиления { $factor }
+       *[no] без демпфирования
+    }).
+forced-response-margin-none = Ни один резонанс в этом диапазоне не требует запаса по частоте (API 684, SP6.8.2.10): коэффициентов усиления от 2,5 нет.
+forced-response-margin-unknown = Запасы по частоте не определены (API 684, SP6.8.2.10): точки половинной мощности резонанса лежат вне диапазона, или расчёт остановлен. Расширьте диапазон.

@@ -7,6 +7,7 @@ study-support_stiffness_map = Критические частоты вращен
 study-stability_map = Где машина устойчива?
 study-stability_threshold = Какую перекрёстную жёсткость машина выдерживает?
 study-forced_response = Отклик на дисбаланс
+study-harmonic_force = Отклик на гармоническую силу
 study-nonlinear_response = Отклик на дисбаланс с нелинейными элементами
 study-methods = Сравнение приближённых методов
 study-backbone = Нелинейные собственные частоты

@@ -7,6 +7,7 @@ study-support_stiffness_map = Tayanchlar bikrligiga bog‘liq kritik aylanish ch
 study-stability_map = Mashina qayerda turg‘un?
 study-stability_threshold = Mashina qanday kesishma bikrlikka chidaydi?
 study-forced_response = Disbalansga javob
+study-harmonic_force = Garmonik kuchga javob
 study-nonlinear_response = Chiziqsiz qismlar bilan disbalansga javob
 study-methods = Taqribiy usullarni solishtirish
 study-backbone = Chiziqsiz xususiy chastotalar

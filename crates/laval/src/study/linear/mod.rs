@@ -6,6 +6,7 @@ pub mod criterion;
 pub mod critical_speeds;
 pub mod forced_response;
 pub(in crate::study) mod growing;
+pub mod harmonic_force;
 pub mod modes;
 mod numbering;
 pub(in crate::study) mod operating;

@@ -1,7 +1,9 @@
 //! Code that studies of several rooms use.
 
+pub(in crate::study) mod half_power;
 pub(in crate::study) mod headings;
 pub mod limits;
+pub(in crate::study) mod margins;
 pub mod operation;
 pub(in crate::study) mod place;
 pub mod presentation;

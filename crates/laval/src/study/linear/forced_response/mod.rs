@@ -10,7 +10,7 @@
 //! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
 
 mod beside;
-mod observed;
+pub(in crate::study::linear) mod observed;
 mod orbits;
 mod polar;
 mod report;
@@ -23,9 +23,12 @@ use crate::outcome::{End, Kept, Outcome};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{Curve, Extremum, curve, seeds};
 use crate::solve::linear_response::{Response, response};
+use crate::solve::locate::State;
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum};
+use crate::study::shared::half_power::sides;
+use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
@@ -42,6 +45,8 @@ use serde::{Deserialize, Serialize};
 pub struct ForcedResponse {
     /// Speeds, rad/s.
     pub speed: RangeValue,
+    /// Separation margins of API 684 are assessed.
+    pub margins: bool,
 }
 
 /// Speeds of a range, unless given.
@@ -56,11 +61,10 @@ impl Study for ForcedResponse {
         wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; \
         orbits and deflected shapes at the operating speed and at the largest resonances. \
         Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
-    const FIELDS: &'static [Field] = &[Field::required(
-        "speed",
-        SPEED_RANGE,
-        "one spin speed, or a range: points (400 unless given) are added where the response bends",
-    )];
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "one spin speed, or a range: points (400 unless given) are added where the response bends"),
+        STANDARD,
+    ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = one_or_range("speed", values.range("speed")?, 3, values, diagnostics)?;
@@ -68,7 +72,16 @@ impl Study for ForcedResponse {
             diagnostics.push(Diagnostic::error("forced_response.no_body", text!("no body of this machine moves across the axis")));
             return None;
         }
-        Some(ForcedResponse { speed })
+        let margins = values.choice("standard") == Some("api_684");
+        if margins && Speeds::of(system).is_none() {
+            diagnostics.push(
+                Diagnostic::error("forced_response.standard", text!("separation margins need an operating speed"))
+                    .at(values.span_of("standard"))
+                    .help(text!("give speed in [machine], or the range of operating speeds in [operation]")),
+            );
+            return None;
+        }
+        Some(ForcedResponse { speed, margins })
     }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
@@ -122,10 +135,11 @@ impl Study for ForcedResponse {
             let there = response(system, &state, e.speed)?;
             *direction = there.map_or(f64::NAN, |r| r.direction_of(&system.probes()[e.probe]));
         }
+        let half_power = half_power(system, &state, &found);
         let orbits = orbits::orbits(self, system, &state, &found)?;
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
         let end = context.end(found.complete);
-        Ok(ForcedResponseResult { curve: found, strongest, observed, directions, orbits, states, end })
+        Ok(ForcedResponseResult { curve: found, half_power, strongest, observed, directions, orbits, states, end })
     }
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -138,6 +152,10 @@ impl Study for ForcedResponse {
 }
 
 impl ForcedResponse {
+    /// Over these speeds, without a standard.
+    pub fn over(speed: RangeValue) -> Self {
+        ForcedResponse { speed, margins: false }
+    }
     /// Distance of the speeds required, rad/s; 0 of one speed.
     fn step(&self) -> f64 {
         let points = self.speed.points.unwrap_or(POINTS);
@@ -150,6 +168,8 @@ impl ForcedResponse {
 pub struct ForcedResponseResult {
     /// Amplitudes over the speed, their maxima and minima; probes in the order of the machine.
     pub curve: Curve,
+    /// Of every extremum of the curve: speeds on both sides of a maximum at which the amplitude is 1/sqrt(2) of it; NaN where it does not fall so far.
+    pub half_power: Vec<[f64; 2]>,
     /// The mode that grows most at every speed of the search for resonances; none of a machine without time form.
     pub strongest: Vec<Strongest>,
     /// What the parts show.
@@ -162,6 +182,19 @@ pub struct ForcedResponseResult {
     pub states: EndStates,
     /// How the study ended.
     pub end: End,
+}
+
+/// Half-power points of the maxima of a curve.
+fn half_power(system: &System, state: State, found: &Curve) -> Vec<[f64; 2]> {
+    let one = |e: &Extremum| {
+        if !e.maximum || e.unbounded || !e.value.is_finite() {
+            return [f64::NAN; 2];
+        }
+        let probe = &system.probes()[e.probe];
+        let samples: Vec<(f64, f64)> = found.points.iter().map(|r| (r.speed, r.size(probe))).collect();
+        sides((e.speed, e.value), &samples, |w| response(system, state, w).ok().flatten().map(|r| r.size(probe)))
+    };
+    found.extrema.iter().map(one).collect()
 }
 
 /// The largest resonance of a displacement, or of a tilt.
