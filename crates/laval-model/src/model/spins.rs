@@ -32,6 +32,39 @@ impl System {
         Ok(self.turning(k).next().and_then(|s| s.ratio))
     }
 
+    /// The part that gives the ratio of a spin, and the ratio.
+    pub fn spin(&self, parameter: usize) -> Option<(&Slot, f64)> {
+        Some((self.slots.iter().find(|s| s.params.contains(&parameter))?, self.params[parameter]))
+    }
+
+    /// The same machine with another of its spins as the one that its speed is that of, by the name of the part that gives its ratio.
+    ///
+    /// # Errors
+    /// No part turns with such a spin.
+    pub fn at_spin(&self, name: &str) -> Result<System, Diagnostics> {
+        let unknown = || {
+            let spins: Vec<&str> = self.spins().iter().filter_map(|&i| Some(self.spin(i)?.0.name.as_str())).collect();
+            let message = text!("no part of the machine turns with a spin \"{name}\"", name);
+            let help = text!("spins of this machine: {spins}", spins = spins.join(", "));
+            Diagnostics(vec![Diagnostic::error("spin.missing", message).help(help)])
+        };
+        let known = self.spins().into_iter().find(|&i| self.spin(i).is_some_and(|s| s.0.name == name));
+        let first = known.ok_or_else(unknown)?;
+        let ratio = self.params[first];
+        let mut out = System::assemble(self.machine.clone(), self.inputs())?;
+        out.machine.speed = out.machine.speed.map(|w| ratio * w);
+        for i in self.spins() {
+            out.params[i] = if i == first { 1.0 / ratio } else { self.params[i] / ratio };
+        }
+        for slot in out.slots.iter_mut().filter(|s| s.part.spin_ratio().is_none()) {
+            slot.ratio = match slot.ratio {
+                None => Some(first),
+                Some(i) => Some(i).filter(|i| *i != first),
+            };
+        }
+        Ok(out)
+    }
+
     /// The turning bodies that a part is attached to.
     fn turning(&self, k: usize) -> impl Iterator<Item = &Slot> {
         let bodies = self.slots[k].layout.ports.iter().flat_map(|p| p.link.bodies());

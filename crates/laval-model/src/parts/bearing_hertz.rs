@@ -26,6 +26,7 @@ use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
 use crate::params;
+use crate::parts::bearing_rolling::hertz_coefficient;
 use crate::text;
 use crate::text::Text;
 use laval_num::scalar::Scalar;
@@ -34,7 +35,7 @@ use std::sync::Arc;
 params! {
     /// Parameters of a [`BearingHertz`].
     pub struct BearingHertzParams in BearingHertzFamily {
-        coefficient: scalar, "N/m^1.5", Bounds::positive(1e20), required, "contact coefficient Cb of the whole bearing";
+        coefficient: scalar, "N/m^1.5", Bounds::up_to(1e20), default 0.0, "contact coefficient Cb of the whole bearing; or give balls and ball_diameter";
         clearance: scalar, "m", Bounds::within(0.1), default 0.0, "radial clearance d0; negative is interference (preload), per axis only";
     }
 }
@@ -90,6 +91,24 @@ clearance = "10 um"
             ]),
             "how the force depends on direction",
         ),
+        Field::optional(
+            "balls",
+            FieldKind::Integer { min: 3, max: 200 },
+            "",
+            "number of steel balls, from which the coefficient follows, in place of coefficient: (2/3 13e6)^(3/2) n D^(1/2) cos(a)^(5/2)",
+        ),
+        Field::optional(
+            "ball_diameter",
+            FieldKind::Quantity { unit: "m", bounds: Bounds::closed(1e-4, 1.0) },
+            "",
+            "diameter D of a ball, with balls",
+        ),
+        Field::optional(
+            "contact_angle",
+            FieldKind::Quantity { unit: "rad", bounds: Bounds::closed(0.0, 1.4) },
+            "",
+            "contact angle a of the balls; 0 unless given",
+        ),
     ];
 
     fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -102,6 +121,39 @@ clearance = "10 um"
                     .help(text!("use law = \"per_axis\", where a negative clearance is the interference of opposed contacts")),
             );
             return None;
+        }
+        let given = params.get("coefficient").is_some_and(|c| c != 0.0);
+        match (values.integer("balls"), values.number("ball_diameter")) {
+            (Some(n), Some(d)) if !given => {
+                params.set("coefficient", hertz_coefficient(n as f64, d, values.number("contact_angle").unwrap_or(0.0)));
+            }
+            (None, None) if given => {
+                if values.written("contact_angle") {
+                    diagnostics.push(
+                        Diagnostic::error("bearing_hertz.geometry", text!("contact_angle is given without balls"))
+                            .at(values.span_of("contact_angle"))
+                            .help(text!("a coefficient holds the angle already: take contact_angle away")),
+                    );
+                }
+            }
+            (None, None) => {
+                diagnostics.push(
+                    Diagnostic::error("bearing_hertz.coefficient", text!("the bearing has no contact coefficient"))
+                        .at(values.span.clone())
+                        .help(text!("give coefficient, or balls and ball_diameter")),
+                );
+                return None;
+            }
+            (balls, _) => {
+                let (message, field) = match (given, balls.is_some()) {
+                    (true, _) => (text!("coefficient is given beside the geometry of the balls"), "coefficient"),
+                    (_, true) => (text!("balls is given without ball_diameter"), "balls"),
+                    _ => (text!("ball_diameter is given without balls"), "ball_diameter"),
+                };
+                let help = text!("give coefficient, or balls and ball_diameter");
+                diagnostics.push(Diagnostic::error("bearing_hertz.geometry", message).at(values.span_of(field)).help(help));
+                return None;
+            }
         }
         Some(BearingHertz { link: Link::Between(a, b), radial })
     }
@@ -141,6 +193,9 @@ clearance = "10 um"
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         if self.radial && p.clearance < 0.0 {
             return vec![("clearance", text!("a radial law has no preload: its clearance cannot be negative"))];
+        }
+        if !(p.coefficient > 0.0) {
+            return vec![("coefficient", text!("the contact coefficient must be positive"))];
         }
         Vec::new()
     }
@@ -318,6 +373,46 @@ mod tests {
         let (first, third) = (f.eps[0].re.re, f.eps[0].eps[0].eps[0]);
         assert!((first / (3.0 * cb * i.sqrt()) - 1.0).abs() < 1e-12);
         assert!((third / (-0.75 * cb * i.powf(-1.5)) - 1.0).abs() < 1e-12);
+    }
+
+    /// The coefficient of balls; one of both, and whole.
+    #[test]
+    fn the_coefficient_follows_from_the_balls() {
+        use crate::model::field::Value;
+        let build = |f: &dyn Fn(&mut Values, &mut ParamValues)| {
+            let (mut values, mut params, mut d) = (Values::default(), ParamValues::default(), Diagnostics::default());
+            values.set("between", Value::Between(Attach::on("drum"), Attach::ground()), None);
+            values.set("law", Value::Choice("radial"), None);
+            params.set("coefficient", 0.0);
+            f(&mut values, &mut params);
+            let built = BearingHertz::build(&values, &mut params, &mut d);
+            (built.is_some(), params.get("coefficient").unwrap(), d.0.first().map(|d| d.code))
+        };
+        let balls = |v: &mut Values| {
+            v.set("balls", Value::Integer(10), None);
+            v.set("ball_diameter", Value::Number(0.01), None);
+        };
+        let (built, coefficient, _) = build(&|v, _| {
+            balls(v);
+            v.set("contact_angle", Value::Number(0.3), None);
+        });
+        let expected = (13e6f64 / 1.5).powf(1.5) * 10.0 * 0.1 * 0.3f64.cos().powf(2.5);
+        assert!(built && (coefficient / expected - 1.0).abs() < 1e-13);
+        assert_eq!(build(&|_, _| ()).2, Some("bearing_hertz.coefficient"));
+        assert_eq!(build(&|v, _| v.set("balls", Value::Integer(10), None)).2, Some("bearing_hertz.geometry"));
+        assert_eq!(build(&|v, _| v.set("ball_diameter", Value::Number(0.01), None)).2, Some("bearing_hertz.geometry"));
+        let both = build(&|v, p| {
+            balls(v);
+            p.set("coefficient", 1e9);
+        });
+        assert_eq!(both.2, Some("bearing_hertz.geometry"));
+        let angle = build(&|v, p| {
+            v.set("contact_angle", Value::Number(0.3), Some(0..1));
+            p.set("coefficient", 1e9);
+        });
+        assert_eq!(angle.2, Some("bearing_hertz.geometry"));
+        let p = |coefficient| BearingHertzParams { coefficient, clearance: 0.0 };
+        assert!(BearingHertz::radial(joint()).check(&p(0.0)).len() == 1 && BearingHertz::radial(joint()).check(&p(f64::NAN)).len() == 1);
     }
 
     #[test]

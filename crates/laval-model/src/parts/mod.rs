@@ -5,6 +5,7 @@ pub mod bearing_cubic;
 pub mod bearing_hertz;
 pub mod bearing_journal;
 pub mod bearing_linear;
+pub mod bearing_rolling;
 pub mod coupling;
 pub mod damper;
 pub mod disc;
@@ -50,6 +51,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<bearing_linear::BearingLinear>(),
         kind::<bearing_cubic::BearingCubic>(),
         kind::<bearing_hertz::BearingHertz>(),
+        kind::<bearing_rolling::BearingRolling>(),
         kind::<bearing_journal::BearingJournal>(),
         kind::<squeeze_film::SqueezeFilm>(),
         kind::<shaft::Shaft>(),

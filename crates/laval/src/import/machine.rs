@@ -147,6 +147,28 @@ impl<'a> Writer<'a> {
             self.out.push_str(" },\n");
         }
         self.out.push_str("]\n");
+        self.layers();
+    }
+
+    fn layers(&mut self) {
+        let s = self.shaft;
+        if s.layers.is_empty() {
+            return;
+        }
+        let bits = |m: &super::model::Material| [m.modulus, m.shear_modulus, m.density];
+        let own = s.layers.iter().any(|l| bits(&l.2.material) != bits(&s.first.material));
+        self.out.push_str("layer = [\n");
+        for (from, to, l) in &s.layers {
+            let _ = write!(self.out, "  {{ from = {}, to = {}", value(*from, "m"), value(*to, "m"));
+            let _ = write!(self.out, ", outer_diameter = {}, inner_diameter = {}", value(l.outer[0], "m"), value(l.inner[0], "m"));
+            if own {
+                let m = &l.material;
+                let _ = write!(self.out, ", modulus = {}, shear_modulus = {}", value(m.modulus, "Pa"), value(m.shear_modulus, "Pa"));
+                let _ = write!(self.out, ", density = {}", value(m.density, "kg/m^3"));
+            }
+            self.out.push_str(" },\n");
+        }
+        self.out.push_str("]\n");
     }
 
     fn discs(&mut self) {

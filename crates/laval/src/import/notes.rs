@@ -18,8 +18,8 @@ pub(super) enum Note {
     OverFrequency,
     Computed,
     Seal,
-    /// A layer that is one section with what it lies on.
-    Joined,
+    /// A layer of the shaft.
+    Layer,
     /// A layer that is a disc.
     MassAlone,
     NoLateral,
@@ -69,7 +69,7 @@ fn said(note: &Note, elements: Arg) -> Text {
         Note::OverFrequency => text!("{elements}: coefficients over frequency are taken over speed", elements),
         Note::Computed => text!("{elements}: the coefficients are those in the file, the geometry is left out", elements),
         Note::Seal => text!("{elements}: in effect in all studies; ROSS leaves seals out of run_static", elements),
-        Note::Joined => text!("{elements}: one section with the element below; ROSS adds the stiffnesses of both", elements),
+        Note::Layer => text!("{elements}: a layer of the shaft, with one shear angle; ROSS gives every layer its own", elements),
         Note::MassAlone => text!("{elements}: the mass is carried over as a disc, the stiffness is left out", elements),
         Note::NoLateral => text!("{elements}: left out, there are no lateral coefficients", elements),
     }

@@ -18,6 +18,8 @@ pub(super) struct Sections {
     pub elements: usize,
     /// Positions of the nodes.
     pub nodes: Vec<f64>,
+    /// Cylindrical layers: positions of their ends, and the layer.
+    pub layers: Vec<(f64, f64, Shaft)>,
     /// What has mass and no stiffness: name, place, mass, diametral and polar moment of inertia.
     pub sleeves: Vec<(String, f64, [f64; 3])>,
     pub conical: bool,
@@ -28,6 +30,9 @@ pub(super) fn rounded(x: f64) -> f64 {
     format!("{x:.11e}").parse().unwrap_or(x)
 }
 
+/// Modulus of a layer over that of the core up to which it stands for a mass alone.
+const NOTHING: f64 = 1e-4;
+
 pub(super) fn sections(model: &Model, notes: &mut Notes) -> Result<Sections, Diagnostics> {
     let mut at: BTreeMap<usize, Vec<&Shaft>> = BTreeMap::new();
     for s in &model.shafts {
@@ -35,7 +40,7 @@ pub(super) fn sections(model: &Model, notes: &mut Notes) -> Result<Sections, Dia
     }
     let mut rows = Vec::new();
     let mut nodes = vec![0.0];
-    let mut sleeves = Vec::new();
+    let (mut covers, mut sleeves): (Vec<(f64, f64, Shaft)>, Vec<_>) = Default::default();
     let mut position = 0.0;
     for (k, (node, mut layers)) in at.into_iter().enumerate() {
         if node != k {
@@ -45,19 +50,27 @@ pub(super) fn sections(model: &Model, notes: &mut Notes) -> Result<Sections, Dia
             ]));
         }
         layers.sort_by(|a, b| a.inner[0].total_cmp(&b.inner[0]));
-        let mut core = layers[0].clone();
+        let core = layers[0].clone();
+        let end = rounded(position + core.length);
         for layer in &layers[1..] {
-            let straight = |s: &Shaft| s.outer[0] == s.outer[1] && s.inner[0] == s.inner[1];
-            let touches = (layer.inner[0] - core.outer[0]).abs() < 1e-9;
-            if straight(layer) && straight(&core) && touches && layer.material == core.material {
-                core.outer = layer.outer;
-                notes.add(Note::Joined, &layer.name);
+            let straight = layer.outer[0] == layer.outer[1] && layer.inner[0] == layer.inner[1];
+            let beside = layer.inner[0] >= core.outer[0].max(core.outer[1]) - 1e-9;
+            let stiff = layer.material.modulus > NOTHING * core.material.modulus;
+            if straight && beside && stiff {
+                let goes_on = |l: &&mut (f64, f64, Shaft)| {
+                    l.1 == position && l.2.inner == layer.inner && l.2.outer == layer.outer && l.2.material == layer.material
+                };
+                match covers.iter_mut().find(goes_on) {
+                    Some(before) => before.1 = end,
+                    None => covers.push((position, end, (*layer).clone())),
+                }
+                notes.add(Note::Layer, &layer.name);
             } else {
                 sleeves.push((layer.name.clone(), rounded(position + 0.5 * core.length), ring(layer)));
                 notes.add(Note::MassAlone, &layer.name);
             }
         }
-        position = rounded(position + core.length);
+        position = end;
         nodes.push(position);
         rows.push(core);
     }
@@ -66,7 +79,7 @@ pub(super) fn sections(model: &Model, notes: &mut Notes) -> Result<Sections, Dia
     let conical = rows.iter().any(|s| s.outer[0] != s.outer[1] || s.inner[0] != s.inner[1]);
     let elements = if sleeves.is_empty() { common(&rows) } else { 1 };
     let rows = rows.chunks(elements).map(|run| Shaft { length: rounded(run.iter().map(|s| s.length).sum()), ..run[0].clone() }).collect();
-    Ok(Sections { first, rows, elements, nodes, sleeves, conical })
+    Ok(Sections { first, rows, elements, nodes, layers: covers, sleeves, conical })
 }
 
 /// Mass, diametral and polar moment of inertia of a layer with its mean diameters.

@@ -16,7 +16,7 @@ use laval::study::{Context, ErasedStudy};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 fn run(system: &System, from: f64, to: f64) -> Outcome {
-    ForcedResponse { speed: RangeValue { from, to, points: None } }.run(system, &Context::quiet("response")).unwrap()
+    ForcedResponse::over(RangeValue { from, to, points: None }).run(system, &Context::quiet("response")).unwrap()
 }
 
 /// Speed and amplitude of the first extremum of a kind of a body.
@@ -303,7 +303,7 @@ fn without_bound_no_validity_has_a_number() {
 fn stopped_early_nothing_is_claimed_of_the_rest() {
     let system = Planar::default().build();
     let context = Context { work_limit: 3, ..Context::quiet("response") };
-    let study = ForcedResponse { speed: RangeValue { from: 50.0, to: 4000.0, points: None } };
+    let study = ForcedResponse::over(RangeValue { from: 50.0, to: 4000.0, points: None });
     let out = study.run(&system, &context).unwrap();
     assert_eq!(out.end, laval::outcome::End::WorkLimit);
     assert!(out.end_in_words().contains("--work-limit"));

@@ -172,7 +172,7 @@ fn jeffcott(machine: &str, more: &str) -> String {
 
 fn respond(text: &str, from: f64, to: f64) -> (ForcedResponse, laval::model::system::System) {
     let speed = laval::model::field::RangeValue { from, to, points: Some(if from == to { 1 } else { 200 }) };
-    (ForcedResponse { speed }, system(text))
+    (ForcedResponse::over(speed), system(text))
 }
 
 /// m e w^2/(k - m w^2 + i c w), a circle with the spin.

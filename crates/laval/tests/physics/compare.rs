@@ -112,7 +112,7 @@ pub fn backwards(m: &Machine, r: &mut Random) -> Verdict {
     if !m.forced() {
         return Ok(());
     }
-    let study = forced_response::ForcedResponse { speed: RangeValue { from: -m.speed, to: -0.3 * m.speed, points: Some(5) } };
+    let study = forced_response::ForcedResponse::over(RangeValue { from: -m.speed, to: -0.3 * m.speed, points: Some(5) });
     same_response(m, &study.run(&loaded.system, &Context::quiet("response")).map_err(|d| d.to_string())?)
 }
 

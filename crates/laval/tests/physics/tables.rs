@@ -37,7 +37,7 @@ fn run(text: &str) -> Outcome {
 }
 
 /// What leaves the table from 1000 to 12000 rpm.
-const BEYOND: [&str; 26] = [
+const BEYOND: [&str; 28] = [
     "kind = \"modes\"\nspeed = \"12001 rpm\"",
     "kind = \"campbell\"\nspeed = { from = \"1000 rpm\", to = \"13000 rpm\", points = 5 }",
     "kind = \"critical_speeds\"\nspeed = { from = \"900 rpm\", to = \"12000 rpm\", points = 5 }",
@@ -70,6 +70,8 @@ const BEYOND: [&str; 26] = [
     "kind = \"methods\"\nspeed = { from = \"11000 rpm\", to = \"13000 rpm\", points = 2 }",
     "kind = \"basins\"\nspeed = \"13000 rpm\"\nfrom = { \"rotor.x\" = \"-1 mm\", \"rotor.y\" = \"-1 mm\" }\nto = { \"rotor.x\" = \"1 mm\", \"rotor.y\" = \"1 mm\" }",
     "kind = \"static\"\nspeed = \"13000 rpm\"",
+    "kind = \"harmonic_force\"\nplace = \"rotor\"\nspeed = \"13000 rpm\"",
+    "kind = \"stability_threshold\"\nplace = \"rotor\"\nspeed = \"13000 rpm\"",
 ];
 
 #[test]
@@ -200,7 +202,7 @@ fn constructed_studies_beyond_a_table_are_refused_or_marked() {
     let studies: [Box<dyn ErasedStudy>; 3] = [
         Box::new(Campbell { speed, orders: vec![1.0], threshold: 0.0, frequency: None, compare: false }),
         Box::new(CriticalSpeeds { speed, orders: vec![1.0], margin: 0.15 }),
-        Box::new(ForcedResponse { speed }),
+        Box::new(ForcedResponse::over(speed)),
     ];
     let (refusing, held) = (load(&rotor("", "")).system, load(&rotor("beyond = \"hold\"", "")).system);
     for study in studies {

@@ -48,8 +48,8 @@ macro_rules! studies {
     };
 }
 studies! {
-    Backbone Basins BifurcationLoci Campbell CriticalSpeeds ForcedResponse LimitCycles Methods Modes MotionMap NonlinearResponse OperatingWindow
-    Optimum ResponseMap RunUp Sensitivity Separation StabilityMap Static Stationary SupportStiffnessMap Sweep Transient Uncertainty
+    Backbone Basins BifurcationLoci Campbell CriticalSpeeds ForcedResponse HarmonicForce LimitCycles Methods Modes MotionMap NonlinearResponse OperatingWindow
+    Optimum ResponseMap RunUp Sensitivity Separation StabilityMap StabilityThreshold Static Stationary SupportStiffnessMap Sweep Transient Uncertainty
 }
 
 #[test]

@@ -49,6 +49,13 @@ speed = { from = "10 rad/s", to = "900 rad/s", points = 20 }"#,
     r#"kind = "stability_map"
 speed = { from = "10 rad/s", to = "900 rad/s", points = 20 }
 parameter = { parameter = "drum.mass", from = "1 kg", to = "3 kg", points = 5 }"#,
+    r#"kind = "harmonic_force"
+place = "drum"
+speed = { from = "10 rad/s", to = "900 rad/s", points = 40 }"#,
+    r#"kind = "stability_threshold"
+place = "drum"
+speed = "300 rad/s"
+up_to = "1e5 N/m""#,
     r#"kind = "forced_response"
 speed = { from = "10 rad/s", to = "900 rad/s", points = 40 }"#,
     r#"kind = "nonlinear_response"

@@ -72,6 +72,8 @@ const STUDIES: &[(&str, &str)] = &[
     ("campbell", "speed = { from = 10, to = 600, points = 12 }"),
     ("critical_speeds", "speed = { from = 10, to = 600, points = 12 }"),
     ("stability_map", "speed = { from = 10, to = 600, points = 6 }"),
+    ("harmonic_force", "place = \"rotor\"\nspeed = { from = 50, to = 600, points = 20 }"),
+    ("stability_threshold", "place = \"rotor\"\nspeed = 100\nup_to = 1e6"),
     ("forced_response", "speed = { from = 50, to = 600, points = 20 }"),
     ("nonlinear_response", "speed = { from = 50, to = 600 }"),
     (

@@ -4,6 +4,7 @@ mod axis;
 mod closed_forms;
 mod definition;
 mod elements;
+mod flexible_hub;
 mod imported;
 mod machines;
 mod reduced;

@@ -241,6 +241,66 @@ fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
     assert!(counts[0] >= 1, "the wheels roll");
 }
 
+/// The unbalance of either spin acts at its own frequency: what the core does by itself is what the machine says of its spin, in the direction in which it turns.
+#[test]
+fn responses_are_those_of_a_spin() {
+    use crate::common::files::run_all;
+    let study = |spin: &str| format!("[[study]]\nkind = \"forced_response\"\nspeed = {{ from = 100.0, to = 1500.0, points = 60 }}\n{spin}");
+    let of = |text: &str, column: &str| -> (Vec<f64>, Vec<f64>) {
+        let outcome = run_all(text).swap_remove(0);
+        let table = outcome.find_table("response").unwrap();
+        let all = |name: &str| -> Vec<f64> {
+            let c = table.column(name).unwrap_or_else(|| panic!("{name}: {:?}", table.columns().iter().map(|c| &c.name).collect::<Vec<_>>()));
+            (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+        };
+        (all("speed"), all(column))
+    };
+    let at = |(speeds, values): &(Vec<f64>, Vec<f64>), w: f64| {
+        let k = (0..speeds.len()).min_by(|&a, &b| (speeds[a].abs() - w).abs().total_cmp(&(speeds[b].abs() - w).abs())).unwrap();
+        assert!((speeds[k].abs() - w).abs() < 1e-6 * w, "{w}: {}", speeds[k]);
+        values[k]
+    };
+    let column = "amplitude.core";
+    let own = of(&(coaxial(300.0, "") + &study("spin = \"inner\"\n")), column);
+    let alone = of(&(core(300.0) + &study("")), column);
+    let outer = of(&(coaxial(300.0, "") + &study("")), column);
+    // the ends are speeds of every table
+    for w in [100.0, 1500.0] {
+        let (a, b) = (at(&own, w), at(&alone, w));
+        assert!(b > 1e-9 && (a / b - 1.0).abs() < 1e-9, "{w}: {a} {b}");
+        assert!(at(&outer, w).abs() < 1e-3 * b, "the core does not move with the case");
+    }
+    assert!(own.0.iter().all(|w| *w < 0.0), "it turns the other way");
+    let warned = run_all(&(coaxial(300.0, "") + &study(""))).swap_remove(0);
+    assert!(crate::common::files::finding(&warned, "spin").message.to_string().contains("inner"));
+}
+
+/// The motion in time is the sum of the responses of both spins.
+#[test]
+fn motions_in_time_are_the_sum_of_both_responses() {
+    use laval::solve::linear_response::response;
+    use laval::solve::programme::Programme;
+    let system = load(&coaxial(300.0, BETWEEN)).system;
+    let other = system.at_spin("inner").unwrap();
+    let amplitudes = |s: &System, w: f64| response(s, &|w| rest(s, w), w).unwrap().unwrap().x;
+    let (a, b) = (amplitudes(&system, 300.0), amplitudes(&other, RATIO * 300.0));
+    let mut motion = Motion::new(&system, SpinLaw::Programme(Programme::constant(300.0, 0.0))).unwrap();
+    let (n, t) = (system.n(), 0.2);
+    let turn = |phase: f64| laval_num::complex::C64::cis(phase);
+    // begun on it the motion stays on it
+    let mut y = vec![0.0; 2 * n];
+    for i in 0..n {
+        y[i] = a[i].re + b[i].re;
+        y[n + i] = -300.0 * a[i].im - RATIO * 300.0 * b[i].im;
+    }
+    let end = end_of(&mut motion, &y);
+    for i in 0..n {
+        let expected = (a[i] * turn(300.0 * t)).re + (b[i] * turn(RATIO * 300.0 * t)).re;
+        let size = a[i].abs() + b[i].abs();
+        assert!((end[i] - expected).abs() < 1e-7 * size, "{i}: {} {expected}", end[i]);
+    }
+}
+
 fn mistake(text: &str) -> String {
     let found = laval::file::load(text).err().unwrap_or_else(|| panic!("accepted:\n{text}"));
     assert!(found.0.iter().all(|d| d.span.is_some()), "{found:?}");

@@ -47,6 +47,7 @@ diag-is-it-must-be-2e8e = { $name } is { $value }; it must be { $wanted }
 diag-add-a-part-of-kind-spin-abab = add a part of kind = "spin" with this name and its ratio to the speed of the machine
 diag-spins-of-this-machine-d82c = spins of this machine: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" turns with the spin "{ $name }", which does not exist
+diag-no-part-of-the-machine-turns-2e6a = no part of the machine turns with a spin "{ $name }"
 
 ## laval-model/src/model/system.rs
 
@@ -116,6 +117,14 @@ diag-give-one-value-or-use-law-a1f9 = give one value, or use law = "per_axis"
 
 diag-a-radial-law-has-no-preload-346e = a radial law has no preload: its clearance cannot be negative
 diag-use-law-per-axis-where-a-ac72 = use law = "per_axis", where a negative clearance is the interference of opposed contacts
+diag-contact-angle-is-given-without-balls-aa45 = contact_angle is given without balls
+diag-a-coefficient-holds-the-angle-already-7b11 = a coefficient holds the angle already: take contact_angle away
+diag-the-bearing-has-no-contact-coefficient-5cac = the bearing has no contact coefficient
+diag-give-coefficient-or-balls-and-ball-ccc8 = give coefficient, or balls and ball_diameter
+diag-coefficient-is-given-beside-the-geometry-f29d = coefficient is given beside the geometry of the balls
+diag-balls-is-given-without-ball-diameter-a70a = balls is given without ball_diameter
+diag-ball-diameter-is-given-without-balls-6beb = ball_diameter is given without balls
+diag-the-contact-coefficient-must-be-positive-11f4 = the contact coefficient must be positive
 diag-a-hertz-contact-without-preload-has-e0b4 = a Hertz contact without preload has no stiffness at rest: give an amplitude to linearise at (a harmonic study does), a preload (law = "per_axis" with a negative clearance), or a bearing_cubic fitted over the amplitudes of interest
 
 ## laval-model/src/parts/bearing_journal.rs
@@ -140,6 +149,12 @@ diag-is-given-as-a-constant-beside-d5bb = { $name } is given as a constant besid
 diag-a-bearing-has-constant-coefficients-or-463b = a bearing has constant coefficients or a table: put constants into the table as equal rows
 diag-this-bearing-was-built-without-kzz-bac1 = this bearing was built without kzz
 diag-the-coefficients-come-from-the-table-544d = the coefficients come from the table: a constant beside it has no effect
+
+## laval-model/src/parts/bearing_rolling.rs
+
+diag-the-ratio-of-the-stiffnesses-is-f766 = the ratio of the stiffnesses is known from 8 to 16 rolling elements, not of { $count }
+diag-give-ratio-the-stiffness-across-the-9a5b = give ratio: the stiffness across the load over that along it; it comes near 1 for many rolling elements under preload
+diag-the-ratio-of-the-stiffnesses-is-dd9f = the ratio of the stiffnesses is known from 8 to 16 rolling elements
 
 ## laval-model/src/parts/coupling.rs
 
@@ -232,6 +247,12 @@ diag-limited-power-needs-a-torque-and-2f00 = limited power needs a torque and a 
 
 ## laval-model/src/parts/shaft/mod.rs
 
+diag-layer-goes-from-to-e940 = layer { $number } goes from { $from } to { $to }
+diag-it-lies-on-the-shaft-from-d944 = it lies on the shaft, from its lower to its upper end: between 0 and { $length }
+diag-layer-the-inner-diameter-must-be-f017 = layer { $number }: the inner diameter must be less than the outer one
+diag-inner-diameter-is-that-of-the-d9f3 = inner_diameter is that of the shaft under a sleeve
+diag-layer-has-no-material-modulus-shear-103d = layer { $number } has no material: modulus, shear_modulus and density are those of a solid, and stiffness is a share from 0 to 1
+diag-leave-out-what-it-has-in-944a = leave out what it has in common with the shaft; stiffness = 0 is a layer with mass alone
 diag-a-shaft-has-1-to-sections-a510 = a shaft has 1 to { $most } sections
 diag-give-each-section-one-entry-in-0a0d = give each section one entry in every list
 diag-a-section-is-long-06c8 = a section is { $length } long
@@ -241,6 +262,7 @@ diag-diameters-are-between-1-m-and-c7e8 = diameters are between 1 µm and 100 m
 diag-a-shaft-of-elements-bead = a shaft of { $elements } elements
 diag-it-has-at-most-6555 = it has at most { $most }
 diag-section-the-inner-diameter-must-be-eed5 = section { $number }: the inner diameter must be less than the outer one
+diag-layer-overlaps-the-shaft-at-its-d014 = layer { $number } overlaps the shaft at { $position }: its inner diameter is { $inner }, the outer diameter of the shaft there { $outer }
 diag-modulus-and-shear-modulus-make-a-9d86 = modulus and shear_modulus make a Poisson's ratio of { $nu }, which no metal has: E = 2 G (1 + nu)
 diag-a-compression-of-buckles-it-unless-2945 = a compression of { $force } buckles it, unless bearings between its ends hold it: with both ends clamped it bears { $limit } at most
 
@@ -906,7 +928,7 @@ diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: of the coefficient
 diag-coefficients-over-frequency-are-taken-over-59b6 = { $elements }: coefficients over frequency are taken over speed
 diag-the-coefficients-are-those-in-the-45ec = { $elements }: the coefficients are those in the file, the geometry is left out
 diag-in-effect-in-all-studies-ross-43d4 = { $elements }: in effect in all studies; ROSS leaves seals out of run_static
-diag-one-section-with-the-element-below-fd4f = { $elements }: one section with the element below; ROSS adds the stiffnesses of both
+diag-a-layer-of-the-shaft-with-e9c1 = { $elements }: a layer of the shaft, with one shear angle; ROSS gives every layer its own
 diag-the-mass-is-carried-over-as-2fac = { $elements }: the mass is carried over as a disc, the stiffness is left out
 diag-left-out-there-are-no-lateral-3572 = { $elements }: left out, there are no lateral coefficients
 
@@ -1217,11 +1239,27 @@ diag-give-one-a-viscosity-or-take-ccca = give one a viscosity, or take criterion
 ## laval/src/study/linear/forced_response/mod.rs
 
 diag-no-body-of-this-machine-moves-0be8 = no body of this machine moves across the axis
+diag-separation-margins-need-an-operating-speed-78a5 = separation margins need an operating speed
+diag-give-speed-in-machine-or-the-6a56 = give speed in [machine], or the range of operating speeds in [operation]
 diag-responses-at-speeds-of-coordinates-ffcf = responses at { $speeds } speeds of { $n } coordinates
 diag-give-the-range-fewer-points-where-a938 = give the range fewer points: where the response bends it is refined without them
 diag-nothing-forces-this-machine-at-the-bc0c = nothing forces this machine at the spin speed
 diag-give-a-disc-an-eccentricity-an-cc3c = give a disc an eccentricity, an unbalance or a skew
 diag-speeds-to-solve-for-and-more-309f = speeds to solve for, and more where the response bends
+
+## laval/src/study/linear/harmonic_force/mod.rs
+
+diag-frequency-belongs-to-one-spin-speed-36ee = frequency belongs to one spin speed
+diag-give-one-speed-or-order-in-c27b = give one speed, or order in place of frequency
+diag-order-and-frequency-both-say-how-ed69 = order and frequency both say how fast the force is
+diag-leave-one-of-them-out-0b3f = leave one of them out
+diag-separation-margins-are-those-of-a-5324 = separation margins are those of a range of speeds
+diag-leave-frequency-out-and-give-a-f93a = leave frequency out and give a range of speeds
+diag-responses-at-values-of-coordinates-e18e = responses at { $values } values of { $n } coordinates
+diag-give-the-range-fewer-points-f548 = give the range fewer points
+diag-the-point-on-which-the-force-7c2b = the point on which the force acts does not move across the axis
+diag-name-a-point-of-a-disc-206e = name a point of a disc, a shaft or a foundation
+diag-responses-to-compute-cf95 = responses to compute
 
 ## laval/src/study/linear/modes/mod.rs
 
@@ -1233,6 +1271,16 @@ diag-a-map-of-by-points-is-6344 = a map of { $speeds } by { $values } points is 
 diag-at-most-points-in-all-2d77 = at most { $most } points in all
 diag-the-machine-does-not-exist-at-46f1 = the machine does not exist at { $path } = { $x }: { $why }
 diag-narrow-the-range-of-the-parameter-aa3f = narrow the range of the parameter
+
+## laval/src/study/linear/stability_threshold/mod.rs
+
+diag-up-to-is-below-the-anticipated-90ef = up_to is below the anticipated stiffness { $anticipated }
+diag-give-a-larger-up-to-or-f72d = give a larger up_to, or leave it out
+diag-no-lateral-mode-of-this-machine-bf9e = no lateral mode of this machine oscillates
+diag-cross-coupled-stiffness-makes-lateral-modes-69e4 = cross-coupled stiffness makes lateral modes unstable: modes lists those of the machine
+diag-roots-to-follow-61c7 = roots to follow
+diag-no-mode-becomes-less-stable-with-f0e4 = no mode becomes less stable with the stiffness, so that there is no largest one to propose
+diag-give-up-to-2dd8 = give up_to
 
 ## laval/src/study/linear/support_stiffness_map/mod.rs
 
@@ -1265,7 +1313,6 @@ diag-basins-need-a-speed-above-there-e9a5 = basins need a speed above { $least }
 diag-a-run-up-makes-no-difference-e5b8 = a run-up makes no difference at { $speed }: this machine has no masses that move round in axes that turn with it
 diag-leave-run-up-out-90f9 = leave run_up out
 diag-motions-with-numbers-each-a1ca = { $rows } motions with { $columns } numbers each
-diag-give-the-range-fewer-points-f548 = give the range fewer points
 diag-the-spin-of-this-machine-is-c90d = the spin of this machine is free: it has no speed at which motions settle
 diag-leave-drive-free-out-or-follow-efcb = leave drive = "free" out, or follow its motion with transient
 diag-motions-to-follow-cells-and-the-b5b2 = { $count } motions to follow ({ $cells } cells and the undisturbed start), each for up to { $turns } turns: { $what }, so that nothing says how long settling takes
@@ -1411,7 +1458,6 @@ diag-stability-of-a-further-branch-at-5e02 = stability of a further branch, at {
 diag-vary-two-parameters-for-one-see-e9a8 = vary two parameters; for one, see nonlinear_response with uncertainty, or give y another
 diag-a-map-of-by-machines-is-1075 = a map of { $x } by { $y } machines is too large
 diag-at-most-machines-in-all-be30 = at most { $most } machines in all
-diag-responses-to-compute-cf95 = responses to compute
 diag-is-spaced-in-equal-ratios-but-54d2 = { $field } is spaced in equal ratios, but does not begin above 0
 diag-begin-above-0-or-leave-out-53e4 = begin above 0, or leave { $spacing } out
 

@@ -32,3 +32,20 @@ forced-response-gap-closes = The vibration closes the gap of "{ $part }", { $gap
     }. Contact is neglected, so that the amplitudes are not valid there: use nonlinear_response.
 forced-response-validity = Not valid: the response is outside the range of "{ $part }" at { $speed }, { $what } = { $value } (limit 1).
 forced-response-validity-unbounded = Not valid: the response is outside the range of "{ $part }" at { $speed }, { $what } is unbounded (limit 1).
+
+# Separation margins.
+forced-response-margin-kept = Separation margins kept (API 684, SP6.8.2.10). The resonance at { $resonance } keeps least: { $value } from { $operating }, { $required } required ({ $body }, { $damped ->
+        [yes] amplification factor { $factor }
+       *[no] undamped
+    }).
+forced-response-margin-broken = Separation margin too small (API 684, SP6.8.2.10): the resonance at { $resonance } { $side ->
+        [among] lies among the operating speeds
+       *[other] is { $value } from { $operating }
+    }, { $required } required ({ $body }, { $damped ->
+        [yes] amplification factor { $factor }
+       *[no] undamped
+    }).
+forced-response-margin-none = No resonance in this range requires a separation margin (API 684, SP6.8.2.10): none has an amplification factor of 2.5 or more.
+forced-response-margin-unknown = Separation margins are not decided (API 684, SP6.8.2.10): the half-power points of a resonance lie outside the range, or the study was stopped. Extend the range.
+forced-response-spin = The unbalance of what turns with "{ $spin }" acts here, and speeds are those of this spin.
+forced-response-other-spins = The unbalance of what turns with { $spins } acts at another frequency and is left out here: give spin in a study of its own.

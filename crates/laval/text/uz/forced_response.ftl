@@ -32,3 +32,20 @@ forced-response-gap-closes = Tebranish { $speeds ->
     } "{ $part }" qismining tirqishini (muvozanat holatida { $gap }) yopadi. Kontakt hisobga olinmagan, shuning uchun u yerda amplitudalar haqiqiy emas: nonlinear_response hisobidan foydalaning.
 forced-response-validity = Haqiqiy emas: { $speed } tezlikda javob "{ $part }" qismining qo‘llanish sohasidan tashqarida, { $what } = { $value } (chegara 1).
 forced-response-validity-unbounded = Haqiqiy emas: { $speed } tezlikda javob "{ $part }" qismining qo‘llanish sohasidan tashqarida, { $what } chegaralanmagan (chegara 1).
+
+# Separation margins.
+forced-response-margin-kept = Chastota zaxiralari saqlangan (API 684, SP6.8.2.10). Eng kichigi { $resonance } rezonansida: { $operating } dan { $value }, { $required } talab qilinadi ({ $body }, { $damped ->
+        [yes] kuchaytirish koeffitsienti { $factor }
+       *[no] so‘nishsiz
+    }).
+forced-response-margin-broken = Chastota zaxirasi kichik (API 684, SP6.8.2.10): { $resonance } rezonansi { $side ->
+        [among] ish chastotalari orasida
+       *[other] { $operating } dan { $value } masofada
+    }, { $required } talab qilinadi ({ $body }, { $damped ->
+        [yes] kuchaytirish koeffitsienti { $factor }
+       *[no] so‘nishsiz
+    }).
+forced-response-margin-none = Bu diapazonda hech bir rezonans chastota zaxirasini talab qilmaydi (API 684, SP6.8.2.10): kuchaytirish koeffitsienti 2,5 dan kam bo‘lmagan rezonans yo‘q.
+forced-response-margin-unknown = Chastota zaxiralari aniqlanmadi (API 684, SP6.8.2.10): rezonansning yarim quvvat nuqtalari diapazondan tashqarida yoki hisoblash to‘xtatildi. Diapazonni kengaytiring.
+forced-response-spin = Bu yerda "{ $spin }" aylanishi bilan aylanadigan qismlarning muvozanatsizligi ta’sir qiladi; aylanish chastotalari shu aylanishga tegishli.
+forced-response-other-spins = { $spins } aylanishi bilan aylanadigan qismlarning muvozanatsizligi boshqa chastotada ta’sir qiladi va bu yerda hisobga olinmagan: spin maydonini alohida hisobda bering.

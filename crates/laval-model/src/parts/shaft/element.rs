@@ -72,6 +72,63 @@ pub struct Element<S> {
     pub shear: Shear,
     /// Conical form.
     pub cone: Cone,
+    /// Of cylindrical layers on it or in it.
+    pub layers: Layers<S>,
+}
+
+/// What cylindrical layers add to a section: stiffnesses and inertia add up, as layers and core bend by the same slope and shear by the same angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Layers<S> {
+    /// Sum of E I, N m^2.
+    pub bending: S,
+    /// Sum of kappa G A, N.
+    pub shear: S,
+    /// Sum of E A, N.
+    pub axial: S,
+    /// Sum of 2 G I, N m^2.
+    pub torsion: S,
+    /// Sum of rho A, kg/m.
+    pub mass: S,
+    /// Sum of rho I, kg m.
+    pub rotary: S,
+}
+
+impl<S: Scalar> Layers<S> {
+    /// Without layers.
+    pub fn none() -> Self {
+        Layers { bending: S::zero(), shear: S::zero(), axial: S::zero(), torsion: S::zero(), mass: S::zero(), rotary: S::zero() }
+    }
+    /// With one more, of these diameters (m), of which this share of the stiffness counts.
+    #[must_use]
+    pub fn with(self, [inner, outer]: [f64; 2], material: Material<S>, shear: Shear, share: f64) -> Self {
+        let (i, o) = (inner * inner, outer * outer);
+        let (area, second) = ((o - i) * PI / 4.0, (o * o - i * i) * PI / 64.0);
+        let g = shear_factor(shear, material, S::cst((inner / outer).powi(2))).map_or(S::zero(), |k| k * material.shear_modulus);
+        Layers {
+            bending: self.bending + material.modulus.scale(share * second),
+            shear: self.shear + g.scale(share * area),
+            axial: self.axial + material.modulus.scale(share * area),
+            torsion: self.torsion + material.shear_modulus.scale(2.0 * share * second),
+            mass: self.mass + material.density.scale(area),
+            rotary: self.rotary + material.density.scale(second),
+        }
+    }
+}
+
+/// Cowper's or Hutchinson's coefficient; m2 square of inner over outer diameter. `None` without shear deflection.
+fn shear_factor<S: Scalar>(shear: Shear, material: Material<S>, m2: S) -> Option<S> {
+    let nu = material.modulus / material.shear_modulus.scale(2.0) - S::one();
+    let q = (S::one() + m2).square();
+    let number = S::cst;
+    Some(match shear {
+        Shear::None => return None,
+        Shear::Cowper => q.scale(6.0) * (S::one() + nu) / (q * (number(7.0) + nu.scale(6.0)) + m2 * (number(20.0) + nu.scale(12.0))),
+        Shear::Hutchinson => {
+            let a = number(7.0) + nu.scale(12.0) + nu.square().scale(4.0);
+            let b = number(5.0) + nu.scale(6.0) + nu.square().scale(2.0);
+            q.scale(6.0) * (S::one() + nu) / (q * a + (m2 * b).scale(4.0))
+        }
+    })
 }
 
 /// Matrices of one plane.
@@ -115,36 +172,35 @@ impl<S: Scalar> Element<S> {
     pub(super) fn is_uniform(&self) -> bool {
         (self.outer[0] - self.outer[1]).is_nothing() && (self.inner[0] - self.inner[1]).is_nothing()
     }
-    /// kappa G at mid-length, Pa; `None` without shear deflection.
+    /// E I at a share of the length, N m^2.
+    pub fn bending(&self, share: f64) -> S {
+        self.material.modulus * self.section(share).1 + self.layers.bending
+    }
+    /// Mass and rotary inertia per length at a share of it, kg/m and kg m.
+    fn inertia_at(&self, share: f64) -> (S, S) {
+        let (area, second) = self.section(share);
+        (self.material.density * area + self.layers.mass, self.material.density * second + self.layers.rotary)
+    }
+    /// kappa G of the core at mid-length, Pa; `None` without shear deflection.
     fn shear_stiffness(&self) -> Option<S> {
-        let nu = self.material.modulus / self.material.shear_modulus.scale(2.0) - S::one();
         let m2 = ((self.inner[0] + self.inner[1]) / (self.outer[0] + self.outer[1])).square();
-        let q = (S::one() + m2).square();
-        let number = S::cst;
-        let kappa = match self.shear {
-            Shear::None => return None,
-            Shear::Cowper => q.scale(6.0) * (S::one() + nu) / (q * (number(7.0) + nu.scale(6.0)) + m2 * (number(20.0) + nu.scale(12.0))),
-            Shear::Hutchinson => {
-                let a = number(7.0) + nu.scale(12.0) + nu.square().scale(4.0);
-                let b = number(5.0) + nu.scale(6.0) + nu.square().scale(2.0);
-                q.scale(6.0) * (S::one() + nu) / (q * a + (m2 * b).scale(4.0))
-            }
-        };
-        Some(kappa * self.material.shear_modulus)
+        shear_factor(self.shear, self.material, m2).map(|kappa| kappa * self.material.shear_modulus)
+    }
+    /// kappa G A at a share of the length, N, with kappa G of the core at mid-length.
+    fn shearing(&self, core: S, share: f64) -> S {
+        core * self.section(share).0 + self.layers.shear
     }
     fn phi(&self) -> S {
-        let (area, second) = self.section(0.5);
-        let bending = self.material.modulus * second;
-        self.shear_stiffness().map_or(S::zero(), |g| bending.scale(12.0 / self.length.powi(2)) / (g * area))
+        self.shear_stiffness().map_or(S::zero(), |g| self.bending(0.5).scale(12.0 / self.length.powi(2)) / self.shearing(g, 0.5))
     }
 
     /// Mass, kg, and moment of inertia about the axis, kg m^2.
     pub fn inertia(&self) -> (S, S) {
         let mut sum = (S::zero(), S::zero());
         for (share, weight) in GAUSS {
-            let (area, second) = self.section(share);
-            sum.0 += (self.material.density * area).scale(weight * self.length);
-            sum.1 += (self.material.density * second).scale(2.0 * weight * self.length);
+            let (line, tilting) = self.inertia_at(share);
+            sum.0 += line.scale(weight * self.length);
+            sum.1 += tilting.scale(2.0 * weight * self.length);
         }
         sum
     }
@@ -155,14 +211,13 @@ impl<S: Scalar> Element<S> {
             (true, _) => self.uniform(),
             (false, Cone::MidSection) => {
                 let (phi, length) = (self.phi(), self.length);
-                let (bending, shearing) = (self.material.modulus, self.shear_stiffness());
+                let shearing = self.shear_stiffness();
                 let mut out = self.integrated(|x| uniform_field(length, phi, x));
                 for (share, weight) in GAUSS {
-                    let (area, second) = self.section(share);
                     let (bend, shear) = strains(length, phi, share);
-                    add_square(&mut out.stiffness, &bend, (bending * second).scale(weight * length));
+                    add_square(&mut out.stiffness, &bend, self.bending(share).scale(weight * length));
                     if let Some(g) = shearing {
-                        add_square(&mut out.stiffness, &shear, (g * area).scale(weight * length));
+                        add_square(&mut out.stiffness, &shear, self.shearing(g, share).scale(weight * length));
                     }
                 }
                 out
@@ -204,8 +259,7 @@ impl<S: Scalar> Element<S> {
         let zero = [[S::zero(); 4]; 4];
         let mut out = Plane { mass: zero, gyroscopic: zero, stiffness: zero, axial: zero };
         for (share, weight) in GAUSS {
-            let (f, (area, second)) = (field(share), self.section(share));
-            let (line, tilting) = (self.material.density * area, self.material.density * second);
+            let (f, (line, tilting)) = (field(share), self.inertia_at(share));
             add_square(&mut out.mass, &f.deflection, line.scale(weight * self.length));
             add_square(&mut out.mass, &f.slope, tilting.scale(weight * self.length));
             add_square(&mut out.gyroscopic, &f.slope, tilting.scale(2.0 * weight * self.length));
@@ -216,11 +270,10 @@ impl<S: Scalar> Element<S> {
 
     fn uniform(&self) -> Plane<S> {
         let (l, phi) = (self.length, self.phi());
-        let (area, second) = self.section(0.5);
         let one = S::one();
         let (d, phi2) = (one + phi, phi.square());
         let poly = |a: f64, b: f64, c: f64| S::cst(a) + phi.scale(b) + phi2.scale(c);
-        let (line, tilting) = (self.material.density * area, self.material.density * second);
+        let (line, tilting) = self.inertia_at(0.5);
         let d2 = recip(d * d);
         let (translational, rotary) = (line.scale(l) * d2, tilting.scale(1.0 / l) * d2);
         let couple = poly(13.0 / 420.0, 3.0 / 40.0, 1.0 / 24.0).scale(l);
@@ -241,7 +294,7 @@ impl<S: Scalar> Element<S> {
             poly(2.0 / 15.0, 1.0 / 6.0, 1.0 / 3.0).scale(l * l),
             poly(-1.0 / 30.0, -1.0 / 6.0, 1.0 / 6.0).scale(l * l),
         );
-        let k = self.material.modulus * second * recip(d.scale(l.powi(3)));
+        let k = self.bending(0.5) * recip(d.scale(l.powi(3)));
         let km = symmetric(
             S::cst(12.0),
             S::cst(6.0 * l),
@@ -352,8 +405,7 @@ impl<S: Scalar> Flexibility<S> {
         let (z, l) = (share * e.length, e.length);
         let own = integrals(e, share);
         let [w, s] = tip(&own, z, l);
-        let (area, _) = e.section(share);
-        let shear = e.shear_stiffness().map_or(S::zero(), |g| recip(g * area));
+        let shear = e.shear_stiffness().map_or(S::zero(), |g| recip(e.shearing(g, share)));
         let (zero, one) = (S::zero(), S::one());
         let rigid = [[one, S::cst(z), zero, zero], [zero, one, zero, zero], [zero, one, zero, zero]];
         let along = [w, s, [s[0] + shear, s[1]]];
@@ -383,13 +435,12 @@ fn integrals<S: Scalar>(e: &Element<S>, share: f64) -> Integrals<S> {
         for (x, weight) in GAUSS {
             let at = step * (k as f64 + x);
             let (t, weight) = (at * e.length, weight * step * e.length);
-            let (area, second) = e.section(at);
-            let soft = recip(e.material.modulus * second).scale(weight);
+            let soft = recip(e.bending(at)).scale(weight);
             out[0] += soft;
             out[1] += soft.scale(t);
             out[2] += soft.scale(t * t);
             if let Some(g) = shear {
-                out[3] += recip(g * area).scale(weight);
+                out[3] += recip(e.shearing(g, at)).scale(weight);
             }
         }
     }

@@ -22,42 +22,45 @@ pub struct Line<S> {
 impl<S: Scalar> Element<S> {
     /// Along the axis: kg, N/m.
     pub fn axial(&self) -> Line<S> {
-        let (modulus, density) = (self.material.modulus, self.material.density);
-        self.line(|x| self.section(x).0, modulus, density)
+        let (e, rho) = (self.material.modulus, self.material.density);
+        self.line(&|x| e * self.section(x).0 + self.layers.axial, &|x| rho * self.section(x).0 + self.layers.mass)
     }
     /// About the axis: kg m^2, N m/rad.
     pub fn torsional(&self) -> Line<S> {
-        let (modulus, density) = (self.material.shear_modulus, self.material.density);
-        self.line(|x| self.section(x).1.scale(2.0), modulus, density)
+        let (g, rho) = (self.material.shear_modulus, self.material.density);
+        let polar = |x: f64| self.section(x).1.scale(2.0);
+        self.line(&|x| g * polar(x) + self.layers.torsion, &|x| rho * polar(x) + self.layers.rotary.scale(2.0))
     }
     /// Share of the motion of the second end at a share of the length, along the axis and about it.
     pub fn line_shape(&self, share: f64) -> [S; 2] {
         if self.cone == Cone::MidSection || self.is_uniform() {
             return [S::cst(share); 2];
         }
+        let (e, g) = (self.material.modulus, self.material.shear_modulus);
         let share_of = |a: &dyn Fn(f64) -> S| softness(a, share) / softness(a, 1.0);
-        [share_of(&|x| self.section(x).0), share_of(&|x| self.section(x).1)]
+        [share_of(&|x| e * self.section(x).0 + self.layers.axial), share_of(&|x| g * self.section(x).1.scale(2.0) + self.layers.torsion)]
     }
 
-    fn line(&self, section: impl Fn(f64) -> S, modulus: S, density: S) -> Line<S> {
+    /// Of a stiffness and an inertia per length.
+    fn line(&self, stiffness: &dyn Fn(f64) -> S, inertia: &dyn Fn(f64) -> S) -> Line<S> {
         let l = self.length;
         let (k, mass) = if self.cone == Cone::MidSection || self.is_uniform() {
-            let mean = (section(0.0) + section(1.0)).scale(0.5);
-            let m = (density * mean).scale(l / 6.0);
-            ((modulus * mean).scale(1.0 / l), [[m.scale(2.0), m], [m, m.scale(2.0)]])
+            let mean = |a: &dyn Fn(f64) -> S| (a(0.0) + a(1.0)).scale(0.5);
+            let m = mean(inertia).scale(l / 6.0);
+            (mean(stiffness).scale(1.0 / l), [[m.scale(2.0), m], [m, m.scale(2.0)]])
         } else {
-            let whole = softness(&section, 1.0);
+            let whole = softness(stiffness, 1.0);
             let mut mass = [[S::zero(); 2]; 2];
             for (x, weight) in GAUSS {
-                let n = softness(&section, x) / whole;
-                let (m, shape) = ((density * section(x)).scale(weight * l), [S::one() - n, n]);
+                let n = softness(stiffness, x) / whole;
+                let (m, shape) = (inertia(x).scale(weight * l), [S::one() - n, n]);
                 for i in 0..2 {
                     for j in 0..2 {
                         mass[i][j] += m * shape[i] * shape[j];
                     }
                 }
             }
-            (modulus / whole.scale(l), mass)
+            (S::one() / whole.scale(l), mass)
         };
         Line { mass, stiffness: [[k, -k], [-k, k]] }
     }

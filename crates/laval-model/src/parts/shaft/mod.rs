@@ -40,7 +40,7 @@ use crate::params;
 use crate::parts::spin::SPIN;
 use crate::text;
 use crate::text::Text;
-use element::{Cone, Element, M4, Material, Plane, Shear};
+use element::{Cone, Element, Layers, M4, Material, Plane, Shear};
 use laval_num::scalar::Scalar;
 use line::Line;
 use mesh::Mesh;
@@ -75,6 +75,17 @@ params! {
 impl RowFamily for SectionFamily {
     const LIST: &'static str = "section";
 }
+
+const LAYER: &[(&str, &str, bool, &str)] = &[
+    ("from", "m", true, "position of its lower end"),
+    ("to", "m", true, "position of its upper end"),
+    ("outer_diameter", "m", true, "outer diameter"),
+    ("inner_diameter", "m", true, "inner diameter: of a sleeve that of the shaft under it"),
+    ("modulus", "Pa", false, "Young's modulus; that of the shaft unless given"),
+    ("shear_modulus", "Pa", false, "shear modulus; that of the shaft unless given"),
+    ("density", "kg/m^3", false, "density; that of the shaft unless given"),
+    ("stiffness", "", false, "share of its stiffness that counts, 1 unless given; 0 is a layer with mass alone"),
+];
 
 const SECTION: &[(&str, &str, bool, &str)] = &[
     ("length", "m", true, "length of the section"),
@@ -118,6 +129,8 @@ pub struct Shaft {
     torsional: bool,
     /// The part that gives the ratio of its spin.
     spin: Option<String>,
+    /// Layers on it or in it.
+    layers: Vec<Layer>,
     mesh: Mesh,
 }
 
@@ -134,13 +147,24 @@ impl Shaft {
             axial: false,
             torsional: false,
             spin: None,
+            layers: Vec::new(),
             mesh,
         }
     }
+    /// With layers on it or in it.
+    pub fn layers(self, layers: Vec<Layer>) -> Self {
+        let shaft = Shaft { layers, ..self };
+        Shaft { mesh: shaft.divide(&[]), ..shaft }
+    }
+    /// Nodes at the ends of the layers and at these positions.
+    fn divide(&self, positions: &[f64]) -> Mesh {
+        let all: Vec<f64> = positions.iter().copied().chain(self.layers.iter().flat_map(|l| [l.from, l.to])).collect();
+        Mesh::new(&self.lengths, &self.diameters, self.elements, &all)
+    }
     /// With so many elements in every section.
     pub fn elements(self, count: usize) -> Self {
-        let mesh = Mesh::new(&self.lengths, &self.diameters, Some(count), &[]);
-        Shaft { elements: Some(count), mesh, ..self }
+        let shaft = Shaft { elements: Some(count), ..self };
+        Shaft { mesh: shaft.divide(&[]), ..shaft }
     }
     /// With another law of shear.
     pub fn shear(self, shear: Shear) -> Self {
@@ -183,7 +207,29 @@ impl Shaft {
             material: Material { modulus: p.modulus, shear_modulus: p.shear_modulus, density: p.density },
             shear: self.shear,
             cone: self.cone,
+            layers: self.layers_of(p, k),
         }
+    }
+    /// What the layers add to an element.
+    #[inline(always)]
+    fn layers_of<S: Scalar>(&self, p: &Params<Self, S>, k: usize) -> Layers<S> {
+        let mut out = Layers::none();
+        let middle = 0.5 * (self.mesh.nodes[k] + self.mesh.nodes[k + 1]);
+        for l in self.layers.iter().filter(|l| l.covers(middle)) {
+            let or = |own: Option<f64>, shaft: S| own.map_or(shaft, S::cst);
+            let material = Material {
+                modulus: or(l.modulus, p.modulus),
+                shear_modulus: or(l.shear_modulus, p.shear_modulus),
+                density: or(l.density, p.density),
+            };
+            out = out.with([l.inner, l.outer], material, self.shear, l.stiffness);
+        }
+        out
+    }
+    /// The layers that cover an element.
+    fn covering(&self, k: usize) -> impl Iterator<Item = (usize, &Layer)> {
+        let middle = 0.5 * (self.mesh.nodes[k] + self.mesh.nodes[k + 1]);
+        self.layers.iter().enumerate().filter(move |l| l.1.covers(middle))
     }
     /// The matrices of all elements, with the coordinates of each; neighbours that are alike are computed once.
     #[inline(always)]
@@ -195,7 +241,8 @@ impl Shaft {
                 [p.rows[piece.section].end_outer_diameter, p.rows[piece.section].end_inner_diameter].iter().any(|d| d.value() != 0.0);
             let known = last.take().filter(|(j, ..)| {
                 let other = self.mesh.pieces[*j];
-                !tapers && other.section == piece.section && (other.length - piece.length).abs() <= 1e-13 * piece.length
+                let alike = self.layers.is_empty() || self.covering(*j).map(|l| l.0).eq(self.covering(k).map(|l| l.0));
+                alike && !tapers && other.section == piece.section && (other.length - piece.length).abs() <= 1e-13 * piece.length
             });
             let (_, element, plane) = known.unwrap_or_else(|| {
                 let element = self.element(p, k);
@@ -204,6 +251,87 @@ impl Shaft {
             f(self.ends(k), &element, &plane);
             last = Some((k, element, plane));
         }
+    }
+}
+
+/// A cylindrical layer on a shaft or in its bore.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// Positions of its ends, m.
+    pub from: f64,
+    /// See `from`.
+    pub to: f64,
+    /// Inner diameter, m.
+    pub inner: f64,
+    /// Outer diameter, m.
+    pub outer: f64,
+    /// E, Pa; that of the shaft where it is not given.
+    pub modulus: Option<f64>,
+    /// G, Pa; that of the shaft where it is not given.
+    pub shear_modulus: Option<f64>,
+    /// rho, kg/m^3; that of the shaft where it is not given.
+    pub density: Option<f64>,
+    /// Share of its stiffness that counts; 0 is a layer that has mass alone.
+    pub stiffness: f64,
+}
+
+impl Layer {
+    fn covers(&self, position: f64) -> bool {
+        (self.from..=self.to).contains(&position)
+    }
+
+    /// From the columns of a file; says what is wrong with them.
+    fn read(values: &Values, length: f64, diagnostics: &mut Diagnostics) -> Option<Vec<Self>> {
+        let Some(columns) = values.columns("layer") else { return Some(Vec::new()) };
+        let column = |name: &str| columns.get(name);
+        let rows = column("from").map_or(0, Vec::len);
+        let at = |name: &str, k: usize| column(name).and_then(|c| c.get(k)).copied();
+        let mut wrong = |message: Text, help: Text| {
+            diagnostics.push(Diagnostic::error("shaft.layer", message).at(values.span_of("layer")).help(help));
+        };
+        let mut out = Vec::new();
+        for k in 0..rows {
+            let layer = Layer {
+                from: at("from", k)?,
+                to: at("to", k)?,
+                inner: at("inner_diameter", k)?,
+                outer: at("outer_diameter", k)?,
+                modulus: at("modulus", k),
+                shear_modulus: at("shear_modulus", k),
+                density: at("density", k),
+                stiffness: at("stiffness", k).unwrap_or(1.0),
+            };
+            let (number, rounding) = (k + 1, 1e-9 * length);
+            let end = |z: f64| text::quantity(z, "m");
+            if !(layer.from >= -rounding && layer.to <= length + rounding && layer.from < layer.to) {
+                wrong(
+                    text!("layer {number} goes from {from} to {to}", number, from = end(layer.from), to = end(layer.to)),
+                    text!("it lies on the shaft, from its lower to its upper end: between 0 and {length}", length = end(length)),
+                );
+                return None;
+            }
+            if !(layer.inner >= 0.0 && layer.inner < layer.outer && layer.outer <= 100.0) {
+                wrong(
+                    text!("layer {number}: the inner diameter must be less than the outer one", number),
+                    text!("inner_diameter is that of the shaft under a sleeve"),
+                );
+                return None;
+            }
+            let bounds = [(layer.modulus, 1e5, 1e13), (layer.shear_modulus, 1e5, 1e13), (layer.density, 1e-3, 1e5)];
+            if bounds.iter().any(|&(x, low, high)| x.is_some_and(|x| !(low..=high).contains(&x))) || !(0.0..=1.0).contains(&layer.stiffness)
+            {
+                wrong(
+                    text!(
+                        "layer {number} has no material: modulus, shear_modulus and density are those of a solid, and stiffness is a share from 0 to 1",
+                        number
+                    ),
+                    text!("leave out what it has in common with the shaft; stiffness = 0 is a layer with mass alone"),
+                );
+                return None;
+            }
+            out.push(layer);
+        }
+        Some(out)
     }
 }
 
@@ -232,6 +360,12 @@ material = "steel"
             "the sections from the lower end to the upper: as many entries in each list",
         ),
         Field::optional("spin", FieldKind::Text, "", SPIN),
+        Field::optional(
+            "layer",
+            FieldKind::Columns(LAYER),
+            "",
+            "cylindrical layers on the shaft or in its bore, such as sleeves: as many entries in each list; stiffnesses and masses of layers and shaft add up, with one slope and one shear angle",
+        ),
         Field::optional(
             "material",
             FieldKind::Choice(WORDS),
@@ -313,8 +447,12 @@ material = "steel"
         };
         let cone = if values.choice("cone") == Some("mid_section") { Cone::MidSection } else { Cone::Flexibility };
         let own = |name: &str| values.flag(name) == Some(true);
-        let shaft = Shaft::new(lengths, outer).shear(shear).cone(cone).coordinates(own("axial"), own("torsional"));
+        let layers = Layer::read(values, lengths.iter().sum(), diagnostics)?;
+        let shaft = Shaft::new(lengths, outer).shear(shear).cone(cone).coordinates(own("axial"), own("torsional")).layers(layers);
         let shaft = Shaft { spin: values.text("spin").map(str::to_string), ..shaft };
+        let mut refuse = |message: Text, help: Text| {
+            diagnostics.push(Diagnostic::error("shaft.section", message).at(values.span_of("section")).help(help));
+        };
         let Some(n) = values.integer("elements") else { return Some(shaft) };
         let n = n.clamp(1, MOST_ELEMENTS) as usize;
         if n * lengths.len() > MOST {
@@ -459,6 +597,25 @@ material = "steel"
                 wrong.push(("section", text!("section {number}: the inner diameter must be less than the outer one", number = k + 1)));
             }
         }
+        for k in 0..self.mesh.pieces.len() {
+            let e = self.element(p, k);
+            for (number, layer) in self.covering(k) {
+                let thin = 1e-6 * layer.outer;
+                let overlaps = (0..2).any(|i| layer.inner < e.outer[i] - thin && layer.outer > e.inner[i] + thin);
+                if overlaps && !wrong.iter().any(|w: &(&str, Text)| w.0 == "layer") {
+                    wrong.push((
+                        "layer",
+                        text!(
+                            "layer {number} overlaps the shaft at {position}: its inner diameter is {inner}, the outer diameter of the shaft there {outer}",
+                            number = number + 1,
+                            position = text::quantity(self.mesh.nodes[k], "m"),
+                            inner = text::quantity(layer.inner, "m"),
+                            outer = text::quantity(e.outer[0].max(e.outer[1]), "m")
+                        ),
+                    ));
+                }
+            }
+        }
         // nu = E/(2 G) - 1
         let nu = p.modulus / (2.0 * p.shear_modulus) - 1.0;
         if self.shear != Shear::None && !(0.0..=0.5).contains(&nu) {
@@ -475,8 +632,8 @@ material = "steel"
     fn warnings(&self, p: &Params<Self, f64>) -> Vec<Text> {
         // both ends clamped: no other support of the ends holds more
         let stiffest =
-            (0..self.mesh.pieces.len()).map(|k| self.element(p, k)).map(|e| e.section(0.0).1.max(e.section(1.0).1)).fold(0.0, f64::max);
-        let limit = p.modulus * stiffest * (2.0 * PI / self.lengths.iter().sum::<f64>()).powi(2);
+            (0..self.mesh.pieces.len()).map(|k| self.element(p, k)).map(|e| e.bending(0.0).max(e.bending(1.0))).fold(0.0, f64::max);
+        let limit = stiffest * (2.0 * PI / self.lengths.iter().sum::<f64>()).powi(2);
         if p.axial_force < -limit {
             let (force, limit) = (text::quantity(-p.axial_force, "N"), text::quantity(limit, "N"));
             return vec![text!(
@@ -533,10 +690,14 @@ impl BodyPart for Shaft {
     }
     fn profile(&self, p: &Params<Self, f64>) -> Vec<[f64; 4]> {
         let ends = self.mesh.nodes.windows(2).enumerate();
-        ends.map(|(k, z)| (z, self.element(p, k).outer)).map(|(z, d)| [z[0], z[1], d[0], d[1]]).collect()
+        let outer = |k: usize| {
+            let layers = self.covering(k).map(|l| l.1.outer).fold(0.0, f64::max);
+            self.element(p, k).outer.map(|d: f64| d.max(layers))
+        };
+        ends.map(|(k, z)| (z, outer(k))).map(|(z, d)| [z[0], z[1], d[0], d[1]]).collect()
     }
     fn divided(&self, positions: &[f64]) -> Option<ErasedPart> {
-        let mesh = Mesh::new(&self.lengths, &self.diameters, self.elements, positions);
+        let mesh = self.divide(positions);
         (mesh != self.mesh).then(|| Shaft { mesh, ..self.clone() }.erased())
     }
     fn turns(&self) -> bool {
@@ -553,6 +714,7 @@ crate::conformance! {
         axial_and_torsional: tests::shaft().coordinates(true, true),
             tests::params(ShaftParams { rotating_damping: 2e-5, mass_damping: 3.0, stiffness_damping: 1e-5, ..ShaftParams::new() }),
             Options::default();
+        layered: tests::shaft().coordinates(true, true).layers(tests::layers()), tests::params(ShaftParams { rotating_damping: 2e-5, ..ShaftParams::new() }), Options::default();
         torsional: tests::shaft().coordinates(false, true).cone(Cone::MidSection), tests::params(ShaftParams::new()), Options::default();
         twisted: tests::shaft().shear(Shear::None), tests::params(ShaftParams { torque: 2e3, ..ShaftParams::new() }), Options { energy: false, ..Options::default() };
     }

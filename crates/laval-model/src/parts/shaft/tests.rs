@@ -1,11 +1,11 @@
-use super::element::{Cone, Element, Material, Plane, Shear};
+use super::element::{Cone, Element, Layers, Material, Plane, Shear};
 use super::*;
 use crate::model::params::Listed;
 use laval_num::dense::Mat;
 
 fn element(outer: [f64; 2], inner: [f64; 2], cone: Cone) -> Element<f64> {
     let material = Material { modulus: 2.11e11, shear_modulus: 8.12e10, density: 7810.0 };
-    Element { length: 0.25, outer, inner, material, shear: Shear::Cowper, cone }
+    Element { length: 0.25, outer, inner, material, shear: Shear::Cowper, cone, layers: Layers::none() }
 }
 
 fn far(a: &M4<f64>, b: &M4<f64>) -> f64 {
@@ -204,5 +204,124 @@ fn points_between_nodes() {
     for k in 0..4 {
         let found: f64 = ends.iter().zip(&rows).map(|(q, row)| q * row[k]).sum();
         assert!((found - cubic(0.2)[k]).abs() < 1e-12, "{k}: {found} {:?}", cubic(0.2));
+    }
+}
+
+pub(super) fn layers() -> Vec<Layer> {
+    let steel =
+        Layer { from: 0.02, to: 0.08, inner: 0.04, outer: 0.055, modulus: None, shear_modulus: None, density: None, stiffness: 1.0 };
+    let bronze = Layer {
+        from: 0.05,
+        to: 0.3,
+        inner: 0.08,
+        outer: 0.1,
+        modulus: Some(1.1e11),
+        shear_modulus: Some(4e10),
+        density: Some(8800.0),
+        stiffness: 0.4,
+    };
+    vec![steel, bronze]
+}
+
+/// A core and a tube of one material are the solid section: E I, mass, rotary inertia, E A and G I to rounding; without shear all matrices.
+#[test]
+fn two_layers_of_one_material_are_the_solid_section() {
+    let whole = element([0.08; 2], [0.02; 2], Cone::Flexibility);
+    let tube = |share| Layers::none().with([0.05, 0.08], whole.material, Shear::None, share);
+    let slender = |outer: f64, layers| Element { shear: Shear::None, layers, ..element([outer; 2], [0.02; 2], Cone::Flexibility) };
+    let (solid, layered) = (slender(0.08, Layers::none()), slender(0.05, tube(1.0)));
+    assert!((layered.bending(0.3) / solid.bending(0.3) - 1.0).abs() < 1e-12);
+    let ((a, b), (c, d)) = (layered.inertia(), solid.inertia());
+    assert!((a / c - 1.0).abs() < 1e-12 && (b / d - 1.0).abs() < 1e-12);
+    assert!(furthest(&layered.plane(), &solid.plane()) < 1e-12);
+    for cone in [Cone::Flexibility, Cone::MidSection] {
+        for (a, b) in [(layered.axial(), solid.axial()), (layered.torsional(), solid.torsional())] {
+            assert!(
+                (a.stiffness[0][0] / b.stiffness[0][0] - 1.0).abs() < 1e-12 && (a.mass[0][0] / b.mass[0][0] - 1.0).abs() < 1e-12,
+                "{cone:?}"
+            );
+        }
+    }
+    // conical core under a cylinder, by integration
+    let under = |outer: [f64; 2], layers| Element { layers, ..element(outer, [0.0; 2], Cone::Flexibility) };
+    let layer = Layers::none().with([0.06, 0.08], whole.material, Shear::Cowper, 1.0);
+    let gap = furthest(&under([0.05; 2], layer).plane(), &under([0.05, 0.05 * (1.0 + 1e-13)], layer).plane());
+    assert!(gap < 1e-11, "{gap:e}");
+    // mass alone
+    let heavy = slender(0.05, tube(0.0));
+    assert!((heavy.inertia().0 / solid.inertia().0 - 1.0).abs() < 1e-12);
+    assert_eq!(heavy.plane().stiffness, slender(0.05, Layers::none()).plane().stiffness);
+}
+
+/// With shear the stiffness of a layered element is that of one shear angle: bending and shear in series, `f = L^3/(3 sum E I) + L/(sum kappa G A)` of a cantilever.
+#[test]
+fn layers_share_one_shear_angle() {
+    let bronze = Material { modulus: 1.1e11, shear_modulus: 4e10, density: 8800.0 };
+    let own = element([0.05; 2], [0.0; 2], Cone::Flexibility);
+    let e = Element { layers: Layers::none().with([0.05, 0.07], bronze, Shear::Cowper, 1.0), ..own };
+    let factor = |nu: f64, m: f64| {
+        let q = (1.0 + m * m) * (1.0 + m * m);
+        6.0 * q * (1.0 + nu) / (q * (7.0 + 6.0 * nu) + m * m * (20.0 + 12.0 * nu))
+    };
+    let (core, tube) = (own.material, bronze);
+    let (area, ring) = (PI / 4.0 * 0.05f64.powi(2), PI / 4.0 * (0.07f64.powi(2) - 0.05f64.powi(2)));
+    let (second, outer) = (PI / 64.0 * 0.05f64.powi(4), PI / 64.0 * (0.07f64.powi(4) - 0.05f64.powi(4)));
+    let bending = core.modulus * second + tube.modulus * outer;
+    let nu = |m: Material<f64>| m.modulus / (2.0 * m.shear_modulus) - 1.0;
+    let shear = factor(nu(core), 0.0) * core.shear_modulus * area + factor(nu(tube), 0.05 / 0.07) * tube.shear_modulus * ring;
+    let k = e.plane().stiffness;
+    let det = k[2][2] * k[3][3] - k[2][3] * k[3][2];
+    let flexibility = k[3][3] / det;
+    let expected = e.length.powi(3) / (3.0 * bending) + e.length / shear;
+    assert!((flexibility / expected - 1.0).abs() < 1e-12, "{flexibility:e} {expected:e}");
+}
+
+/// A layer gives the shaft nodes at its ends, and counts between them alone.
+#[test]
+fn layers_count_between_their_ends() {
+    let s = shaft().layers(layers());
+    for z in [0.02, 0.08, 0.05, 0.3] {
+        assert!(s.mesh.node(z).is_some(), "{z}");
+    }
+    let p = params(ShaftParams::new());
+    let mass = |s: &Shaft| (0..s.mesh.pieces.len()).map(|k| s.element(&p, k).inertia().0).sum::<f64>();
+    let ring = |l: &Layer, rho: f64| PI / 4.0 * (l.outer.powi(2) - l.inner.powi(2)) * (l.to - l.from) * rho;
+    let [a, b] = [&layers()[0], &layers()[1]];
+    let more = ring(a, 7850.0) + ring(b, 8800.0);
+    assert!(((mass(&s) - mass(&shaft())) / more - 1.0).abs() < 1e-12);
+    // and through divisions for attached parts
+    let divided = s.divide(&[0.06, 0.2]);
+    assert!([0.02, 0.08, 0.05, 0.3, 0.06, 0.2].iter().all(|z| divided.node(*z).is_some()));
+}
+
+#[test]
+fn mistakes_of_layers_are_reported() {
+    let p = params(ShaftParams::new());
+    let through = |inner: f64| shaft().layers(vec![Layer { inner, ..layers()[0].clone() }]).check(&p);
+    assert!(through(0.04).is_empty() && through(0.05).is_empty());
+    let wrong = through(0.03);
+    assert!(wrong.len() == 1 && wrong[0].0 == "layer" && wrong[0].1.to_string().contains("overlaps the shaft at"), "{wrong:?}");
+    // a lining of the bore
+    let lining = Layer { from: 0.1, to: 0.3, inner: 0.01, outer: 0.02, ..layers()[0].clone() };
+    assert!(shaft().layers(vec![lining]).check(&p).is_empty());
+    use crate::model::field::Value;
+    use std::collections::BTreeMap;
+    let read = |from: f64, to: f64, inner: f64, stiffness: f64| {
+        let (mut values, mut d) = (Values::default(), Diagnostics::default());
+        let columns = [("from", from), ("to", to), ("inner_diameter", inner), ("outer_diameter", 0.06), ("stiffness", stiffness)];
+        values.set("layer", Value::Columns(BTreeMap::from(columns.map(|(n, x)| (n, vec![x])))), Some(4..9));
+        let read = Layer::read(&values, 0.35, &mut d);
+        assert!(d.0.iter().all(|d| d.span == Some(4..9)));
+        (read.is_some(), d.0.len())
+    };
+    assert_eq!(read(0.0, 0.35, 0.05, 0.0), (true, 0));
+    for wrong in [
+        read(0.2, 0.1, 0.05, 1.0),
+        read(0.2, 0.4, 0.05, 1.0),
+        read(f64::NAN, 0.1, 0.05, 1.0),
+        read(0.0, 0.1, 0.07, 1.0),
+        read(0.0, 0.1, 0.05, 1.5),
+    ] {
+        assert_eq!(wrong, (false, 1));
     }
 }

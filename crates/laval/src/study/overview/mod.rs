@@ -223,7 +223,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     };
     let response = operating.map(|o| {
         let speed = ordered(o.low, o.high, if o.is_one() { 1 } else { OPERATING });
-        let known = within(&ForcedResponse { speed }, system, context);
+        let known = within(&ForcedResponse::over(speed), system, context);
         known.or_studied(|r| r.end.is_complete(), || studied::response(outcomes, Needed::of(o, sign)))
     });
     let needed = operating.map(|o| Needed::of(o, sign));
@@ -270,7 +270,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     };
     let forced = match criticals {
         Known::Yes(_) | Known::Studied(..) => None,
-        _ => match within(&ForcedResponse { speed }, system, context)
+        _ => match within(&ForcedResponse::over(speed), system, context)
             .or_studied(|r| r.end.is_complete(), || studied::forced(outcomes, needed?))
         {
             Known::Yes(r) => Some(r),

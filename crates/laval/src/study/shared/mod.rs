@@ -1,8 +1,11 @@
 //! Code that studies of several rooms use.
 
+pub(in crate::study) mod half_power;
 pub(in crate::study) mod headings;
 pub mod limits;
+pub(in crate::study) mod margins;
 pub mod operation;
+pub(in crate::study) mod place;
 pub mod presentation;
 pub(in crate::study) mod probes;
 pub(in crate::study) mod region;

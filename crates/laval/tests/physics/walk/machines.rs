@@ -46,8 +46,23 @@ pub const CASES: &[Case] = &[
         "kxx = -\nkxy = -\nkyx = -\nkyy = -\ncxx = -\ncyy = -\nbeyond = \"hold\"\n\
          table = { speed = [0, 2000], kxx = [2e6, 3e6], kyy = [2e6, 3e6], cxx = [200, 200], cyy = [200, 200] }",
     ),
+    case(
+        "ball_bearing",
+        "bearing_rolling",
+        "count = 10\nsize = \"0.2 mm\"\nload = 2\ncontact_angle = 0.3\nratio = 0.7\ndamping_time = 1e-4",
+    ),
+    case(
+        "roller_bearing",
+        "bearing_rolling",
+        "elements = \"rollers\"\nload_direction = \"x\"\nsize = \"0.2 mm\"\nload = 2\ncontact_angle = 0.3\ndamping_time = 1e-4",
+    ),
     case("cubic", "bearing_cubic", "stiffness = 1e6\ncubic_stiffness = 1e14"),
     case("hertz", "bearing_hertz", "clearance = \"5 um\"\ncoefficient = 1e9"),
+    case(
+        "ball_contacts",
+        "bearing_hertz",
+        "clearance = \"5 um\"\ncoefficient = -\nballs = 3\nball_diameter = \"0.2 mm\"\ncontact_angle = 0.2",
+    ),
     case("preloaded", "bearing_hertz", "law = \"per_axis\"\nclearance = \"-20 um\"\ncoefficient = 1e8"),
     case(
         "shaft",

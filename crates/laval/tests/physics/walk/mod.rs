@@ -79,7 +79,7 @@ fn every_study_sees_every_property_of_every_part_in_odd_places() {
 }
 
 /// Studies of small motions about a rest that is inside.
-const AT_REST: &[&str] = &["modes", "campbell", "critical_speeds", "stability_map", "optimum"];
+const AT_REST: &[&str] = &["modes", "campbell", "critical_speeds", "stability_map", "stability_threshold", "optimum"];
 
 /// A law that is fitted for a millionth of what moves; upright only motion leaves it, and every study with an amplitude says so, with the name of the part.
 #[test]

@@ -7,6 +7,8 @@ pub const STUDIES: &[(&str, &str, bool)] = &[
     ("campbell", "speed = { from = 100, to = 1300, points = 4 }", true),
     ("critical_speeds", "speed = { from = 100, to = 1300, points = 6 }", true),
     ("stability_map", "speed = { from = 100, to = 2000, points = 4 }", true),
+    ("harmonic_force", "place = \"drum\"\nspeed = { from = 100, to = 1300, points = 6 }", true),
+    ("stability_threshold", "place = \"drum\"\nspeed = 400\nup_to = 1e5\npoints = 3", true),
     ("forced_response", "speed = { from = 100, to = 1300, points = 6 }", true),
     ("nonlinear_response", "speed = { from = 800, to = 900 }\nharmonics = 1\nstability = false", false),
     (
@@ -90,7 +92,7 @@ pub const LONG: &[(&str, &[&str])] = &[
 ];
 
 /// Studies of small motions about rest, and those that ask them.
-const ROOTS: &[&str] = &["modes", "campbell", "stability_map", "optimum"];
+const ROOTS: &[&str] = &["modes", "campbell", "stability_map", "stability_threshold", "harmonic_force", "optimum"];
 const STEADY: &[&str] = &[
     "forced_response",
     "bifurcation_loci",
@@ -103,7 +105,17 @@ const STEADY: &[&str] = &[
     "methods",
     "sweep",
 ];
-const ABOUT_REST: &[&str] = &["modes", "campbell", "critical_speeds", "stability_map", "forced_response", "uncertainty", "optimum"];
+const ABOUT_REST: &[&str] = &[
+    "modes",
+    "campbell",
+    "critical_speeds",
+    "stability_map",
+    "stability_threshold",
+    "harmonic_force",
+    "forced_response",
+    "uncertainty",
+    "optimum",
+];
 const EVERY: &[&str] = &[];
 
 /// Changed properties (`case.key`, `*` for every key) that change nothing in some studies (none named: in all), and why.
@@ -127,7 +139,7 @@ pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
             "ice.eccentricity",
             "ice.skew",
         ],
-        &["modes", "campbell", "stability_map", "optimum", "backbone", "limit_cycles"],
+        &["modes", "campbell", "stability_map", "stability_threshold", "harmonic_force", "optimum", "backbone", "limit_cycles"],
         "unbalance forces the machine and moves no root; free whirls are without it; a state that turns moves by it less than its tangent shows",
     ),
     (&["drum.eccentricity"], &["bifurcation_loci", "response_map"], "the eccentricity is the parameter over which these go"),
@@ -148,11 +160,35 @@ pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
         "what moves on a circle with the rotor is at rest in it: nothing inside it is sheared, and the surface of the liquid is round about the axis",
     ),
     (
-        &["cubic.cubic_stiffness", "hertz.coefficient", "hertz.height", "stop.*"],
+        &[
+            "cubic.cubic_stiffness",
+            "hertz.coefficient",
+            "hertz.height",
+            "ball_contacts.ball_diameter",
+            "ball_contacts.contact_angle",
+            "ball_contacts.height",
+            "stop.*",
+        ],
         ABOUT_REST,
         "the tangent at the undeflected state: the cubic force is none, the gap is open, and the study says so",
     ),
-    (&["hertz.clearance", "hertz.coefficient", "stop.gap"], ROOTS, "a gap that stays open"),
+    (
+        &["ball_bearing.height", "roller_bearing.height"],
+        &["bifurcation_loci", "limit_cycles"],
+        "beside the mounts they hardly hold the drum, and the jumps and cycles sought there hold no tilt",
+    ),
+    (
+        &[
+            "hertz.clearance",
+            "hertz.coefficient",
+            "ball_contacts.clearance",
+            "ball_contacts.ball_diameter",
+            "ball_contacts.contact_angle",
+            "stop.gap",
+        ],
+        ROOTS,
+        "a gap that stays open",
+    ),
     (&["stop.*"], &["backbone", "limit_cycles"], "whirls smaller than the gap"),
     (&["stop.damping"], EVERY, "contact at a steady deflection has no rate"),
     (
@@ -162,6 +198,8 @@ pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
             "campbell",
             "critical_speeds",
             "stability_map",
+            "stability_threshold",
+            "harmonic_force",
             "forced_response",
             "uncertainty",
             "optimum",

@@ -10,22 +10,25 @@
 //! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
 
 mod beside;
-mod observed;
+pub(in crate::study::linear) mod observed;
 mod orbits;
 mod polar;
 mod report;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::field::{Field, RangeValue, Values};
+use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{Curve, Extremum, curve, seeds};
 use crate::solve::linear_response::{Response, response};
+use crate::solve::locate::State;
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum};
+use crate::study::shared::half_power::sides;
+use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
@@ -42,6 +45,10 @@ use serde::{Deserialize, Serialize};
 pub struct ForcedResponse {
     /// Speeds, rad/s.
     pub speed: RangeValue,
+    /// Separation margins of API 684 are assessed.
+    pub margins: bool,
+    /// The spin whose unbalance acts, and that speeds are those of; the machine's where there is none.
+    pub spin: Option<String>,
 }
 
 /// Speeds of a range, unless given.
@@ -56,11 +63,17 @@ impl Study for ForcedResponse {
         wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; \
         orbits and deflected shapes at the operating speed and at the largest resonances. \
         Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
-    const FIELDS: &'static [Field] = &[Field::required(
-        "speed",
-        SPEED_RANGE,
-        "one spin speed, or a range: points (400 unless given) are added where the response bends",
-    )];
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "one spin speed, or a range: points (400 unless given) are added where the response bends"),
+        STANDARD,
+        Field::optional(
+            "spin",
+            FieldKind::Text,
+            "",
+            "of a machine of several spins: the part of kind \"spin\" whose unbalance acts; speeds are then those of this spin. Without it, the unbalance of what turns at the speed of the machine acts",
+        ),
+    ];
+    const SEVERAL_SPINS: bool = true;
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = one_or_range("speed", values.range("speed")?, 3, values, diagnostics)?;
@@ -68,11 +81,37 @@ impl Study for ForcedResponse {
             diagnostics.push(Diagnostic::error("forced_response.no_body", text!("no body of this machine moves across the axis")));
             return None;
         }
-        Some(ForcedResponse { speed })
+        let margins = values.choice("standard") == Some("api_684");
+        if margins && Speeds::of(system).is_none() {
+            diagnostics.push(
+                Diagnostic::error("forced_response.standard", text!("separation margins need an operating speed"))
+                    .at(values.span_of("standard"))
+                    .help(text!("give speed in [machine], or the range of operating speeds in [operation]")),
+            );
+            return None;
+        }
+        let spin = values.text("spin").map(str::to_string);
+        let mut speed = speed;
+        if let Some(name) = &spin {
+            match system.at_spin(name) {
+                Ok(own) => {
+                    // a spin that turns the other way has negative speeds
+                    if own.machine.speed.or_else(|| ratio(system, name)).is_some_and(|w| w < 0.0) {
+                        (speed.from, speed.to) = (-speed.to, -speed.from);
+                    }
+                }
+                Err(found) => {
+                    diagnostics.0.extend(found.0.into_iter().map(|d| d.at(values.span_of("spin"))));
+                    return None;
+                }
+            }
+        }
+        Some(ForcedResponse { speed, margins, spin })
     }
 
-    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
-        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
+    fn spin_speeds(&self, system: &System) -> Vec<SpinSpeeds> {
+        let ratio = self.spin.as_ref().and_then(|name| ratio(system, name)).unwrap_or(1.0);
+        vec![SpinSpeeds::between(self.speed.from / ratio, self.speed.to / ratio)]
     }
 
     fn size(&self, system: &System) -> Option<size::Size> {
@@ -87,6 +126,8 @@ impl Study for ForcedResponse {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        let own = self.seen(system)?;
+        let system = own.as_ref().unwrap_or(system);
         let (_, load) = Characteristic::new(system, &rest(system, self.speed.to)?).loads();
         if load.iter().all(|f| f.abs() == 0.0) {
             return Err(Diagnostic::error("forced_response.no_unbalance", text!("nothing forces this machine at the spin speed"))
@@ -97,6 +138,8 @@ impl Study for ForcedResponse {
 
     fn compute(&self, system: &System, context: &Context) -> Result<ForcedResponseResult, Diagnostic> {
         self.admit(system)?;
+        let own = self.seen(system)?;
+        let system = own.as_ref().unwrap_or(system);
         let state = |w: f64| rest(system, w);
         let mut speeds = self.speed.linspace(POINTS);
         context.announce(speeds.len() as f64, 10_000.0, text!("speeds to solve for, and more where the response bends"));
@@ -122,14 +165,16 @@ impl Study for ForcedResponse {
             let there = response(system, &state, e.speed)?;
             *direction = there.map_or(f64::NAN, |r| r.direction_of(&system.probes()[e.probe]));
         }
+        let half_power = half_power(system, &state, &found);
         let orbits = orbits::orbits(self, system, &state, &found)?;
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
         let end = context.end(found.complete);
-        Ok(ForcedResponseResult { curve: found, strongest, observed, directions, orbits, states, end })
+        Ok(ForcedResponseResult { curve: found, half_power, strongest, observed, directions, orbits, states, end })
     }
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
-        report::Shown::new(self, system, result).outcome(name)
+        let own = self.seen(system)?;
+        report::Shown::new(self, own.as_ref().unwrap_or(system), result).outcome(name)
     }
 
     fn keep(&self, result: Self::Result) -> Kept {
@@ -138,6 +183,14 @@ impl Study for ForcedResponse {
 }
 
 impl ForcedResponse {
+    /// Over these speeds, without a standard.
+    pub fn over(speed: RangeValue) -> Self {
+        ForcedResponse { speed, margins: false, spin: None }
+    }
+    /// The machine at the spin whose unbalance acts, where that is not its own.
+    fn seen(&self, system: &System) -> Result<Option<System>, Diagnostic> {
+        self.spin.as_ref().map(|name| system.at_spin(name).map_err(Diagnostics::into_error)).transpose()
+    }
     /// Distance of the speeds required, rad/s; 0 of one speed.
     fn step(&self) -> f64 {
         let points = self.speed.points.unwrap_or(POINTS);
@@ -150,6 +203,8 @@ impl ForcedResponse {
 pub struct ForcedResponseResult {
     /// Amplitudes over the speed, their maxima and minima; probes in the order of the machine.
     pub curve: Curve,
+    /// Of every extremum of the curve: speeds on both sides of a maximum at which the amplitude is 1/sqrt(2) of it; NaN where it does not fall so far.
+    pub half_power: Vec<[f64; 2]>,
     /// The mode that grows most at every speed of the search for resonances; none of a machine without time form.
     pub strongest: Vec<Strongest>,
     /// What the parts show.
@@ -162,6 +217,24 @@ pub struct ForcedResponseResult {
     pub states: EndStates,
     /// How the study ended.
     pub end: End,
+}
+
+/// Ratio of a spin to that of the machine.
+fn ratio(system: &System, name: &str) -> Option<f64> {
+    system.spins().into_iter().filter_map(|i| system.spin(i)).find(|s| s.0.name == name).map(|s| s.1)
+}
+
+/// Half-power points of the maxima of a curve.
+fn half_power(system: &System, state: State, found: &Curve) -> Vec<[f64; 2]> {
+    let one = |e: &Extremum| {
+        if !e.maximum || e.unbounded || !e.value.is_finite() {
+            return [f64::NAN; 2];
+        }
+        let probe = &system.probes()[e.probe];
+        let samples: Vec<(f64, f64)> = found.points.iter().map(|r| (r.speed, r.size(probe))).collect();
+        sides((e.speed, e.value), &samples, |w| response(system, state, w).ok().flatten().map(|r| r.size(probe)))
+    };
+    found.extrema.iter().map(one).collect()
 }
 
 /// The largest resonance of a displacement, or of a tilt.

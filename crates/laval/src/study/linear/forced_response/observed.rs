@@ -250,6 +250,32 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
     Ok(Observations { quantities, validity, uses: statements, outside, closed })
 }
 
+/// Statements of validity that do not hold, and gaps that would close, at one response of another frequency than the spin speed; entered at `place`.
+///
+/// # Errors
+/// As the state.
+pub(in crate::study::linear) fn assess(
+    system: &System,
+    state: State,
+    r: &Response,
+    (speed, place): (f64, f64),
+    (outside, closed): (&mut Vec<Outside>, &mut Vec<Closed>),
+) -> Result<(), Diagnostic> {
+    let rest = state(speed)?;
+    let turn = turn(system, &rest, r);
+    for (slot, what, ratio) in uses(system, &turn, speed, &mut Workspace::default()) {
+        if !(ratio <= 1.0) {
+            leave(outside, system, (slot, what, ratio), place);
+        }
+    }
+    for (slot, gap, moved) in gaps(system, &rest, &turn) {
+        if !(moved <= gap) {
+            close(closed, &slot.name, (gap, moved - gap), place);
+        }
+    }
+    Ok(())
+}
+
 /// Enters that a part is outside a statement of its validity at a speed.
 fn leave(outside: &mut Vec<Outside>, system: &System, (slot, what, ratio): (usize, Text, f64), speed: f64) {
     match outside.iter_mut().find(|o| o.slot == slot && o.what == what) {

@@ -3,6 +3,7 @@
 use super::polar::Polar;
 use super::{ForcedResponse, ForcedResponseResult, largest};
 use crate::diagnostic::Diagnostic;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Table};
@@ -12,6 +13,8 @@ use crate::solve::pencil::time_forms;
 use crate::study::Study;
 use crate::study::linear::growing::{Follows, unstable};
 use crate::study::linear::operating::operating;
+use crate::study::shared::half_power::factor;
+use crate::study::shared::margins::{Speeds, required};
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
 use laval_num::order::SortByNumber;
@@ -49,7 +52,9 @@ impl<'a> Shown<'a> {
         let one = self.study.speed.is_one();
         let mut out = Outcome::new(ForcedResponse::KIND, name).over("speed", "rad/s").end(self.result.end).work("solutions", found.solved);
         let unstable = unstable(self.system, &self.result.strongest, &Follows::Response);
-        let findings = unstable.into_iter().chain(if one { self.amplitudes() } else { Vec::new() }).chain(self.resonances());
+        let findings =
+            unstable.into_iter().chain(if one { self.amplitudes() } else { Vec::new() }).chain(self.resonances()).chain(self.margins());
+        out = self.spins().into_iter().fold(out, Outcome::finding);
         out = findings.chain(self.doubts()).chain(self.result.states.remarks(self.system)).fold(out, Outcome::finding);
         out = self.special_points().into_iter().fold(out, Outcome::special_point);
         let (extrema, figure) = (self.extrema_table()?, self.figure());
@@ -68,6 +73,18 @@ impl<'a> Shown<'a> {
             out = orbits.shape_figure(self.system).into_iter().fold(out, Outcome::figure);
         }
         out.checked().map_err(inconsistent)
+    }
+
+    /// Whose unbalance acts in a machine of several spins.
+    fn spins(&self) -> Option<Finding> {
+        if let Some(name) = &self.study.spin {
+            return Some(Finding::info("spin", "forced-response-spin").arg("spin", Arg::name(name)));
+        }
+        let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+        self.system.linear(self.system.params(), self.study.speed.to, Form::Frequency, &mut model, &mut scratch);
+        let named = |parameter: usize| Some(format!("\"{}\"", self.system.spin(parameter)?.0.name));
+        let names: Vec<String> = model.loads.others.iter().filter_map(|o| named(o.parameter)).collect();
+        (!names.is_empty()).then(|| Finding::warning("spin", "forced-response-other-spins").arg("spins", Arg::term(names.join(", "))))
     }
 
     fn probes(&self) -> &'a [Probe] {
@@ -269,8 +286,14 @@ impl<'a> Shown<'a> {
             .float_if_any(
                 "separation",
                 "",
-                "distance of a resonance from the operating speed, over the operating speed; NaN of an antiresonance",
+                "distance of a resonance from the nearest operating speed, over that; 0 among them; NaN of an antiresonance",
                 extrema.iter().map(|e| self.separation(e)).collect(),
+            )
+            .float_if_any(
+                "required_separation",
+                "",
+                "separation that the standard requires of a resonance (API 684, SP6.8.2.10); NaN of an antiresonance, and where its amplification is not known",
+                extrema.iter().map(|e| self.required(e)).collect(),
             )
             .build()
             .map_err(inconsistent)
@@ -278,32 +301,69 @@ impl<'a> Shown<'a> {
 
     /// Speed of a peak over its width at half power.
     fn amplification(&self, e: &Extremum) -> f64 {
-        if !e.maximum || e.unbounded || !e.value.is_finite() {
-            return f64::NAN;
-        }
-        let (probe, points) = (&self.probes()[e.probe], self.points());
-        let level = e.value / std::f64::consts::SQRT_2;
-        let beyond = points.partition_point(|r| r.speed <= e.speed);
-        // the speed at which the amplitude has fallen to the level, from the peak outwards
-        let falls = |side: &mut dyn Iterator<Item = &Response>| {
-            let mut before = (e.speed, e.value);
-            for r in side {
-                let here = (r.speed, r.size(probe));
-                if here.1 <= level {
-                    return before.0 + (here.0 - before.0) * (before.1 - level) / (before.1 - here.1);
-                }
-                before = if here.1.is_finite() { here } else { return f64::NAN };
-            }
-            f64::NAN
-        };
-        let (low, high) = (falls(&mut points[..beyond].iter().rev()), falls(&mut points[beyond..].iter()));
-        e.speed.abs() / (high - low).abs()
+        let index = self.result.curve.extrema.iter().position(|o| std::ptr::eq(o, e));
+        let sides = index.and_then(|k| self.result.half_power.get(k)).copied();
+        sides.map_or(f64::NAN, |sides| factor(e.speed, sides))
     }
 
-    /// Distance of a peak from the operating speed, over it.
+    /// Distance of a peak from the operating speeds, over the nearest.
     fn separation(&self, e: &Extremum) -> f64 {
-        let operating = self.system.machine.speed.filter(|w| *w != 0.0 && e.maximum);
-        operating.map_or(f64::NAN, |w| (e.speed - w).abs() / w.abs())
+        let operating = Speeds::of(self.system).filter(|_| e.maximum);
+        operating.map_or(f64::NAN, |o| o.separation(e.speed))
+    }
+
+    /// Separation margin required of a peak; NaN without a standard, and where the factor of amplification is not known.
+    fn required(&self, e: &Extremum) -> f64 {
+        let operating = Speeds::of(self.system).filter(|_| e.maximum && self.study.margins);
+        let amplification = if e.unbounded { f64::INFINITY } else { self.amplification(e) };
+        operating.map_or(f64::NAN, |o| required(amplification, o.is_above(e.speed)))
+    }
+
+    /// Whether the resonances keep the margins that the standard requires: the one that keeps least, or breaks most.
+    fn margins(&self) -> Option<Finding> {
+        let operating = Speeds::of(self.system).filter(|_| self.study.margins && !self.study.speed.is_one())?;
+        let moves = |e: &&Extremum| e.maximum && !self.probes()[e.probe].is_tilt();
+        let peaks: Vec<&Extremum> = self.result.curve.extrema.iter().filter(moves).collect();
+        let unknown = peaks.iter().filter(|e| self.required(e).is_nan()).count();
+        let worst = peaks.iter().filter(|e| self.required(e) > 0.0).min_by(|a, b| {
+            let slack = |e: &Extremum| self.separation(e) - self.required(e);
+            slack(a).total_cmp(&slack(b))
+        });
+        let worst = worst.filter(|e| unknown == 0 || !(self.separation(e) >= self.required(e)));
+        let Some(e) = worst else {
+            let finding = match (self.result.curve.complete, unknown) {
+                (true, 0) => Finding::info("separation_margin", "forced-response-margin-none"),
+                _ => Finding::warning("separation_margin", "forced-response-margin-unknown"),
+            };
+            return Some(finding.arg("unknown", Arg::count(unknown)));
+        };
+        let (kept, needed) = (self.separation(e), self.required(e));
+        let side = match (kept == 0.0, operating.is_above(e.speed)) {
+            (true, _) => "among",
+            (_, true) => "below",
+            _ => "above",
+        };
+        let finding = match kept >= needed {
+            true => Finding::info("separation_margin", "forced-response-margin-kept"),
+            false => Finding::warning("separation_margin", "forced-response-margin-broken"),
+        };
+        let nearest = if operating.is_above(e.speed) { operating.low } else { operating.high };
+        let [low, high] =
+            self.result.curve.extrema.iter().position(|o| std::ptr::eq(o, *e)).map_or([f64::NAN; 2], |k| self.result.half_power[k]);
+        let factor = self.amplification(e);
+        let finding = finding
+            .of("of the resonance that keeps least")
+            .value_as(Arg::percent(kept))
+            .arg("required", Arg::percent(needed))
+            .arg("resonance", Arg::speed(e.speed))
+            .arg("operating", Arg::speed(nearest))
+            .arg("side", Arg::word(side))
+            .arg("body", probes::arg(&self.probes()[e.probe]))
+            .arg("damped", Arg::word(if factor.is_finite() { "yes" } else { "no" }))
+            .arg("factor", Arg::number(factor))
+            .arg("unknown", Arg::count(unknown))
+            .evidence("its speed", e.speed, "rad/s");
+        Some(finding.evidence("speed below at half power", low, "rad/s").evidence("speed above at half power", high, "rad/s"))
     }
 
     /// The highest peaks at different speeds, with their factors of amplification.

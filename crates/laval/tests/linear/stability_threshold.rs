@@ -1,0 +1,234 @@
+//! Stability over a cross-coupled stiffness: closed forms of a mass on springs, the same machine with a bearing in place of the stiffness, counts, criteria, mistakes.
+
+use crate::common::files::{finding, findings, load, run_all};
+use laval::model::field::Attach;
+use laval::outcome::{Data, Level, Outcome};
+use laval::solve::pencil::modes_about;
+use laval::solve::rest::rest;
+use laval::solve::roots::in_region;
+use laval::study::stability_threshold::{StabilityThreshold, ThresholdResult, decrement};
+use laval::study::{Context, Study};
+use laval_num::complex::c;
+use std::f64::consts::TAU;
+
+fn near(a: f64, b: f64, tolerance: f64, what: &str) {
+    assert!((a - b).abs() <= tolerance * b.abs(), "{what}: {a} {b}, {:e}", (a - b).abs() / b.abs());
+}
+
+fn mass(kx: f64, ky: f64, damping: f64, study: &str) -> String {
+    format!(
+        "[machine]\nname = \"t\"\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 8.0\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"bearing\"\nbetween = [\"disc\", \"ground\"]\nkxx = {kx:?}\nkyy = {ky:?}\ndamping = {damping:?}\n\
+         [[study]]\nkind = \"stability_threshold\"\nplace = \"disc\"\n{study}\n"
+    )
+}
+
+fn run(text: &str) -> Outcome {
+    run_all(text).remove(0)
+}
+
+fn column(o: &Outcome, table: &str, name: &str) -> Vec<f64> {
+    match &o.find_table(table).unwrap().column(name).unwrap().data {
+        Data::Float(values) => values.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// `m s^2 + c s + k - i q = 0` of a mass on equal springs: unstable from `q = c w` on, w^2 = k/m.
+#[test]
+fn equal_springs() {
+    let (m, k, damping) = (8.0, 2e6, 300.0);
+    for spacing in ["linear", "logarithmic"] {
+        let o = run(&mass(k, k, damping, &format!("up_to = 4e5\npoints = 9\nspacing = \"{spacing}\"")));
+        let w = (k / m).sqrt();
+        let f = finding(&o, "threshold");
+        near(f.value.unwrap(), damping * w, 1e-13, "threshold");
+        assert_eq!(f.evidence.iter().skip(2).map(|e| e.value).collect::<Vec<_>>(), [0.0, 1.0]);
+        assert_eq!(findings(&o, "threshold").len(), 1);
+        near(column(&o, "thresholds", "frequency")[0], w, 1e-13, "frequency");
+        let zeta = damping / (2.0 * (k * m).sqrt());
+        near(finding(&o, "base_decrement").value.unwrap(), TAU * zeta / (1.0 - zeta * zeta).sqrt(), 1e-12, "decrement");
+        // both modes, at every value
+        let (q, growth, frequency) = (column(&o, "modes", "stiffness"), column(&o, "modes", "growth"), column(&o, "modes", "frequency"));
+        let slope = column(&o, "modes", "growth_by_stiffness");
+        assert_eq!(q.len(), 18);
+        for i in 0..q.len() {
+            let side = if i < 9 { 1.0 } else { -1.0 };
+            let root = (c(damping * damping - 4.0 * m * k, side * 4.0 * m * q[i]).sqrt() - c(damping, 0.0)).scale(0.5 / m);
+            let root = if root.im < 0.0 {
+                ((c(damping * damping - 4.0 * m * k, side * 4.0 * m * q[i])).sqrt().scale(-1.0) - c(damping, 0.0)).scale(0.5 / m)
+            } else {
+                root
+            };
+            assert!((c(growth[i], frequency[i]) - root).abs() <= 1e-12 * root.abs(), "{i} {root:?} {} {}", growth[i], frequency[i]);
+            let by_q = c(0.0, side) / (root.scale(2.0 * m) + c(damping, 0.0));
+            near(slope[i], by_q.re, 1e-10, "slope");
+        }
+        let last = q[8];
+        assert_eq!((q[0], last), (0.0, 4e5));
+        match spacing {
+            "linear" => near(q[1], 5e4, 1e-14, "step"),
+            _ => near(q[1], 4e2, 1e-12, "ratio"),
+        }
+    }
+}
+
+/// `(m s^2 + c s + kx)(m s^2 + c s + ky) + q^2 = 0`: unstable from `q^2 = c^2 w^2 + ((kx - ky)/2)^2` on, w^2 = (kx + ky)/(2 m). The frequencies meet on the way.
+#[test]
+fn unequal_springs() {
+    for (kx, ky, damping) in [(2e6f64, 2.6e6, 300.0), (1e6, 3e6, 40.0), (2e6, 2.001e6, 10.0)] {
+        let w2 = (kx + ky) / 16.0;
+        let expected = (damping * damping * w2 + 0.25 * (kx - ky) * (kx - ky)).sqrt();
+        let o = run(&mass(kx, ky, damping, &format!("up_to = {:?}\npoints = 24", 1.7 * expected)));
+        let f = finding(&o, "threshold");
+        near(f.value.unwrap(), expected, 1e-11, "threshold");
+        assert_eq!(f.evidence.iter().skip(2).map(|e| e.value).collect::<Vec<_>>(), [0.0, 1.0]);
+        near(column(&o, "thresholds", "frequency")[0], w2.sqrt(), 1e-9, "frequency");
+        assert!(findings(&o, "missed").is_empty() && findings(&o, "lost").is_empty() && findings(&o, "counted").len() == 1);
+        // with equal damping p = m s^2 + c s is a double root where q is half the difference
+        near(finding(&o, "meeting").value.unwrap(), 0.5 * (ky - kx), 1e-6, "double root");
+        let q = column(&o, "modes", "stiffness");
+        let (growth, frequency) = (column(&o, "modes", "growth"), column(&o, "modes", "frequency"));
+        for i in 0..q.len() {
+            let s = c(growth[i], frequency[i]);
+            let p = s * s.scale(8.0) + s.scale(damping);
+            let t = (p + c(kx, 0.0)) * (p + c(ky, 0.0)) + c(q[i] * q[i], 0.0);
+            assert!(t.abs() <= 1e-10 * kx * ky, "{} {t:?}", q[i]);
+        }
+    }
+}
+
+/// Without damping any stiffness is too much; a rotor that whirls by itself is unstable without it; below the threshold nothing is claimed beyond the largest value.
+#[test]
+fn limits() {
+    let o = run(&mass(2e6, 2e6, 0.0, "up_to = 1e5"));
+    let f = finding(&o, "threshold");
+    assert_eq!(f.value, Some(0.0));
+    assert!(f.sentence().contains("Any cross-coupled stiffness"), "{}", f.sentence());
+    let o = run(&mass(2e6, 2e6, 300.0, "up_to = 1e5"));
+    assert_eq!(finding(&o, "no_threshold").value, Some(1e5));
+    assert!(findings(&o, "threshold").is_empty());
+    let inner =
+        "[[part]]\nkind = \"damper\"\nname = \"inner\"\nbetween = [\"disc\", \"ground\"]\naxes = \"rotating\"\ndamping = 500.0\n[[study]]";
+    let text = mass(2e6, 2e6, 3.0, "up_to = 1e5").replace("[[study]]", inner).replace("speed = 300", "speed = 700");
+    let o = run(&text);
+    assert!(findings(&o, "threshold").is_empty() && findings(&o, "no_threshold").is_empty());
+    let f = finding(&o, "unstable_without");
+    assert!(f.level == Level::Warning && f.value.unwrap() < 0.0);
+    // the range is proposed from the derivatives, which are those of a line here
+    let o = run(&mass(2e6, 2e6, 300.0, ""));
+    near(*column(&o, "modes", "stiffness").iter().max_by(|a, b| a.total_cmp(b)).unwrap(), 1.5 * 300.0 * 500.0, 1e-2, "proposed");
+}
+
+/// The criteria of level 1: logarithmic decrement and ratio of the threshold.
+#[test]
+fn level_1() {
+    let (damping, w) = (300.0, 500.0);
+    let at = |anticipated: f64, up_to: f64| {
+        let o = run(&mass(2e6, 2e6, damping, &format!("anticipated = {anticipated:?}\nup_to = {up_to:?}")));
+        let f = finding(&o, "level_1").clone();
+        let root = (c(damping * damping - 32.0 * 2e6, 32.0 * anticipated).sqrt() - c(damping, 0.0)).scale(1.0 / 16.0);
+        near(f.value.unwrap(), -TAU * root.re / root.im, 1e-10, "decrement");
+        (f.level, f.sentence(), f.evidence[1].value)
+    };
+    let (level, words, ratio) = at(2e4, 2e5);
+    assert!(level == Level::Info && words.contains("passed") && words.contains("gas density"), "{words}");
+    near(ratio, damping * w / 2e4, 1e-12, "ratio");
+    let (level, words, _) = at(1e4, 2e5);
+    assert!(level == Level::Info && !words.contains("gas density"), "{words}");
+    // a ratio below 2, and a decrement below 0.1
+    let (level, words, ratio) = at(8e4, 2e5);
+    assert!(level == Level::Warning && words.contains("Level 2") && ratio < 2.0, "{words}");
+    // without a threshold the ratio is not known
+    let (level, words, ratio) = at(5e4, 6e4);
+    assert!(level == Level::Warning && words.contains("not decided") && (ratio - 1.2).abs() < 1e-12, "{words}");
+    let (level, words, _) = at(2e4, 6e4);
+    assert!(level == Level::Info && words.contains("more than 3"), "{words}");
+}
+
+/// A compressor shaft on bearings on pedestals, with a mass beside the shaft: the threshold is that of the machine with a bearing kxy = -kyx at the place, also of a machine too large for all its modes.
+#[test]
+fn pedestals_and_large_shafts() {
+    for elements in [3, 30] {
+        let shaft = format!(
+            "[machine]\nname = \"t\"\nspeed = 900\naxis = \"horizontal\"\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = {elements}\nsection = {{ length = [0.4, 0.6, 0.4], outer_diameter = [0.06, 0.09, 0.06] }}\n\
+             [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.7 }}\nmass = 12.0\npolar_inertia = 0.2\ndiametral_inertia = 0.12\n"
+        );
+        let end = |name: &str, at: f64| {
+            format!(
+                "[[part]]\nkind = \"foundation\"\nname = \"{name} base\"\nmass = 15.0\nstiffness = {{ x = 8e7, y = 1.2e8 }}\ndamping = 2e3\n\
+                 [[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at:?} }}, \"{name} base\"]\nkxx = 3e7\nkyy = 5e7\nkxy = 4e6\nkyx = -2e6\ncxx = 2e4\ncyy = 3e4\n"
+            )
+        };
+        let machine = format!("{shaft}{}{}", end("a", 0.0), end("b", 1.4));
+        let o = run(&format!(
+            "{machine}[[study]]\nkind = \"stability_threshold\"\nplace = {{ body = \"shaft\", at = 0.85 }}\nup_to = 2e6\npoints = 15\n"
+        ));
+        let f = finding(&o, "threshold");
+        let q = f.value.unwrap();
+        assert!(q > 0.0 && q < 2e6 && f.evidence[0].value < 1e-6, "{q:e} {:?}", f.evidence);
+        let growth = |q: f64| {
+            let seal = format!(
+                "[[part]]\nkind = \"bearing_linear\"\nname = \"seal\"\nbetween = [{{ body = \"shaft\", at = 0.85 }}, \"ground\"]\nkxy = {q:?}\nkyx = {:?}\n",
+                -q
+            );
+            let system = load(&format!("{machine}{seal}")).system;
+            assert_eq!(in_region(&system), elements == 30);
+            let modes = modes_about(&system, &rest(&system, 900.0).unwrap(), true).unwrap();
+            modes.least_stable().unwrap().value
+        };
+        let at = growth(q);
+        assert!(at.re.abs() <= 1e-9 * at.im, "{at:?}");
+        near(at.im, column(&o, "thresholds", "frequency")[0], 1e-9, "frequency");
+        let slope = f.evidence[1].value;
+        for side in [-1.0, 1.0] {
+            let beside = growth(q * (1.0 + side * 1e-4)).re;
+            near(beside, side * 1e-4 * q * slope, 1e-3, "growth beside");
+        }
+        assert_eq!(f.evidence.iter().skip(2).map(|e| e.value).collect::<Vec<_>>(), [0.0, 1.0]);
+    }
+}
+
+/// Modes that were not followed from the beginning are found by the count at the end, and followed back.
+#[test]
+fn missing_modes_are_followed_back() {
+    let second = "[[part]]\nkind = \"disc\"\nname = \"other\"\nmass = 2.0\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"between\"\nbetween = [\"disc\", \"other\"]\nstiffness = 1e6\ndamping = 20.0\n[[study]]";
+    let text = |modes: usize| {
+        let text = mass(2e6, 2e6, 60.0, &format!("up_to = 6e5\nmodes = {modes}")).replace("[[study]]", second);
+        let l = load(&text);
+        let (place, speed, up_to) = (Attach::on("disc"), 300.0, Some(6e5));
+        let study = StabilityThreshold { speed, place, up_to, points: 40, logarithmic: false, anticipated: None, modes };
+        let found: ThresholdResult = study.compute(&l.system, &Context::quiet("t")).unwrap();
+        let mut q: Vec<f64> = found.lines.lines.iter().flat_map(|l| &l.crossings).map(|c| c.at.stiffness).collect();
+        q.sort_by(f64::total_cmp);
+        assert!(found.lines.lines.iter().flat_map(|l| &l.points).all(|p| decrement(p).is_finite()));
+        (q, found.lines.growing.unwrap(), found.lines.lines.len())
+    };
+    let (all, counted, lines) = text(4);
+    assert!(all.len() == 2 && counted == [2, 2] && lines == 4, "{all:?} {counted:?}");
+    let (found, counted, lines) = text(1);
+    assert!(counted == [2, 2] && lines == 2, "{counted:?} {lines}");
+    assert!(found.iter().zip(&all).all(|(a, b)| (a - b).abs() <= 1e-10 * b), "{found:?} {all:?}");
+}
+
+#[test]
+fn mistakes_have_their_place() {
+    for (study, code, at) in
+        [("up_to = 1e5\nanticipated = 2e5", "stability_threshold.up_to", "1e5"), ("up_to = -1e5", "", "-1e5"), ("points = 1", "", "1")]
+    {
+        let text = mass(2e6, 2e6, 300.0, study);
+        let found = laval::file::load(&text).err().unwrap();
+        let d = &found.0[0];
+        assert!(code.is_empty() || d.code == code, "{d}");
+        let span = d.span.clone().unwrap();
+        assert!(text[span.start..span.end].contains(at), "{d}");
+    }
+    let text = mass(2e6, 2e6, 300.0, "").replace("place = \"disc\"", "place = \"wheel\"");
+    let found = laval::file::load(&text).err().unwrap();
+    assert!(found.0[0].code == "body.missing" && found.0[0].span.is_some(), "{:?}", found.0);
+    let shaft = "[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nsection = { length = [1.0], outer_diameter = [0.05] }\n[[part]]\nkind = \"bearing_linear\"\nname = \"b\"\nbetween = [\"shaft\", \"disc\"]\nstiffness = 1e7\n[[study]]";
+    let text = mass(2e6, 2e6, 300.0, "").replace("[[study]]", shaft).replace("place = \"disc\"", "place = { body = \"shaft\", at = 1.2 }");
+    let found = laval::file::load(&text).err().unwrap();
+    assert!(found.0.iter().any(|d| d.code == "body.position" && d.span.is_some()), "{:?}", found.0);
+}

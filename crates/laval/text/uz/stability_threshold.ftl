@@ -1,0 +1,29 @@
+# Stability over a cross-coupled stiffness.
+stability-threshold-threshold = { $damped ->
+        [no] { $place } nuqtasidagi har qanday kesishma bikrlik mashinani { $speed } da noturg‘un qiladi: { $mode }-moda, { $frequency } chastotadagi { $whirl }, so‘ndirilmagan.
+       *[yes] { $place } nuqtasidagi { $value } kesishma bikrlik mashinani { $speed } da noturg‘un qiladi: { $mode }-moda, { $frequency } chastotadagi { $whirl }.
+    }
+stability-threshold-none = { $speed } da mashina { $place } nuqtasidagi { $value } kesishma bikrlikkacha turg‘un.
+stability-threshold-unknown = { $speed } da { $place } nuqtasidagi { $value } kesishma bikrlikkacha chegara topilmadi; ungacha turg‘unlik isbotlanmagan.
+stability-threshold-base = Kesishma bikrliksiz { $speed } dagi eng kichik logarifmik dekrement { $value }: { $mode }-moda, { $frequency } chastotadagi { $whirl }.
+stability-threshold-unstable-without = { $speed } da mashina kesishma bikrliksiz ham noturg‘un: { $mode }-moda, { $frequency } chastotadagi { $whirl }, logarifmik dekrement { $value }.
+stability-threshold-level-1 = 1-daraja bajarildi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda logarifmik dekrement { $value }, kamida { $least_decrement } talab qilinadi; chegaraning kutilgan bikrlikka nisbati { $reached ->
+        [yes] { $ratio }
+       *[no] { $ratio } dan katta
+    }, kamida { $least_ratio } talab qilinadi.{ $density ->
+        [yes] {" "}Nisbat 10 dan past bo‘lganda gaz zichligi va chastotalar nisbati mezoni ham hisobga olinadi; u tekshirilmagan.
+       *[no] {""}
+    }
+stability-threshold-level-2 = 2-darajali tahlil kerak (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda logarifmik dekrement { $value }, kamida { $least_decrement } talab qilinadi; chegaraning kutilgan bikrlikka nisbati { $reached ->
+        [yes] { $ratio }
+       *[no] { $ratio } dan katta
+    }, kamida { $least_ratio } talab qilinadi.
+stability-threshold-level-open = 1-daraja hal qilinmadi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda logarifmik dekrement { $value }; { $ratio } nisbatgacha chegara topilmadi. up_to ni oshiring.
+stability-threshold-counted = Butun spektr bo‘yicha { $stiffness } da o‘suvchi modalar soni: { $growing }, kuzatilgan { $followed } moda orasida ham shuncha (ko‘ndalang modalar jami { $modes }).
+stability-threshold-missed = { $stiffness } da o‘suvchi, noturg‘unlik boshigacha kuzatilmagan modalar soni: { $missed }. points ni oshiring.
+stability-threshold-not-counted = { $stiffness } da o‘suvchi modalarni sanab bo‘lmadi: boshqalari ham noturg‘un bo‘lishi mumkin.
+stability-threshold-meeting = Ikki moda { $value } da karrali ildizda uchrashadi. Undan keyin ularning raqamlari shartli.
+stability-threshold-lost = Eng katta bikrlikkacha kuzatilmagan modalar soni: { $modes }. points ni oshiring.
+
+stability-threshold-curve = { $mode }-moda, { $frequency } chastotadagi { $whirl }
+stability-threshold-alt = Kesishma bikrlikka bog‘liq logarifmik dekrement, modalar soni: { $modes }, chegaralar soni: { $thresholds }.
