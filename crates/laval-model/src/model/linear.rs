@@ -387,12 +387,7 @@ impl System {
             }
             add_turning(slot, row, b, params, loads);
             if slot.memory > 0 {
-                out.memory.push(SlotMemory {
-                    slot: stamp.slot,
-                    speed: own_speed,
-                    first: slot.states.start + m,
-                    list: b.memory.clone(),
-                });
+                out.memory.push(SlotMemory { slot: stamp.slot, speed: own_speed, first: slot.states.start + m, list: b.memory.clone() });
             }
         }
         if form == Form::Frequency {
@@ -548,7 +543,9 @@ impl System {
     /// The product of [`regular`](super::capability::FrequencyDomain::regular) of the parts given in the frequency domain.
     pub fn regular<S: Evaluate>(&self, params: &[S], s: Complex<S>, speed: S) -> Complex<S> {
         let all = self.in_frequency_domain();
-        all.fold(Complex::one(), |product, (slot, part)| product * S::regular(part, &params[slot.params.clone()], s, slot.speed(params, speed)))
+        all.fold(Complex::one(), |product, (slot, part)| {
+            product * S::regular(part, &params[slot.params.clone()], s, slot.speed(params, speed))
+        })
     }
 
     fn in_frequency_domain(&self) -> impl Iterator<Item = (&Slot, &dyn FrequencyDomain)> {

@@ -271,7 +271,12 @@ impl System {
     }
     /// Torque of all drives at a speed, N m; `None` without a drive.
     pub fn drive_torque(&self, speed: f64) -> Option<f64> {
-        self.slots.iter().filter_map(|s| Some(s.torque(&self.params, s.part.spin_drive()?.torque(&self.params[s.params.clone()], s.speed(&self.params, speed))))).reduce(|a, b| a + b)
+        self.slots
+            .iter()
+            .filter_map(|s| {
+                Some(s.torque(&self.params, s.part.spin_drive()?.torque(&self.params[s.params.clone()], s.speed(&self.params, speed))))
+            })
+            .reduce(|a, b| a + b)
     }
     /// Parameters of parts that spin without inertia about the axis although they have mass, by path.
     pub fn without_spin_inertia(&self) -> Vec<String> {

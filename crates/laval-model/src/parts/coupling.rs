@@ -171,7 +171,8 @@ torsional_damping = "20 N m s"
 
 impl Scope for Coupling {
     fn refuses_ratio(&self, _: &Params<Self, f64>, ratio: f64) -> Option<Text> {
-        (!same_ratio(ratio, 1.0)).then(|| text!("a coupling joins shafts of one speed; between shafts of different speeds use a gear or a bearing"))
+        (!same_ratio(ratio, 1.0))
+            .then(|| text!("a coupling joins shafts of one speed; between shafts of different speeds use a gear or a bearing"))
     }
 }
 

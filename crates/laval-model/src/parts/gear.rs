@@ -93,7 +93,8 @@ stiffness = "2e8 N/m"
     const DOC: &'static str = "Two spur wheels in mesh on parallel shafts: stiffness and damping along the line of action join their displacements and their rotations. \
         The ratio of the spins of the two bodies is that of the radii.";
     type Family = GearFamily;
-    const FIELDS: &'static [Field] = &[Field::required("between", FieldKind::Between, "the points of the two shafts that carry the wheels")];
+    const FIELDS: &'static [Field] =
+        &[Field::required("between", FieldKind::Between, "the points of the two shafts that carry the wheels")];
 
     fn build(values: &Values, _: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
         let (a, b) = values.between("between")?;

@@ -128,6 +128,27 @@ fn basins_of_many_elements() {
     }
 }
 
+/// A load of another spin keeps its own angle on the reduced machine.
+#[test]
+fn loads_of_another_spin() {
+    let text = |elements: usize| {
+        let other = "[[part]]\nkind = \"spin\"\nname = \"other\"\nratio = -1.3\n";
+        let right = "name = \"right\"\non";
+        machine(elements).replace(right, "name = \"right\"\nspin = \"other\"\non") + other + &STUDY.replace("initial", "points = 200\ninitial")
+    };
+    let column = |o: &laval::outcome::Outcome| -> Vec<f64> {
+        let c = o.find_table("motion").unwrap().column("right.x").unwrap();
+        (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+    };
+    let [few, many, same] = [text(6), text(8), text(8).replace("spin = \"other\"\non", "on")].map(|t| run_all(&t).swap_remove(0));
+    assert!(findings(&few, "reduced").is_empty() && findings(&many, "reduced").len() == 1);
+    let [a, b, c] = [&few, &many, &same].map(column);
+    let far = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    let size = a.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    assert!(size > 1e-6 && far(&a, &b) < 5e-3 * size, "{:e}", far(&a, &b) / size);
+    assert!(far(&b, &c) > 0.05 * size, "another spin makes another motion");
+}
+
 /// Twice the elements are twice the work of a motion, not eight times.
 #[test]
 fn work_of_a_motion_grows_with_the_elements() {

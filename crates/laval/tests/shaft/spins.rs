@@ -206,7 +206,7 @@ fn the_spin_row_is_that_of_the_geared_train() {
 #[test]
 fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
     let (r, k, phi): ([f64; 2], f64, f64) = ([0.12, 0.06], 3e7, 0.35);
-    let (m, j, own) = ([20.0, 6.0], [0.15, 0.012], [4e6, 7e6]);
+    let (m, j, own): ([f64; 2], [f64; 2], [f64; 2]) = ([20.0, 6.0], [0.15, 0.012], [4e6, 7e6]);
     let wheel = |name: &str, i: usize, spin: &str| {
         format!(
             "[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = {}\npolar_inertia = {}\ntorsional = true\n{spin}[[part]]\nkind = \"bearing_linear\"\nname = \"of_{name}\"\nbetween = [\"{name}\", \"ground\"]\nkxx = {}\nkyy = {2}\n",
@@ -231,7 +231,7 @@ fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
             counts[0] += 1;
             continue;
         }
-        let across = [0, 1].into_iter().any(|i| (w - (own[i] / m[i] as f64).sqrt()).abs() < 1e-8 * w);
+        let across = [0, 1].into_iter().any(|i| (w - (own[i] / m[i]).sqrt()).abs() < 1e-8 * w);
         // near a root the sum changes its sign
         let root = sum(w * (1.0 - 1e-9)) * sum(w * (1.0 + 1e-9)) < 0.0 && sum(w).abs() < 1.0;
         assert!(across != root, "{w}: {}", sum(w));

@@ -235,6 +235,7 @@ next-studies = The file has no study: add [[study]] blocks, for instance { $kind
 page-left-out = What this page leaves out
 left-linear = Nonlinear parts ({ $parts }) are linearised about the equilibrium; large vibration and jumps need a study "nonlinear_response".
 left-linear-modes = Stability and modes linearise the nonlinear parts ({ $parts }) about the equilibrium.
+left-spins = The response to unbalance of other spins ({ $spins }) than that of the machine: it needs a study "forced_response" with spin.
 left-motions = { $tilt ->
         [bends] Axial and torsional vibration.
         [yes] Axial and torsional vibration, and bending of bodies.

@@ -293,6 +293,7 @@ validity-studies-inside = fayldagi birorta ham hisob sohadan tashqari natija top
 page-left-out = Bu sahifa nimani hisobga olmaydi
 left-linear = Chiziqsiz qismlar ({ $parts }) muvozanat holati atrofida chiziqlashtirilgan; katta tebranish va sakrashlar uchun "nonlinear_response" hisobi kerak.
 left-linear-modes = Turg‘unlik va modalar uchun chiziqsiz qismlar ({ $parts }) muvozanat holati atrofida chiziqlashtirilgan.
+left-spins = Mashina aylanishidan boshqa aylanishlarning ({ $spins }) muvozanatsizligiga javob: spin maydoni bor "forced_response" hisobi kerak.
 left-motions = { $tilt ->
         [bends] Bo‘ylama va buralma tebranishlar.
         [yes] Bo‘ylama va buralma tebranishlar, shuningdek jismlarning egilishi.
