@@ -122,6 +122,8 @@ pub(super) struct Unknowns {
     typical: Vec<f64>,
     /// Those along the axis and those about it.
     pub along: [Vec<usize>; 2],
+    /// Of each coordinate the speed of its part over that of the machine.
+    pub ratios: Vec<f64>,
 }
 
 /// Share of the largest coordinate of a mode, each over its typical size, below which the others do not count beside it.
@@ -133,6 +135,7 @@ impl Unknowns {
             coordinates: coordinate_sectors(system),
             states: state_sectors(system, &(0..system.m()).collect::<Vec<_>>()),
             typical: system.coordinates().iter().map(|c| c.dof.typical).collect(),
+            ratios: system.coordinates().iter().map(|c| system.slots()[c.slot].speed(system.params(), 1.0)).collect(),
             along: [DofKind::Axial, DofKind::Twist]
                 .map(|kind| (0..system.n()).filter(|&i| system.coordinates()[i].dof.kind == kind).collect()),
         }

@@ -248,7 +248,10 @@ impl Linearised {
         const HALF: f64 = 1e-6;
         for (whirl, of) in [(Whirl::Axial, &self.unknowns.along[0]), (Whirl::Torsional, &self.unknowns.along[1])] {
             let rows = |i: usize| {
-                of.iter().fold((0.0, 0.0), |(sum, size), &j| (sum + self.stiffness[(i, j)], size + self.stiffness[(i, j)].abs()))
+                // shafts in mesh turn as their ratios
+                let factor = |j: usize| if whirl == Whirl::Torsional { self.unknowns.ratios[j] } else { 1.0 };
+                let each = of.iter().map(|&j| self.stiffness[(i, j)] * factor(j));
+                each.fold((0.0, 0.0), |(sum, size): (f64, f64), x| (sum + x, size + x.abs()))
             };
             let free = (0..self.stiffness.rows()).all(|i| {
                 let (sum, size) = rows(i);

@@ -171,7 +171,7 @@ pub struct Layout {
     pub states: Vec<Dof>,
     /// Other parts may be attached to this one: it has [`Part::body`](super::part::Part::body).
     pub body: bool,
-    /// The part that gives the ratio of its spin to that of the machine ([`Part::spin_ratio`](super::part::Part::spin_ratio)). A part without one turns as the
+    /// The part that gives the ratio of its spin to that of the machine ([`Scope::spin_ratio`](super::capability::Scope::spin_ratio)). A part without one turns as the
     /// first turning body does that it is attached to.
     pub spin: Option<String>,
 }

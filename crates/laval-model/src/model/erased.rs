@@ -53,7 +53,6 @@ macro_rules! faces {
             fn reach(&self) -> usize;
             fn rows(&self) -> usize;
             fn memory(&self) -> usize;
-            fn spin_ratio(&self) -> Option<usize>;
             fn slots(&self) -> Vec<ParamSlot>;
             fn fields(&self) -> &'static [Field];
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);

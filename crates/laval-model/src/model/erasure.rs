@@ -39,9 +39,6 @@ macro_rules! parts {
             fn memory(&self) -> usize {
                 Part::memory(self)
             }
-            fn spin_ratio(&self) -> Option<usize> {
-                Part::spin_ratio(self)
-            }
             fn slots(&self) -> Vec<ParamSlot> {
                 T::Family::all_slots(Erased::rows(self))
             }

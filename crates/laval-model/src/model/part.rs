@@ -55,10 +55,6 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn uses(&self) -> Uses {
         Uses { velocity: true, acceleration: true, spin: true }
     }
-    /// Of a part that other parts name as their spin: the index of the parameter that is the ratio of its speed to that of the machine.
-    fn spin_ratio(&self) -> Option<usize> {
-        None
-    }
     /// How many of its states, the last ones, are memory states ([`Blocks::memory`]).
     fn memory(&self) -> usize {
         0

@@ -135,9 +135,6 @@ macro_rules! absorbed {
             fn memory(&self) -> usize {
                 0
             }
-            fn spin_ratio(&self) -> Option<usize> {
-                self.0.spin_ratio()
-            }
             fn slots(&self) -> Vec<ParamSlot> {
                 self.0.slots()
             }

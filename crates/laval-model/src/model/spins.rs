@@ -16,13 +16,18 @@ impl System {
     pub(super) fn spin_of(&self, k: usize) -> Result<Option<usize>, Box<Diagnostic>> {
         let slot = &self.slots[k];
         if let Some(name) = &slot.layout.spin {
-            let ratio = |s: &Slot| Some(s.params.start + s.part.spin_ratio()?);
+            let ratio = |s: &Slot| Some(s.params.start + own_ratio(s)?);
             if let Some(found) = self.slots.iter().find(|s| &s.name == name).and_then(ratio) {
+                if let Some(body) = self.turning(k).find(|b| b.ratio != Some(found)) {
+                    let message = text!("\"{slot}\" is fixed to \"{body}\", which turns with another spin", slot = slot.name, body = body.name);
+                    let help = text!("leave spin out: it turns with that body; or give it coordinates of its own and a bearing between the two");
+                    return Err(Box::new(Diagnostic::error("spin.fixed", message).at(slot.span.clone()).help(help)));
+                }
                 return Ok(Some(found));
             }
-            let spins: Vec<&str> = self.slots.iter().filter(|s| s.part.spin_ratio().is_some()).map(|s| s.name.as_str()).collect();
+            let spins: Vec<&str> = self.slots.iter().filter(|s| own_ratio(s).is_some()).map(|s| s.name.as_str()).collect();
             let help = if spins.is_empty() {
-                text!("add a part of kind = \"spin\" with this name and its ratio to the speed of the machine")
+                text!("add a part of kind = \"speed_ratio\" with this name and its ratio to the speed of the machine")
             } else {
                 text!("spins of this machine: {spins}", spins = spins.join(", "))
             };
@@ -56,7 +61,7 @@ impl System {
         for i in self.spins() {
             out.params[i] = if i == first { 1.0 / ratio } else { self.params[i] / ratio };
         }
-        for slot in out.slots.iter_mut().filter(|s| s.part.spin_ratio().is_none()) {
+        for slot in out.slots.iter_mut().filter(|s| own_ratio(s).is_none()) {
             slot.ratio = match slot.ratio {
                 None => Some(first),
                 Some(i) => Some(i).filter(|i| *i != first),
@@ -84,6 +89,11 @@ impl System {
             }
         }
     }
+}
+
+/// The index among its parameters of the ratio of a part that is a spin.
+fn own_ratio(slot: &Slot) -> Option<usize> {
+    slot.part.scope()?.spin_ratio()
 }
 
 /// Two ratios of speeds are one, but for rounding of what a file says.

@@ -35,7 +35,7 @@ use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, PortKind, Validity};
 use crate::params;
-use crate::parts::spin::SPIN;
+use crate::parts::speed_ratio::SPIN;
 use crate::text;
 use crate::text::Text;
 use laval_num::complex::{Complex, c};

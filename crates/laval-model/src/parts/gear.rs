@@ -5,15 +5,15 @@
 //! ```text
 //! L = t cos(phi) + e sin(phi)                                             line of action, the direction in which the first wheel pushes the second
 //! d = L . (u1 - u2) + cos(phi) (r1 theta1 + r2 theta2)                    approach of the teeth
-//! F = k d + c d' + T / (r1 cos(phi))                                      force of the teeth: -F L on the first wheel, F L on the second
-//! torques on the wheels about their axes: -cos(phi) r1 (k d + c d'),  -cos(phi) r2 (k d + c d')
+//! F = k d + c d'                                                          force of the teeth: -F L on the first wheel, F L on the second
+//! torques on the wheels about their axes: -cos(phi) r1 F,  -cos(phi) r2 F
 //! ```
 //!
 //! Symbols: u displacement of a wheel, m; theta its rotation relative to its spin, rad; r pitch radius, m; phi pressure angle, rad; k, c stiffness, N/m, and
-//! damping, N s/m, of the mesh; T transmitted torque on the first wheel, N m. The spins fit the radii, `r1 W1 + r2 W2 = 0`, so that the teeth do no work on them.
+//! damping, N s/m, of the mesh. The spins fit the radii, `r1 W1 + r2 W2 = 0`, so that the teeth do no work on them.
 //!
-//! Validity: the mean stiffness of the mesh; teeth stay in contact; no error of transmission; the twist of the shafts under the transmitted torque itself is left
-//! out, its lateral force is not.
+//! Validity: the mean stiffness of the mesh; teeth stay in contact; no error of transmission; the force of the transmitted torque, which loads the
+//! bearings, is left out.
 //!
 //! Theory: `docs/theory/shafts.md#several-spins`.
 //!
@@ -41,7 +41,6 @@ params! {
         damping: scalar, "N s/m", Bounds::up_to(1e12), default 0.0, "damping c of the mesh";
         pressure_angle: scalar, "rad", Bounds::within(0.8), default 0.3490658503988659, "pressure angle phi (20 deg); negative where the other flanks carry: where the first wheel drives in the negative direction of rotation, or is driven in the positive one";
         azimuth: scalar, "rad", Bounds::within(1e3), default 0.0, "direction a from the first wheel to the second, from the x axis";
-        torque: scalar, "N m", Bounds::within(1e9), default 0.0, "transmitted torque T on the first wheel, whose lateral force loads the bearings";
     }
 }
 
@@ -76,18 +75,13 @@ impl Gear {
         }
         d
     }
-    /// Force of the transmitted torque.
-    #[inline(always)]
-    fn load<S: Scalar>(p: &GearParams<S>) -> S {
-        p.torque / (p.first_radius * p.pressure_angle.sin_cos().1)
-    }
 }
 
 impl Part for Gear {
     const KIND: &'static str = "gear";
-    const EXAMPLE: &'static str = r#"between = [{ body = "wheel", at = "0 mm" }, { body = "pinion", at = "0 mm" }]
+    const EXAMPLE: &'static str = r#"between = ["drum", "pinion"]
 first_radius = "120 mm"
-second_radius = "60 mm"                # the pinion turns with a spin of ratio -2
+second_radius = "60 mm"                # the pinion has a spin of ratio -2
 stiffness = "2e8 N/m"
 "#;
     const DOC: &'static str = "Two spur wheels in mesh on parallel shafts: stiffness and damping along the line of action join their displacements and their rotations. \
@@ -121,25 +115,21 @@ stiffness = "2e8 N/m"
     }
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
-        let (g, load) = (Self::approach(p), Self::load(p));
+        let g = Self::approach(p);
         for i in 0..N {
             for j in 0..N {
                 b.stiffness[(i, j)] = p.stiffness * g[i] * g[j];
                 b.damping[(i, j)] = p.damping * g[i] * g[j];
             }
         }
-        for i in [0, 1, 3, 4] {
-            b.force[i] = -(load * g[i]);
-        }
     }
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
-        let ([d, rate], g, load) = (Self::motion(p, at), Self::approach(p), Self::load(p));
-        let supplied = [0, 1, 3, 4].into_iter().fold(S::zero(), |sum, i| sum - load * g[i] * at.v[i]);
-        Some(Energy { stored: (p.stiffness * d * d).scale(0.5), dissipated: p.damping * rate * rate, supplied })
+        let [d, rate] = Self::motion(p, at);
+        Some(Energy { stored: (p.stiffness * d * d).scale(0.5), dissipated: p.damping * rate * rate, supplied: S::zero() })
     }
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let [d, rate] = Self::motion(p, at);
-        out.push(Observed { name: "force", unit: "N", value: p.stiffness * d + p.damping * rate + Self::load(p) });
+        out.push(Observed { name: "force", unit: "N", value: p.stiffness * d + p.damping * rate });
     }
     fn scope(&self) -> Option<&dyn erased::Scope> {
         Some(self)
@@ -175,7 +165,6 @@ mod tests {
             damping: 30.0,
             pressure_angle: 0.35,
             azimuth: 0.7,
-            torque: 40.0,
         }
     }
 
@@ -183,7 +172,7 @@ mod tests {
     /// and away.
     #[test]
     fn rolling_is_free_and_a_driving_wheel_pushes_along_and_away() {
-        let p = GearParams { azimuth: 0.0, torque: 0.0, ..params() };
+        let p = GearParams { azimuth: 0.0, ..params() };
         let d = |q: [f64; 6]| {
             let zero = [0.0; 6];
             Gear::motion(&p, &At { q: &q, v: &zero, a: &zero, z: &[], phase: 0.0, speed: 0.0, spin_accel: 0.0, t: 0.0 })[0]

@@ -18,7 +18,7 @@ pub mod shaft;
 pub mod shaft_lumped;
 pub mod shaft_span;
 pub mod shaft_viscoelastic;
-pub mod spin;
+pub mod speed_ratio;
 pub mod spin_load;
 pub mod squeeze_film;
 pub mod stop;
@@ -62,7 +62,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<liquid::Liquid>(),
         kind::<balancer_ball::BallBalancer>(),
         kind::<coupling::Coupling>(),
-        kind::<spin::Spin>(),
+        kind::<speed_ratio::SpeedRatio>(),
         kind::<gear::Gear>(),
         kind::<motor::Motor>(),
         kind::<spin_load::SpinLoad>(),

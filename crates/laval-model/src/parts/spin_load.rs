@@ -23,7 +23,7 @@ use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Observed, Params, Part, Physics};
 use crate::params;
-use crate::parts::spin::SPIN;
+use crate::parts::speed_ratio::SPIN;
 use crate::text;
 use crate::text::Text;
 use laval_num::scalar::Scalar;

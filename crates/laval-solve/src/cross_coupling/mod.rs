@@ -406,7 +406,7 @@ impl Coupled {
             if a.stiffness == 0.0 && below.abs() <= NEUTRAL * a.value.abs() {
                 // without damping it is unstable with any stiffness
                 if above > NEUTRAL * b.value.abs() {
-                    let (whirl, forward_share, uncertainty) = (line.whirl, line.forward_share, (below / a.slope.re).abs());
+                    let (whirl, forward_share, uncertainty) = (line.whirl, line.forward_share, left_over(below, a.slope.re));
                     out.push(Crossing { at: a, onset: true, uncertainty, whirl, forward_share, growing: [None; 2] });
                 }
                 continue;
@@ -433,7 +433,7 @@ impl Coupled {
             let near = if (q - a.stiffness).abs() <= (q - b.stiffness).abs() { a } else { b };
             let Some(there) = self.lead(&Followed { sector, at: near }, q)? else { continue };
             let Some((at, shape)) = self.at(q, there.at.value, sector)? else { continue };
-            let uncertainty = (at.value.re / at.slope.re).abs();
+            let uncertainty = left_over(at.value.re, at.slope.re);
             let beside = |side: f64| -> Result<Option<usize>, Diagnostic> {
                 let q = q * (1.0 + side * BESIDE);
                 Ok(self.growing(q, &[signed(at.value, sector)])?.map(|all| all.len()))
@@ -486,4 +486,9 @@ fn same(a: C64, b: C64) -> bool {
 /// A root of the backward sector as the conjugate one of the forward sector.
 fn signed(value: C64, sector: Option<Sector>) -> C64 {
     if sector == Some(Sector::Backward) { value.conj() } else { value }
+}
+
+/// What a growth rate that should be 0 makes of the stiffness, by its derivative.
+fn left_over(growth: f64, slope: f64) -> f64 {
+    if growth == 0.0 { 0.0 } else { (growth / slope).abs() }
 }

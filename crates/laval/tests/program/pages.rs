@@ -21,6 +21,9 @@ pub fn beside(what: &str, kind: &str) -> String {
         docs::example(word, block.kinds.iter().find(|k| k.kind == kind).unwrap())
     };
     match (what, kind) {
+        ("part", "gear") => "[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2\n[[part]]\nkind = \"disc\"\nname = \"pinion\"\nspin = \"fast\"\nmass = \"3 kg\"\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"of_pinion\"\nbetween = [\"pinion\", \"ground\"]\nkxx = 1e7\nkyy = 1e7\n"
+            .to_string(),
         ("study", "separation" | "operating_window") => {
             format!("{}\n{}\n", example("cup", "swinging"), example("suspension", "suspension"))
         }

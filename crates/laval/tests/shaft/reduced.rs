@@ -132,15 +132,16 @@ fn basins_of_many_elements() {
 #[test]
 fn loads_of_another_spin() {
     let text = |elements: usize| {
-        let other = "[[part]]\nkind = \"spin\"\nname = \"other\"\nratio = -1.3\n";
-        let right = "name = \"right\"\non";
-        machine(elements).replace(right, "name = \"right\"\nspin = \"other\"\non") + other + &STUDY.replace("initial", "points = 200\ninitial")
+        let other = "[[part]]\nkind = \"speed_ratio\"\nname = \"other\"\nratio = -1.3\n\
+                     [[part]]\nkind = \"disc\"\nname = \"ring\"\nspin = \"other\"\nmass = 5.0\nunbalance = 6e-4\n\
+                     [[part]]\nkind = \"bearing_linear\"\nname = \"of ring\"\nbetween = [\"ring\", { body = \"shaft\", at = 0.5 }]\nkxx = 8e6\nkyy = 8e6\ncxx = 500.0\ncyy = 500.0\n";
+        machine(elements) + other + &STUDY.replace("initial", "points = 200\ninitial")
     };
     let column = |o: &laval::outcome::Outcome| -> Vec<f64> {
         let c = o.find_table("motion").unwrap().column("right.x").unwrap();
         (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
     };
-    let [few, many, same] = [text(6), text(8), text(8).replace("spin = \"other\"\non", "on")].map(|t| run_all(&t).swap_remove(0));
+    let [few, many, same] = [text(6), text(8), text(8).replace("spin = \"other\"\n", "")].map(|t| run_all(&t).swap_remove(0));
     assert!(findings(&few, "reduced").is_empty() && findings(&many, "reduced").len() == 1);
     let [a, b, c] = [&few, &many, &same].map(column);
     let far = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);

@@ -21,7 +21,7 @@ fn coaxial(speed: f64, between: &str) -> String {
 name = "coaxial"
 speed = {speed}
 [[part]]
-kind = "spin"
+kind = "speed_ratio"
 name = "inner"
 ratio = {RATIO}
 [[part]]
@@ -214,7 +214,7 @@ fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
         )
     };
     let text = format!(
-        "[machine]\nname = \"geared\"\nspeed = 300.0\n[[part]]\nkind = \"spin\"\nname = \"fast\"\nratio = -2.0\n{}{}[[part]]\nkind = \"gear\"\nbetween = [\"wheel\", \"pinion\"]\nfirst_radius = 0.12\nsecond_radius = 0.06\nstiffness = {k}\npressure_angle = {phi}\nazimuth = 0.6\n",
+        "[machine]\nname = \"geared\"\nspeed = 300.0\n[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2.0\n{}{}[[part]]\nkind = \"gear\"\nbetween = [\"wheel\", \"pinion\"]\nfirst_radius = 0.12\nsecond_radius = 0.06\nstiffness = {k}\npressure_angle = {phi}\nazimuth = 0.6\n",
         wheel("wheel", 0, ""),
         wheel("pinion", 1, "spin = \"fast\"\n")
     );

@@ -44,7 +44,7 @@ diag-is-it-must-be-2e8e = { $name } is { $value }; it must be { $wanted }
 
 ## laval-model/src/model/spins.rs
 
-diag-add-a-part-of-kind-spin-abab = add a part of kind = "spin" with this name and its ratio to the speed of the machine
+diag-add-a-part-of-kind-spin-abab = add a part of kind = "speed_ratio" with this name and its ratio to the speed of the machine
 diag-spins-of-this-machine-d82c = spins of this machine: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" turns with the spin "{ $name }", which does not exist
 diag-no-part-of-the-machine-turns-2e6a = no part of the machine turns with a spin "{ $name }"
@@ -245,7 +245,7 @@ diag-say-curve-table-or-take-the-6386 = say curve = "table", or take the table a
 diag-the-torque-curve-needs-a-synchronous-b5c7 = the torque curve needs a synchronous_speed above 0
 diag-limited-power-needs-a-torque-and-2f00 = limited power needs a torque and a power above 0
 
-## laval-model/src/parts/shaft/mod.rs
+## laval-model/src/parts/shaft/layer.rs
 
 diag-layer-goes-from-to-e940 = layer { $number } goes from { $from } to { $to }
 diag-it-lies-on-the-shaft-from-d944 = it lies on the shaft, from its lower to its upper end: between 0 and { $length }
@@ -253,6 +253,9 @@ diag-layer-the-inner-diameter-must-be-f017 = layer { $number }: the inner diamet
 diag-inner-diameter-is-that-of-the-d9f3 = inner_diameter is that of the shaft under a sleeve
 diag-layer-has-no-material-modulus-shear-103d = layer { $number } has no material: modulus, shear_modulus and density are those of a solid, and stiffness is a share from 0 to 1
 diag-leave-out-what-it-has-in-944a = leave out what it has in common with the shaft; stiffness = 0 is a layer with mass alone
+
+## laval-model/src/parts/shaft/mod.rs
+
 diag-a-shaft-has-1-to-sections-a510 = a shaft has 1 to { $most } sections
 diag-give-each-section-one-entry-in-0a0d = give each section one entry in every list
 diag-a-section-is-long-06c8 = a section is { $length } long

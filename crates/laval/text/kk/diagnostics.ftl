@@ -1559,7 +1559,7 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } өзгеше (элемент
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia мен gyroscopic барлық элементтерде қосулы; модельде олар өшірулі (элементтер саны: { $n })
 diag-left-out-or-different-in-ross-343d = Көшірілмеді немесе ROSS ішінде басқаша:
 diag-and-more-1d3b = { $names } және тағы { $n }
-diag-add-a-part-of-kind-spin-abab = осы аты бар kind = "spin" бөлшегін және оның машинаның айналу жиілігіне қатынасын қосыңыз
+diag-add-a-part-of-kind-spin-abab = осы аты бар kind = "speed_ratio" бөлшегін және оның машинаның айналу жиілігіне қатынасын қосыңыз
 diag-spins-of-this-machine-d82c = осы машинаның айналулары: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" "{ $name }" айналуымен айналады, ал ондай айналу жоқ
 diag-a-coupling-joins-shafts-of-one-3e2d = муфта айналу жиілігі бірдей біліктерді қосады; әртүрлі жиіліктегі біліктер арасында тісті беріліс немесе подшипник керек

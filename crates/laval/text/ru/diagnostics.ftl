@@ -1249,7 +1249,7 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } отличается (эле
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia и gyroscopic включены во всех элементах; в модели они выключены (элементов: { $n })
 diag-left-out-or-different-in-ross-343d = Не перенесено или иначе в ROSS:
 diag-and-more-1d3b = { $names } и ещё { $n }
-diag-add-a-part-of-kind-spin-abab = добавьте деталь kind = "spin" с этим именем и её отношением к частоте вращения машины
+diag-add-a-part-of-kind-spin-abab = добавьте деталь kind = "speed_ratio" с этим именем и её отношением к частоте вращения машины
 diag-spins-of-this-machine-d82c = вращения этой машины: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" вращается вместе с "{ $name }", а такого вращения нет
 diag-a-coupling-joins-shafts-of-one-3e2d = муфта соединяет валы с одной частотой вращения; между валами с разной частотой нужны зубчатая передача или подшипник

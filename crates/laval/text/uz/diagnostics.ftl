@@ -1557,7 +1557,7 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } farq qiladi (elementlar soni
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia va gyroscopic barcha elementlarda yoqilgan; modelda ular o‘chirilgan (elementlar soni: { $n })
 diag-left-out-or-different-in-ross-343d = Ko‘chirilmadi yoki ROSS da boshqacha:
 diag-and-more-1d3b = { $names } va yana { $n }
-diag-add-a-part-of-kind-spin-abab = shu nomli kind = "spin" qismini va uning mashina aylanish chastotasiga nisbatini qo‘shing
+diag-add-a-part-of-kind-spin-abab = shu nomli kind = "speed_ratio" qismini va uning mashina aylanish chastotasiga nisbatini qo‘shing
 diag-spins-of-this-machine-d82c = bu mashinaning aylanishlari: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" "{ $name }" aylanishi bilan aylanadi, bunday aylanish esa yo‘q
 diag-a-coupling-joins-shafts-of-one-3e2d = mufta bir xil chastotada aylanadigan vallarni ulaydi; har xil chastotadagi vallar orasida tishli uzatma yoki podshipnik kerak

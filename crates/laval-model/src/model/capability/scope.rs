@@ -47,6 +47,10 @@ pub trait Scope: Parametric {
     fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<Text> {
         None
     }
+    /// Of a part that others name as their spin: the index of the parameter that is the ratio of its speed to that of the machine.
+    fn spin_ratio(&self) -> Option<usize> {
+        None
+    }
     /// Why it does not join two turning bodies of which the second turns `ratio` times as fast as the first, and what to change.
     fn refuses_ratio(&self, _p: &Params<Self, f64>, _ratio: f64) -> Option<Text> {
         None
@@ -64,6 +68,7 @@ pub mod erased {
     pub trait Scope {
         fn tabulated(&self) -> Option<Tabulated>;
         fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text>;
+        fn spin_ratio(&self) -> Option<usize>;
         fn refuses_ratio(&self, p: &[f64], ratio: f64) -> Option<Text>;
     }
 
@@ -73,6 +78,9 @@ pub mod erased {
         }
         fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text> {
             super::Scope::refuses_axis(self, &T::Family::from_slice(p), axis)
+        }
+        fn spin_ratio(&self) -> Option<usize> {
+            super::Scope::spin_ratio(self)
         }
         fn refuses_ratio(&self, p: &[f64], ratio: f64) -> Option<Text> {
             super::Scope::refuses_ratio(self, &T::Family::from_slice(p), ratio)

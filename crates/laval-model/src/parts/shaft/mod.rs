@@ -38,7 +38,7 @@ use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
 use crate::model::params::{RowFamily, WithRows};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Params, Part, Physics, Validity};
 use crate::params;
-use crate::parts::spin::SPIN;
+use crate::parts::speed_ratio::SPIN;
 use crate::text;
 use crate::text::Text;
 use element::{Cone, Element, Layers, M4, Material, Plane, Shear};

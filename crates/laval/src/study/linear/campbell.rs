@@ -47,7 +47,7 @@ pub(in crate::study) const ORDERS: Field = Field::optional(
 
 /// The orders requested, ascending and different; where none are, those of the spins.
 pub(in crate::study) fn orders(values: &Values, system: &System) -> Vec<f64> {
-    let mut orders = values.list("orders").map_or_else(Vec::new, <[f64]>::to_vec);
+    let mut orders = values.list("orders").filter(|_| values.written("orders")).map_or_else(Vec::new, <[f64]>::to_vec);
     if orders.is_empty() {
         orders = spin_orders(system);
     }

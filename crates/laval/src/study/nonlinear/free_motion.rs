@@ -143,7 +143,7 @@ pub(in crate::study) fn body_columns(mut t: TableBuilder, probes: &[Probe], meas
     for (k, p) in probes.iter().enumerate() {
         if p.is_reference() {
             let doc = "modulus of the first-order amplitude; NaN when it could not be had";
-            t = t.float(format!("{} first order", p.name), "m", doc, measured.iter().map(|m| m.first[k]).collect());
+            t = t.float(format!("{} first order", probes::owner(p)), "m", doc, measured.iter().map(|m| m.first[k]).collect());
         }
         let doc = Arg::noted(probes::largest_doc(p), "NaN when it could not be had");
         t = t.float(probes::largest_column(p), p.unit(), doc, measured.iter().map(|m| m.largest[k]).collect());

@@ -4,6 +4,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
 use crate::model::probe::Probe;
 use crate::model::system::{Station, System};
+use crate::study::linear::campbell::spin_orders;
 use crate::text;
 use crate::units::read_quantity;
 
@@ -225,7 +226,7 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
         torque: v.number("drive_torque"),
         growth: v.number("growth_margin").unwrap_or(0.0),
         clearance: v.number("clearance"),
-        orders: v.list("orders").map_or_else(|| vec![1.0], <[f64]>::to_vec),
+        orders: v.list("orders").filter(|_| v.written("orders")).map_or_else(|| spin_orders(system), <[f64]>::to_vec),
         self_centring: v.number("self_centring"),
         speed: v.number("speed"),
         rated_density: v.number("rated_density"),
@@ -236,6 +237,6 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
 pub fn of(system: &System) -> Limits {
     match system.machine.extras.iter().find(|e| e.word == "limits") {
         Some(e) => read(&e.values, system, &mut Diagnostics::default()),
-        None => Limits { orders: vec![1.0], ..Limits::default() },
+        None => Limits { orders: spin_orders(system), ..Limits::default() },
     }
 }

@@ -111,16 +111,16 @@ pub const CASES: &[Case] = &[
     Case {
         beside: "[[part]]\nkind = \"disc\"\nname = \"other_wheel\"\nspin = \"other\"\nmass = 1.5\ndiametral_inertia = 2e-3\npolar_inertia = 3e-3\neccentricity = 1e-5\n\
                  [[part]]\nkind = \"shaft_lumped\"\nname = \"link\"\nbetween = [\"other_wheel\", \"drum\"]\nstiffness = 3e6\ntilt_stiffness = 2e3\n",
-        ..case("other", "spin", "ratio = -1.3")
+        ..case("other", "speed_ratio", "ratio = -1.3")
     },
     Case {
-        beside: "[[part]]\nkind = \"spin\"\nname = \"fast\"\nratio = -2\n\
+        beside: "[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2\n\
                  [[part]]\nkind = \"disc\"\nname = \"wheel\"\nspin = \"fast\"\nmass = 1.5\npolar_inertia = 3e-3\ntorsional = true\n\
                  [[part]]\nkind = \"bearing_linear\"\nname = \"link\"\nbetween = [\"wheel\", \"ground\"]\nkxx = 3e6\nkyy = 5e6\ncxx = 100\ncyy = 100\n",
         ..case(
             "mesh",
             "gear",
-            "between = [\"drum\", \"wheel\"]\nfirst_radius = 0.1\nsecond_radius = 0.05\nstiffness = 1e7\ndamping = 20\nazimuth = 0.4\npressure_angle = 0.35\ntorque = 5",
+            "between = [\"drum\", \"wheel\"]\nfirst_radius = 0.1\nsecond_radius = 0.05\nstiffness = 1e7\ndamping = 20\nazimuth = 0.4\npressure_angle = 0.35",
         )
     },
     case("journal", "bearing_journal", "clearance = \"0.5 mm\"\nviscosity = \"5 mPa s\""),
