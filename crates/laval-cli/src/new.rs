@@ -66,6 +66,16 @@ pub const TEMPLATES: &[Template] = &[
         about: "a disc on a plastic shaft whose material remembers, and whirls above the critical speed",
         text: include_str!("../../../examples/07-viscoelastic-shaft/machine.toml"),
     },
+    Template {
+        name: "three-disc-rotor",
+        about: "an elastic shaft with three discs on two bearings: a rotor of the literature, with its printed results",
+        text: include_str!("../../../examples/08-three-disc-rotor/machine.toml"),
+    },
+    Template {
+        name: "cream-separator",
+        about: "a bowl with milk on an elastic spindle, a neck bearing that stiffens, a frame on rubber feet",
+        text: include_str!("../../../examples/09-cream-separator/machine.toml"),
+    },
 ];
 
 /// What may be said to `new`.

@@ -5,8 +5,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-const TEMPLATES: [&str; 7] =
-    ["rigid-rotor", "oil-separator", "overhung-disc", "ball-balancer", "cup-separator", "spatial-liquid", "viscoelastic-shaft"];
+const TEMPLATES: [&str; 9] = [
+    "rigid-rotor",
+    "oil-separator",
+    "overhung-disc",
+    "ball-balancer",
+    "cup-separator",
+    "spatial-liquid",
+    "viscoelastic-shaft",
+    "three-disc-rotor",
+    "cream-separator",
+];
 
 /// A machine with one mode pair, and a quick study.
 const SMALL: &str = r#"
