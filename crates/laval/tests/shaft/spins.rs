@@ -228,6 +228,7 @@ fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
     for mode in modes(&system, 300.0) {
         let w = mode.value.im;
         if mode.value.abs() < 1.0 {
+            assert!(mode.is_free(), "{:?}", mode.value);
             counts[0] += 1;
             continue;
         }
@@ -275,6 +276,22 @@ fn responses_are_those_of_a_spin() {
     assert!(crate::common::files::finding(&warned, "spin").message.to_string().contains("inner"));
 }
 
+/// Critical speeds are sought of the unbalance of every spin, unless orders are named.
+#[test]
+fn critical_speeds_are_those_of_every_spin() {
+    use crate::common::files::run_all;
+    let orders = |lines: &str| -> Vec<f64> {
+        let text = coaxial(300.0, BETWEEN) + "[[study]]\nkind = \"critical_speeds\"\nspeed = { from = 50.0, to = 2000.0 }\n" + lines;
+        let outcome = run_all(&text).swap_remove(0);
+        let c = outcome.find_table("critical_speeds").unwrap().column("order").unwrap();
+        let mut all: Vec<f64> = (0..c.data.len()).map(|i| c.number(i).unwrap()).collect();
+        all.dedup();
+        all
+    };
+    assert_eq!(orders(""), [1.0, RATIO.abs()]);
+    assert_eq!(orders("orders = [1]\n"), [1.0]);
+}
+
 /// The motion in time is the sum of the responses of both spins.
 #[test]
 fn motions_in_time_are_the_sum_of_both_responses() {
@@ -317,6 +334,8 @@ fn mistakes_are_found_at_their_place() {
     let told = mistake(&coaxial(700.0, gear));
     assert!(told.contains("part.spins") && told.contains("-0.5"), "{told}");
     assert!(mistake(&both.replace("ratio = -1.4", "ratio = 0")).contains("stands still"));
+    let ring = "[[part]]\nkind = \"disc\"\nname = \"ring\"\non = \"case\"\nspin = \"inner\"\nmass = 1.0\n";
+    assert!(mistake(&coaxial(700.0, ring)).contains("spin.fixed"));
     let study = "[[study]]\nkind = \"basins\"\nx = { coordinate = \"case.x\", from = -1e-3, to = 1e-3 }\n";
     let loaded = laval::file::load(&format!("{both}[[study]]\nkind = \"nonlinear_response\"\nspeed = {{ from = 100, to = 400 }}\n"));
     let refusals = loaded.unwrap_or_else(|d| panic!("{d:?}")).refusals();

@@ -44,7 +44,9 @@ diag-is-it-must-be-2e8e = { $name } is { $value }; it must be { $wanted }
 
 ## laval-model/src/model/spins.rs
 
-diag-add-a-part-of-kind-spin-abab = add a part of kind = "speed_ratio" with this name and its ratio to the speed of the machine
+diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" is fixed to "{ $body }", which turns with another spin
+diag-leave-spin-out-it-turns-with-b814 = leave spin out: it turns with that body; or give it coordinates of its own and a bearing between the two
+diag-add-a-part-of-kind-speed-cc8c = add a part of kind = "speed_ratio" with this name and its ratio to the speed of the machine
 diag-spins-of-this-machine-d82c = spins of this machine: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" turns with the spin "{ $name }", which does not exist
 diag-no-part-of-the-machine-turns-2e6a = no part of the machine turns with a spin "{ $name }"
@@ -316,7 +318,7 @@ diag-the-exponentials-were-chosen-for-another-1eef = the exponentials were chose
 diag-amplitude-exponent-and-decay-have-no-58ce = amplitude, exponent and decay have no effect beside several terms
 diag-amplitude-exponent-and-decay-have-no-4e1d = amplitude, exponent and decay have no effect beside exponentials
 
-## laval-model/src/parts/spin.rs
+## laval-model/src/parts/speed_ratio.rs
 
 diag-a-spin-of-ratio-0-stands-f193 = a spin of ratio 0 stands still: parts that do not turn need none
 
@@ -1569,7 +1571,7 @@ diag-take-about-gb-of-memory-more-e408 = { $of } take about { $needed } GB of me
 ## laval/src/study/shared/speed_range.rs
 
 diag-this-study-knows-one-spin-and-77ac = this study knows one spin, and the machine has another one, "{ $name }"
-diag-its-linear-studies-and-its-motion-2269 = its linear studies and its motion in time (modes, campbell, critical_speeds, transient) take several spins
+diag-modes-campbell-critical-speeds-stability-map-b6ca = modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static and transient take several spins
 diag-the-study-needs-the-coefficients-of-46db = the study needs the coefficients of "{ $name }" at { $from }; its table goes from { $low } to { $high }
 diag-the-study-needs-the-coefficients-of-bb45 = the study needs the coefficients of "{ $name }" from { $from } to { $to }; its table goes from { $low } to { $high }
 diag-keep-to-speeds-of-the-table-c95a = keep to speeds of the table, add rows to it, or write beyond = "hold" or beyond = "linear" in "{ $name }": results beyond are then marked

@@ -1559,7 +1559,7 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } өзгеше (элемент
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia мен gyroscopic барлық элементтерде қосулы; модельде олар өшірулі (элементтер саны: { $n })
 diag-left-out-or-different-in-ross-343d = Көшірілмеді немесе ROSS ішінде басқаша:
 diag-and-more-1d3b = { $names } және тағы { $n }
-diag-add-a-part-of-kind-spin-abab = осы аты бар kind = "speed_ratio" бөлшегін және оның машинаның айналу жиілігіне қатынасын қосыңыз
+diag-add-a-part-of-kind-speed-cc8c = осы аты бар kind = "speed_ratio" бөлшегін және оның машинаның айналу жиілігіне қатынасын қосыңыз
 diag-spins-of-this-machine-d82c = осы машинаның айналулары: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" "{ $name }" айналуымен айналады, ал ондай айналу жоқ
 diag-a-coupling-joins-shafts-of-one-3e2d = муфта айналу жиілігі бірдей біліктерді қосады; әртүрлі жиіліктегі біліктер арасында тісті беріліс немесе подшипник керек
@@ -1568,7 +1568,6 @@ diag-name-the-two-shafts-or-discs-cbce = дөңгелектер отырған �
 diag-the-second-body-turns-times-as-56df = екінші дене біріншіден { $ratio } есе жылдам айналады, ал радиустар бойынша { $needed } есе; оған осы қатынастағы айналу беріңіз
 diag-a-spin-of-ratio-0-stands-f193 = қатынасы 0 айналу орнында тұр: айналмайтын бөлшектерге ол керек емес
 diag-this-study-knows-one-spin-and-77ac = бұл есепке бір айналу керек, ал машинада басқасы бар, "{ $name }"
-diag-its-linear-studies-and-its-motion-2269 = сызықтық есептер мен уақыттағы қозғалыс (modes, campbell, critical_speeds, transient) бірнеше айналуға жол береді
 diag-contact-angle-is-given-without-balls-aa45 = contact_angle мәні balls-сыз берілген
 diag-a-coefficient-holds-the-angle-already-7b11 = коэффициент бұрышты есепке алады: contact_angle-ды алып тастаңыз
 diag-the-bearing-has-no-contact-coefficient-5cac = мойынтіректің жанасу коэффициенті жоқ
@@ -1606,3 +1605,6 @@ diag-cross-coupled-stiffness-makes-lateral-modes-69e4 = айқас қатаңд�
 diag-roots-to-follow-61c7 = бақыланатын түбірлер
 diag-no-mode-becomes-less-stable-with-f0e4 = қатаңдықпен ешбір мода орнықтылығын жоғалтпайды, сондықтан ең үлкенін ұсыну мүмкін емес
 diag-give-up-to-2dd8 = up_to беріңіз
+diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" "{ $body }" денесіне бекітілген, ал ол басқа айналумен айналады
+diag-leave-spin-out-it-turns-with-b814 = spin өрісін алып тастаңыз: дене бекітілген денемен бірге айналады; немесе оған өз координаттарын және араларына подшипник беріңіз
+diag-modes-campbell-critical-speeds-stability-map-b6ca = бірнеше айналуға modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static және transient жол береді

@@ -1249,7 +1249,7 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } отличается (эле
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia и gyroscopic включены во всех элементах; в модели они выключены (элементов: { $n })
 diag-left-out-or-different-in-ross-343d = Не перенесено или иначе в ROSS:
 diag-and-more-1d3b = { $names } и ещё { $n }
-diag-add-a-part-of-kind-spin-abab = добавьте деталь kind = "speed_ratio" с этим именем и её отношением к частоте вращения машины
+diag-add-a-part-of-kind-speed-cc8c = добавьте деталь kind = "speed_ratio" с этим именем и её отношением к частоте вращения машины
 diag-spins-of-this-machine-d82c = вращения этой машины: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" вращается вместе с "{ $name }", а такого вращения нет
 diag-a-coupling-joins-shafts-of-one-3e2d = муфта соединяет валы с одной частотой вращения; между валами с разной частотой нужны зубчатая передача или подшипник
@@ -1258,7 +1258,6 @@ diag-name-the-two-shafts-or-discs-cbce = назовите два вала или
 diag-the-second-body-turns-times-as-56df = второе тело вращается в { $ratio } раза быстрее первого, а по радиусам в { $needed }; задайте ему вращение с этим отношением
 diag-a-spin-of-ratio-0-stands-f193 = вращение с отношением 0 стоит на месте: деталям, которые не вращаются, оно не нужно
 diag-this-study-knows-one-spin-and-77ac = этому расчёту нужно одно вращение, а у машины есть другое, "{ $name }"
-diag-its-linear-studies-and-its-motion-2269 = линейные расчёты и движение во времени (modes, campbell, critical_speeds, transient) допускают несколько вращений
 diag-contact-angle-is-given-without-balls-aa45 = contact_angle задан без balls
 diag-a-coefficient-holds-the-angle-already-7b11 = коэффициент уже учитывает угол: уберите contact_angle
 diag-the-bearing-has-no-contact-coefficient-5cac = у подшипника нет контактного коэффициента
@@ -1296,3 +1295,6 @@ diag-cross-coupled-stiffness-makes-lateral-modes-69e4 = перекрёстная
 diag-roots-to-follow-61c7 = корней для отслеживания
 diag-no-mode-becomes-less-stable-with-f0e4 = ни одна мода не теряет устойчивость с ростом жёсткости, поэтому наибольшую предложить нельзя
 diag-give-up-to-2dd8 = задайте up_to
+diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" закреплено на "{ $body }", а то вращается вместе с другим вращением
+diag-leave-spin-out-it-turns-with-b814 = уберите spin: тело вращается вместе с тем, на чём закреплено; или дайте ему свои координаты и подшипник между ними
+diag-modes-campbell-critical-speeds-stability-map-b6ca = несколько вращений допускают modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static и transient

@@ -1557,7 +1557,7 @@ diag-of-elements-differs-that-of-is-d2a2 = { $key } farq qiladi (elementlar soni
 diag-rotary-inertia-and-gyroscopic-are-on-f7ff = rotary_inertia va gyroscopic barcha elementlarda yoqilgan; modelda ular o‘chirilgan (elementlar soni: { $n })
 diag-left-out-or-different-in-ross-343d = Ko‘chirilmadi yoki ROSS da boshqacha:
 diag-and-more-1d3b = { $names } va yana { $n }
-diag-add-a-part-of-kind-spin-abab = shu nomli kind = "speed_ratio" qismini va uning mashina aylanish chastotasiga nisbatini qo‘shing
+diag-add-a-part-of-kind-speed-cc8c = shu nomli kind = "speed_ratio" qismini va uning mashina aylanish chastotasiga nisbatini qo‘shing
 diag-spins-of-this-machine-d82c = bu mashinaning aylanishlari: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" "{ $name }" aylanishi bilan aylanadi, bunday aylanish esa yo‘q
 diag-a-coupling-joins-shafts-of-one-3e2d = mufta bir xil chastotada aylanadigan vallarni ulaydi; har xil chastotadagi vallar orasida tishli uzatma yoki podshipnik kerak
@@ -1566,7 +1566,6 @@ diag-name-the-two-shafts-or-discs-cbce = g‘ildiraklar o‘tirgan ikki val yoki
 diag-the-second-body-turns-times-as-56df = ikkinchi jism birinchidan { $ratio } marta tez aylanadi, radiuslar bo‘yicha esa { $needed } marta; unga shu nisbatdagi aylanish bering
 diag-a-spin-of-ratio-0-stands-f193 = nisbati 0 bo‘lgan aylanish joyida turadi: aylanmaydigan qismlarga u kerak emas
 diag-this-study-knows-one-spin-and-77ac = bu hisobga bitta aylanish kerak, mashinada esa boshqasi bor, "{ $name }"
-diag-its-linear-studies-and-its-motion-2269 = chiziqli hisoblar va vaqtdagi harakat (modes, campbell, critical_speeds, transient) bir necha aylanishga yo‘l qo‘yadi
 diag-contact-angle-is-given-without-balls-aa45 = contact_angle balls-siz berilgan
 diag-a-coefficient-holds-the-angle-already-7b11 = koeffitsiyent burchakni hisobga oladi: contact_angle ni olib tashlang
 diag-the-bearing-has-no-contact-coefficient-5cac = podshipnikning kontakt koeffitsiyenti yo‘q
@@ -1604,3 +1603,6 @@ diag-cross-coupled-stiffness-makes-lateral-modes-69e4 = kesishma bikrlik ko‘nd
 diag-roots-to-follow-61c7 = kuzatiladigan ildizlar
 diag-no-mode-becomes-less-stable-with-f0e4 = bikrlik bilan hech bir moda turg‘unligini yo‘qotmaydi, shuning uchun eng kattasini taklif qilib bo‘lmaydi
 diag-give-up-to-2dd8 = up_to bering
+diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" "{ $body }" jismiga mahkamlangan, u esa boshqa aylanish bilan aylanadi
+diag-leave-spin-out-it-turns-with-b814 = spin maydonini olib tashlang: jism mahkamlangan jism bilan birga aylanadi; yoki unga o‘z koordinatalarini va orasiga podshipnik bering
+diag-modes-campbell-critical-speeds-stability-map-b6ca = bir necha aylanishga modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static va transient yo‘l qo‘yadi
