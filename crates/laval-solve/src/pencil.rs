@@ -260,7 +260,10 @@ impl Linearised {
             if of.is_empty() || !free {
                 continue;
             }
-            let highest = modes.iter().filter(|m| m.whirl == whirl).map(|m| m.value.abs()).fold(0.0, f64::max);
+            let own = modes.iter().filter(|m| m.whirl == whirl).count();
+            // of wheels that move across the axis as well all other motions are mixed
+            let known = modes.iter().filter(|m| own <= 2 || m.whirl == whirl);
+            let highest = known.map(|m| m.value.abs()).fold(0.0, f64::max);
             modes.iter_mut().filter(|m| m.whirl == whirl && m.value.abs() <= HALF * highest).for_each(|m| m.value = C64::zero());
         }
     }

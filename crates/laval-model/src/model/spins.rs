@@ -19,8 +19,10 @@ impl System {
             let ratio = |s: &Slot| Some(s.params.start + own_ratio(s)?);
             if let Some(found) = self.slots.iter().find(|s| &s.name == name).and_then(ratio) {
                 if let Some(body) = self.turning(k).find(|b| b.ratio != Some(found)) {
-                    let message = text!("\"{slot}\" is fixed to \"{body}\", which turns with another spin", slot = slot.name, body = body.name);
-                    let help = text!("leave spin out: it turns with that body; or give it coordinates of its own and a bearing between the two");
+                    let message =
+                        text!("\"{slot}\" is fixed to \"{body}\", which turns with another spin", slot = slot.name, body = body.name);
+                    let help =
+                        text!("leave spin out: it turns with that body; or give it coordinates of its own and a bearing between the two");
                     return Err(Box::new(Diagnostic::error("spin.fixed", message).at(slot.span.clone()).help(help)));
                 }
                 return Ok(Some(found));

@@ -158,14 +158,7 @@ mod tests {
     }
 
     pub(super) fn params() -> GearParams {
-        GearParams {
-            first_radius: 0.12,
-            second_radius: 0.06,
-            stiffness: 2e6,
-            damping: 30.0,
-            pressure_angle: 0.35,
-            azimuth: 0.7,
-        }
+        GearParams { first_radius: 0.12, second_radius: 0.06, stiffness: 2e6, damping: 30.0, pressure_angle: 0.35, azimuth: 0.7 }
     }
 
     /// Wheels that turn as the ratio says, and both shafts displaced alike, do not load the teeth; the first one turned ahead pushes the second along the tangent

@@ -30,8 +30,7 @@ params! {
 }
 
 /// What the documentation of a part says of its key `spin`.
-pub const SPIN: &str =
-    "the part of kind \"speed_ratio\" with which it turns; without it, it turns with the body that carries it or else at the speed of the machine";
+pub const SPIN: &str = "the part of kind \"speed_ratio\" with which it turns; without it, it turns with the body that carries it or else at the speed of the machine";
 
 /// See the [module](self).
 pub struct SpeedRatio;

@@ -4,8 +4,8 @@ use crate::common::files::load;
 use laval::model::erased::D1;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
 use laval::model::part::{At, Rows};
-use laval::model::system::{System, Workspace};
 use laval::model::system::Drive;
+use laval::model::system::{System, Workspace};
 use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::{Linearised, MachineMode};
@@ -251,7 +251,8 @@ fn responses_are_those_of_a_spin() {
         let outcome = run_all(text).swap_remove(0);
         let table = outcome.find_table("response").unwrap();
         let all = |name: &str| -> Vec<f64> {
-            let c = table.column(name).unwrap_or_else(|| panic!("{name}: {:?}", table.columns().iter().map(|c| &c.name).collect::<Vec<_>>()));
+            let c =
+                table.column(name).unwrap_or_else(|| panic!("{name}: {:?}", table.columns().iter().map(|c| &c.name).collect::<Vec<_>>()));
             (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
         };
         (all("speed"), all(column))

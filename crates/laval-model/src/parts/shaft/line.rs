@@ -23,13 +23,13 @@ impl<S: Scalar> Element<S> {
     /// Along the axis: kg, N/m.
     pub fn axial(&self) -> Line<S> {
         let (e, rho) = (self.material.modulus, self.material.density);
-        self.line(&|x| e * self.section(x).0 + self.layers.axial, &|x| rho * self.section(x).0 + self.layers.mass)
+        self.line(|x| e * self.section(x).0 + self.layers.axial, |x| rho * self.section(x).0 + self.layers.mass)
     }
     /// About the axis: kg m^2, N m/rad.
     pub fn torsional(&self) -> Line<S> {
         let (g, rho) = (self.material.shear_modulus, self.material.density);
         let polar = |x: f64| self.section(x).1.scale(2.0);
-        self.line(&|x| g * polar(x) + self.layers.torsion, &|x| rho * polar(x) + self.layers.rotary.scale(2.0))
+        self.line(|x| g * polar(x) + self.layers.torsion, |x| rho * polar(x) + self.layers.rotary.scale(2.0))
     }
     /// Share of the motion of the second end at a share of the length, along the axis and about it.
     pub fn line_shape(&self, share: f64) -> [S; 2] {
@@ -37,22 +37,22 @@ impl<S: Scalar> Element<S> {
             return [S::cst(share); 2];
         }
         let (e, g) = (self.material.modulus, self.material.shear_modulus);
-        let share_of = |a: &dyn Fn(f64) -> S| softness(a, share) / softness(a, 1.0);
-        [share_of(&|x| e * self.section(x).0 + self.layers.axial), share_of(&|x| g * self.section(x).1.scale(2.0) + self.layers.torsion)]
+        let axial = |x| e * self.section(x).0 + self.layers.axial;
+        let torsion = |x| g * self.section(x).1.scale(2.0) + self.layers.torsion;
+        [softness(&axial, share) / softness(&axial, 1.0), softness(&torsion, share) / softness(&torsion, 1.0)]
     }
 
     /// Of a stiffness and an inertia per length.
-    fn line(&self, stiffness: &dyn Fn(f64) -> S, inertia: &dyn Fn(f64) -> S) -> Line<S> {
+    fn line(&self, stiffness: impl Fn(f64) -> S, inertia: impl Fn(f64) -> S) -> Line<S> {
         let l = self.length;
         let (k, mass) = if self.cone == Cone::MidSection || self.is_uniform() {
-            let mean = |a: &dyn Fn(f64) -> S| (a(0.0) + a(1.0)).scale(0.5);
-            let m = mean(inertia).scale(l / 6.0);
-            (mean(stiffness).scale(1.0 / l), [[m.scale(2.0), m], [m, m.scale(2.0)]])
+            let m = (inertia(0.0) + inertia(1.0)).scale(0.5).scale(l / 6.0);
+            ((stiffness(0.0) + stiffness(1.0)).scale(0.5).scale(1.0 / l), [[m.scale(2.0), m], [m, m.scale(2.0)]])
         } else {
-            let whole = softness(stiffness, 1.0);
+            let whole = softness(&stiffness, 1.0);
             let mut mass = [[S::zero(); 2]; 2];
             for (x, weight) in GAUSS {
-                let n = softness(stiffness, x) / whole;
+                let n = softness(&stiffness, x) / whole;
                 let (m, shape) = (inertia(x).scale(weight * l), [S::one() - n, n]);
                 for i in 0..2 {
                     for j in 0..2 {
@@ -67,7 +67,7 @@ impl<S: Scalar> Element<S> {
 }
 
 /// `int_0^x 1/a dt`.
-fn softness<S: Scalar>(a: &(impl Fn(f64) -> S + ?Sized), x: f64) -> S {
+fn softness<S: Scalar>(a: &impl Fn(f64) -> S, x: f64) -> S {
     let mut out = S::zero();
     for (share, weight) in GAUSS {
         out += (S::one() / a(share * x)).scale(weight * x);

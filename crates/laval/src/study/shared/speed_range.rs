@@ -56,7 +56,9 @@ pub(in crate::study) fn able<T: Study>(study: &T, system: &System) -> Result<(),
         && let Some(spin) = another()
     {
         let message = text!("this study knows one spin, and the machine has another one, \"{name}\"", name = spin.name);
-        let help = text!("modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static and transient take several spins");
+        let help = text!(
+            "modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static and transient take several spins"
+        );
         return Err(Diagnostic::error("study.spins", message).help(help));
     }
     known(study, system)

@@ -29,7 +29,8 @@ fn wrong(case: &Case, (kind, fields, quick): (&str, &str, bool)) -> Vec<String> 
         Answer::Outcome(o) => o,
         // a motion that is not found or not the same in every direction is refused for what it is
         refused => {
-            let named = refused.refused(&[case.name, "free", "equilibrium", "periodic motion", "linearised about rest", "one spin"]) == Some(true);
+            let named =
+                refused.refused(&[case.name, "free", "equilibrium", "periodic motion", "linearised about rest", "one spin"]) == Some(true);
             return if named { Vec::new() } else { vec![format!("{} {kind}: {}", case.name, refused.text())] };
         }
     };
