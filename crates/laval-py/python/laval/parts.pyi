@@ -9,7 +9,7 @@ from typing import Any, Literal
 from laval._blocks import Extra, Part, Study
 from laval._types import Lateral, Named, ParameterRange, Point, Quantities, Quantity, Range, Tolerance
 
-__all__ = ['disc', 'foundation', 'damper', 'bearing_linear', 'bearing_cubic', 'bearing_hertz', 'bearing_journal', 'squeeze_film', 'shaft', 'shaft_lumped', 'shaft_span', 'shaft_viscoelastic', 'stop', 'liquid', 'balancer_ball', 'coupling', 'motor', 'spin_load']
+__all__ = ['disc', 'foundation', 'damper', 'bearing_linear', 'bearing_cubic', 'bearing_hertz', 'bearing_rolling', 'bearing_journal', 'squeeze_film', 'shaft', 'shaft_lumped', 'shaft_span', 'shaft_viscoelastic', 'stop', 'liquid', 'balancer_ball', 'coupling', 'speed_ratio', 'gear', 'motor', 'spin_load']
 
 def __getattr__(name: str) -> Any: ...
 def __dir__() -> list[str]: ...
@@ -19,6 +19,7 @@ def disc(
     name: str | None = None,
     mass: Quantity,
     on: Point | None = None,
+    spin: str | None = None,
     axial: bool | None = None,
     torsional: bool | None = None,
     unbalances: Mapping[Literal["unbalance", "phase", "at"], Quantities] | None = None,
@@ -39,6 +40,8 @@ def disc(
             a mass (kg, g, t), between 0.001 mg and 1e7 kg
         on: the point of a shaft or of another body that it is fixed to and moves with; without it the disc has coordinates of its own (optional).
             a point: "drum" or { body = "drum", at = "40 mm" }
+        spin: the part of kind "speed_ratio" with which it turns; without it, it turns with the body that carries it or else at the speed of the machine (optional).
+            a text
         axial: a disc with coordinates of its own also moves along its axis (default false).
             true or false
         torsional: a disc with coordinates of its own also twists: twist is its rotation relative to the spin (default false).
@@ -239,7 +242,10 @@ def bearing_hertz(
     name: str | None = None,
     between: tuple[Point, Point] | list[Point],
     law: Literal["radial", "per_axis"],
-    coefficient: Quantity,
+    balls: int | None = None,
+    ball_diameter: Quantity | None = None,
+    contact_angle: Quantity | None = None,
+    coefficient: Quantity | None = None,
     clearance: Quantity | None = None,
 ) -> Part:
     """A rolling bearing with the force of Hertz contacts, growing with the deflection to the power 3/2, with clearance or preload. Without preload it has no stiffness at rest; a linear study of a machine that other parts hold inside the clearance leaves it open.
@@ -250,8 +256,14 @@ def bearing_hertz(
             two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
         law: how the force depends on direction (required).
             "radial" (Cb [|d| - d0]^(3/2) along d: the same in all directions) or "per_axis" (opposed contacts on each axis; a negative clearance is a preloaded pair)
-        coefficient: contact coefficient Cb of the whole bearing (required).
-            a Hertz contact stiffness (N/m^1.5, N/mm^1.5), above 0 and at most 1e20 N/m^1.5
+        balls: number of steel balls, from which the coefficient follows, in place of coefficient: (2/3 13e6)^(3/2) n D^(1/2) cos(a)^(5/2) (optional).
+            a whole number from 3 to 200
+        ball_diameter: diameter D of a ball, with balls (optional).
+            a length (mm, m, µm), between 100 µm and 1 m
+        contact_angle: contact angle a of the balls; 0 unless given (optional).
+            an angle (deg, rad), between 0 and 1.4 rad (80.21 deg)
+        coefficient: contact coefficient Cb of the whole bearing; or give balls and ball_diameter (default 0.0 N/m^1.5).
+            a Hertz contact stiffness (N/m^1.5, N/mm^1.5), between 0 and 1e20 N/m^1.5
         clearance: radial clearance d0; negative is interference (preload), per axis only (default 0.0 m).
             a length (mm, m, µm), between -100 mm and 100 mm
 
@@ -263,6 +275,53 @@ def bearing_hertz(
         law = "radial"
         coefficient = "3e9 N/m^1.5"
         clearance = "10 um"
+    """
+
+def bearing_rolling(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    elements: Literal["balls", "rollers"],
+    count: int,
+    size: Quantity,
+    load: Quantity,
+    load_direction: Literal["x", "y"] | None = None,
+    contact_angle: Quantity | None = None,
+    ratio: Quantity | None = None,
+    damping_time: Quantity | None = None,
+) -> Part:
+    """A ball or roller bearing from its geometry and load: stiffness along the load and across it, linear about the deflection under the load. bearing_hertz keeps the force law of balls for large motion.
+
+    Args:
+        name: by which others refer to it.
+        between: the two points it joins (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        elements: rolling elements (required).
+            "balls" (steel balls) or "rollers" (steel rollers)
+        count: number of rolling elements (required).
+            a whole number from 3 to 200
+        size: diameter D of a ball, or length l of a roller (required).
+            a length (mm, m, µm), between 100 µm and 1 m
+        load: static load F on the bearing (required).
+            a force (N, kN), above 0 and at most 1 GN
+        load_direction: direction of the static load (default y).
+            "x" (along x) or "y" (along y)
+        contact_angle: contact angle a (default 0.0 rad).
+            an angle (deg, rad), between 0 and 1.4 rad (80.21 deg)
+        ratio: stiffness across the load over that along it; 0 takes the value for the number of rolling elements, from 8 to 16 (default 0.0 ).
+            a pure number, between 0 and 10
+        damping_time: damping over stiffness t; measured values are 0.25e-5 s to 2.5e-5 s (default 1.25e-5 s).
+            a time (s, ms, min), between 0 and 1 s
+
+    In a machine file::
+
+        [[part]]
+        kind = "bearing_rolling"
+        between = ["drum", "ground"]
+        elements = "balls"
+        count = 12
+        size = "10 mm"
+        load = "250 N"
     """
 
 def bearing_journal(
@@ -346,6 +405,8 @@ def shaft(
     *,
     name: str | None = None,
     section: Mapping[Literal["length", "outer_diameter", "inner_diameter", "end_outer_diameter", "end_inner_diameter"], Quantities],
+    spin: str | None = None,
+    layer: Mapping[Literal["from", "to", "outer_diameter", "inner_diameter", "modulus", "shear_modulus", "density", "stiffness"], Quantities] | None = None,
     material: Literal["steel", "stainless_steel", "aluminium", "titanium", "cast_iron"] | None = None,
     elements: int | Literal["auto"] | None = None,
     shear: Literal["cowper", "hutchinson", "none"] | None = None,
@@ -367,6 +428,10 @@ def shaft(
         name: by which others refer to it.
         section: the sections from the lower end to the upper: as many entries in each list (required).
             columns of equal length { length: length of the section [a length]; outer_diameter: outer diameter, of a conical section at its lower end [a length]; inner_diameter: inner diameter of a hollow section, of a conical one at its lower end [a length], optional; end_outer_diameter: outer diameter at the upper end of a conical section; 0 where it stays the same [a length], optional; end_inner_diameter: inner diameter at the upper end; 0 where it stays the same [a length], optional }, or a list of rows { length = .., .. }
+        spin: the part of kind "speed_ratio" with which it turns; without it, it turns with the body that carries it or else at the speed of the machine (optional).
+            a text
+        layer: cylindrical layers on the shaft or in its bore, such as sleeves: as many entries in each list; stiffnesses and masses of layers and shaft add up, with one slope and one shear angle (optional).
+            columns of equal length { from: position of its lower end [a length]; to: position of its upper end [a length]; outer_diameter: outer diameter [a length]; inner_diameter: inner diameter: of a sleeve that of the shaft under it [a length]; modulus: Young's modulus; that of the shaft unless given [a pressure], optional; shear_modulus: shear modulus; that of the shaft unless given [a pressure], optional; density: density; that of the shaft unless given [a density], optional; stiffness: share of its stiffness that counts, 1 unless given; 0 is a layer with mass alone [a pure number], optional }, or a list of rows { from = .., .. }
         material: material; modulus, shear_modulus and density are its values unless given (default steel).
             "steel" (E 210 GPa, G 80.8 GPa, 7850 kg/m^3) or "stainless_steel" (austenitic: E 193 GPa, G 75 GPa, 7950 kg/m^3) or "aluminium" (wrought alloys: E 70 GPa, G 26.3 GPa, 2700 kg/m^3) or "titanium" (Ti-6Al-4V: E 114 GPa, G 43 GPa, 4430 kg/m^3) or "cast_iron" (with spheroidal graphite: E 169 GPa, G 66 GPa, 7100 kg/m^3)
         elements: number of elements of every section; auto makes them half as long as thick, 60 for the whole shaft at most (default auto).
@@ -819,6 +884,66 @@ def coupling(
         torsional_damping = "20 N m s"
     """
 
+def speed_ratio(
+    *,
+    name: str | None = None,
+    ratio: Quantity,
+) -> Part:
+    """Another spin of the machine, at a fixed ratio to its speed: the inner shaft of two coaxial ones, or the driven shaft of a gear. A shaft or disc that names it turns with it, and so does all that is attached to that body.
+
+    Args:
+        name: by which others refer to it.
+        ratio: speed over that of the machine; negative where it turns the other way (required).
+            a pure number, between -10000 and 10000
+
+    In a machine file::
+
+        [[part]]
+        kind = "speed_ratio"
+        name = "inner"
+        ratio = -1.4
+    """
+
+def gear(
+    *,
+    name: str | None = None,
+    between: tuple[Point, Point] | list[Point],
+    first_radius: Quantity,
+    second_radius: Quantity,
+    stiffness: Quantity,
+    damping: Quantity | None = None,
+    pressure_angle: Quantity | None = None,
+    azimuth: Quantity | None = None,
+) -> Part:
+    """Two spur wheels in mesh on parallel shafts: stiffness and damping along the line of action join their displacements and their rotations. The ratio of the spins of the two bodies is that of the radii.
+
+    Args:
+        name: by which others refer to it.
+        between: the points of the two shafts that carry the wheels (required).
+            two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
+        first_radius: pitch radius r1 of the wheel on the first body (required).
+            a length (mm, m, µm), between 100 µm and 100 m
+        second_radius: pitch radius r2 of the wheel on the second body (required).
+            a length (mm, m, µm), between 100 µm and 100 m
+        stiffness: mean stiffness k of the mesh along the line of action (required).
+            a stiffness (N/m, N/mm, MN/m), between 1 mN/m and 1e15 N/m
+        damping: damping c of the mesh (default 0.0 N s/m).
+            a damping constant (N s/m, kN s/m), between 0 and 1e12 N s/m
+        pressure_angle: pressure angle phi (20 deg); negative where the other flanks carry: where the first wheel drives in the negative direction of rotation, or is driven in the positive one (default 0.3490658503988659 rad).
+            an angle (deg, rad), between -0.8 rad (-45.84 deg) and 0.8 rad (45.84 deg)
+        azimuth: direction a from the first wheel to the second, from the x axis (default 0.0 rad).
+            an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+
+    In a machine file::
+
+        [[part]]
+        kind = "gear"
+        between = ["drum", "pinion"]
+        first_radius = "120 mm"
+        second_radius = "60 mm"                # the pinion has a spin of ratio -2
+        stiffness = "2e8 N/m"
+    """
+
 def motor(
     *,
     name: str | None = None,
@@ -865,6 +990,7 @@ def motor(
 def spin_load(
     *,
     name: str | None = None,
+    spin: str | None = None,
     inertia: Quantity | None = None,
     drag: Quantity | None = None,
     windage: Quantity | None = None,
@@ -873,6 +999,8 @@ def spin_load(
 
     Args:
         name: by which others refer to it.
+        spin: the part of kind "speed_ratio" with which it turns; without it, it turns with the body that carries it or else at the speed of the machine (optional).
+            a text
         inertia: moment of inertia J about the axis (default 0.0 kg m^2).
             a moment of inertia (kg m^2, kg mm^2), between 0 and 1e9 kg m^2
         drag: drag c of bearings and seals: torque over speed (default 0.0 N m s/rad).

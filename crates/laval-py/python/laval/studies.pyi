@@ -9,7 +9,7 @@ from typing import Any, Literal
 from laval._blocks import Extra, Part, Study
 from laval._types import Lateral, Named, ParameterRange, Point, Quantities, Quantity, Range, Tolerance
 
-__all__ = ['modes', 'static', 'campbell', 'critical_speeds', 'support_stiffness_map', 'stability_map', 'forced_response', 'nonlinear_response', 'bifurcation_loci', 'response_map', 'stationary', 'sensitivity', 'backbone', 'limit_cycles', 'methods', 'transient', 'run_up', 'separation', 'operating_window', 'sweep', 'motion_map', 'basins', 'uncertainty', 'optimum']
+__all__ = ['modes', 'static', 'campbell', 'critical_speeds', 'support_stiffness_map', 'stability_map', 'stability_threshold', 'forced_response', 'harmonic_force', 'nonlinear_response', 'bifurcation_loci', 'response_map', 'stationary', 'sensitivity', 'backbone', 'limit_cycles', 'methods', 'transient', 'run_up', 'separation', 'operating_window', 'sweep', 'motion_map', 'basins', 'uncertainty', 'optimum']
 
 def __getattr__(name: str) -> Any: ...
 def __dir__() -> list[str]: ...
@@ -186,10 +186,51 @@ def stability_map(
         parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11 }
     """
 
+def stability_threshold(
+    *,
+    name: str | None = None,
+    place: Point,
+    speed: Quantity | None = None,
+    up_to: Quantity | None = None,
+    points: int | None = None,
+    spacing: Literal["linear", "logarithmic"] | None = None,
+    anticipated: Quantity | None = None,
+    modes: int | None = None,
+) -> Study:
+    """How much cross-coupled stiffness (kxy = -kyx, of seals or impellers) at a place of the machine it bears before a lateral mode becomes unstable: the level 1 stability analysis of API 684 and API 617. The logarithmic decrement of the modes over the stiffness, each mode followed by its derivative, with the threshold solved for; on request the criteria of level 1 at the stiffness that is anticipated. Pedestals and masses stay.
+
+    Args:
+        name: by which others refer to it.
+        place: point of a body on which the stiffness acts; level 1 takes the middle between the bearings (required).
+            a point: "drum" or { body = "drum", at = "40 mm" }
+        speed: spin speed; the machine's when left out (optional).
+            a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
+        up_to: largest cross-coupled stiffness; when left out, 1.5 times the larger of the anticipated one and the threshold (optional).
+            a stiffness (N/m, N/mm, MN/m), above 0 and at most 1e14 N/m
+        points: values of the stiffness, 0 among them (default 40).
+            a whole number from 2 to 10000
+        spacing: how the values of the stiffness are spaced (default linear).
+            "linear" (equal steps) or "logarithmic" (0, and equal ratios over three powers of ten)
+        anticipated: cross-coupled stiffness that is anticipated, for the criteria of level 1 (optional).
+            a stiffness (N/m, N/mm, MN/m), above 0 and at most 1e14 N/m
+        modes: modes followed: those that the stiffness makes unstable first, by their derivatives at 0 (default 4).
+            a whole number from 1 to 100
+
+    In a machine file::
+
+        [[study]]
+        kind = "stability_threshold"
+        place = "drum"
+        up_to = "1e7 N/m"
+        anticipated = "1e6 N/m"
+    """
+
 def forced_response(
     *,
     name: str | None = None,
     speed: Range,
+    standard: Literal["none", "api_684"] | None = None,
+    spin: str | None = None,
 ) -> Study:
     """Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; orbits and deflected shapes at the operating speed and at the largest resonances. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.
 
@@ -197,12 +238,57 @@ def forced_response(
         name: by which others refer to it.
         speed: one spin speed, or a range: points (400 unless given) are added where the response bends (required).
             one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
+        standard: standard whose separation margins are assessed (default none).
+            "none" (peaks and their factors of amplification alone) or "api_684" (separation margins of API 684 (SP6.8.2.10) and API 617 against the operating speeds)
+        spin: of a machine of several spins: the part of kind "spin" whose unbalance acts; speeds are then those of this spin. Without it, the unbalance of what turns at the speed of the machine acts (optional).
+            a text
 
     In a machine file::
 
         [[study]]
         kind = "forced_response"
         speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
+    """
+
+def harmonic_force(
+    *,
+    name: str | None = None,
+    place: Point,
+    speed: Range,
+    force: Quantity | None = None,
+    direction: Literal["x", "y", "forward", "backward"] | None = None,
+    order: Quantity | None = None,
+    frequency: Range | None = None,
+    standard: Literal["none", "api_684"] | None = None,
+) -> Study:
+    """Linear response to a harmonic force at a point of the machine, along x or y or turning with or against the rotor: of an order of the spin speed over a range of speeds, or over a range of frequencies at one speed. Peaks are located, with their factors of amplification by the half-power points; unbalance is left out.
+
+    Args:
+        name: by which others refer to it.
+        place: point of a body on which the force acts (required).
+            a point: "drum" or { body = "drum", at = "40 mm" }
+        speed: spin speeds, 400 points unless given; with frequency one speed (required).
+            one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
+        force: amplitude of the force (default 1 N).
+            a force (N, kN), above 0 and at most 1e12 N
+        direction: how the force moves (default x).
+            "x" (along x) or "y" (along y) or "forward" (turning with the rotor) or "backward" (turning against the rotor)
+        order: frequency of the force over the spin speed (default 1).
+            a pure number, above 0 and at most 1000
+        frequency: frequencies of the force at one spin speed, in place of order; 400 points unless given (optional).
+            one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e7 rad/s (9.549e7 rpm)
+        standard: standard whose separation margins are assessed (default none).
+            "none" (peaks and their factors of amplification alone) or "api_684" (separation margins of API 684 (SP6.8.2.10) and API 617 against the operating speeds)
+
+    In a machine file::
+
+        [[study]]
+        kind = "harmonic_force"
+        place = "drum"
+        force = "10 N"
+        direction = "x"
+        speed = "3000 rpm"
+        frequency = { from = "5 Hz", to = "200 Hz" }
     """
 
 def nonlinear_response(
