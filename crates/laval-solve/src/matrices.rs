@@ -61,8 +61,8 @@ pub fn matrices(system: &System, about: &Equilibrium) -> Result<Matrices, Diagno
         let speed = slot.speed(system.params(), about.speed);
         blocks.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
         slot.part.linear_f64(&system.params()[slot.params.clone()], speed, &mut blocks);
-        if let Some(i) = slot.ratio {
-            blocks.per_spin(system.params()[i]);
+        if let Some(ratio) = slot.ratio {
+            blocks.per_spin(ratio.value(system.params()));
         }
         spread(slot, &blocks.gyroscopic, &mut gyroscopic);
         spread(slot, &blocks.circulatory, &mut circulatory);

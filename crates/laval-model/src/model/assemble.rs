@@ -68,7 +68,7 @@ impl System {
         for k in 0..system.slots.len() {
             system.place(k, &mut stand, &mut diagnostics);
         }
-        system.check_spins(&mut diagnostics);
+        system.relate_spins(&mut diagnostics);
         if system.coordinates.is_empty() {
             diagnostics.push(
                 Diagnostic::error("machine.no_body", text!("the machine has no body that can move"))
@@ -128,6 +128,7 @@ impl System {
             physics: part.physics(),
             uses: part.uses(),
             params: p0..self.params.len(),
+            spin: None,
             ratio: None,
             map: vec![],
             weight: vec![],
@@ -215,7 +216,7 @@ impl System {
             }
         }
         match self.spin_of(k) {
-            Ok(ratio) => self.slots[k].ratio = ratio,
+            Ok(spin) => self.slots[k].spin = spin,
             Err(d) => diagnostics.push(*d),
         }
         match self.local_map(k) {

@@ -5,7 +5,7 @@ use super::assembly::{Assembly, Places, Stamp};
 use super::blocks::{Axes, Blocks, Grid};
 use super::erased::{Evaluate, FrequencyDomain};
 use super::part::{At, Domain, Physics};
-use super::slot::{Slot, scatter};
+use super::slot::{Ratio, Slot, scatter};
 use super::system::System;
 use laval_num::complex::{Complex, c};
 use laval_num::factor::{Pattern, Plan, Selection};
@@ -71,8 +71,8 @@ pub struct Loads<S> {
 /// Loads that turn with another spin than the machine's, at `ratio` times its angle. Rates are per acceleration of the machine's spin.
 #[derive(Clone, Debug)]
 pub struct Turning<S> {
-    /// Parameter of the machine that is the ratio of the speeds.
-    pub parameter: usize,
+    /// The speed of that spin over the machine's.
+    pub spin: Ratio,
     /// Its value.
     pub ratio: S,
     /// Forces on cos and sin of the angle of that spin, N.
@@ -85,11 +85,11 @@ pub struct Turning<S> {
 
 impl<S: Scalar> Loads<S> {
     /// Those of another spin, created where there are none yet.
-    fn of_spin(&mut self, parameter: usize, ratio: S) -> &mut Turning<S> {
-        let place = self.others.iter().position(|o| o.parameter == parameter).unwrap_or_else(|| {
+    fn of_spin(&mut self, spin: Ratio, ratio: S) -> &mut Turning<S> {
+        let place = self.others.iter().position(|o| o.spin == spin).unwrap_or_else(|| {
             let (n, m) = (self.force.len(), self.rate.len());
             let two = |len: usize| [vec![S::zero(); len], vec![S::zero(); len]];
-            self.others.push(Turning { parameter, ratio, force: two(n), spin_accel: two(n), spin_accel_rate: two(m) });
+            self.others.push(Turning { spin, ratio, force: two(n), spin_accel: two(n), spin_accel_rate: two(m) });
             self.others.len() - 1
         });
         &mut self.others[place]
@@ -322,12 +322,12 @@ fn add_turning<S: Scalar>(slot: &Slot, first: usize, b: &Blocks<S>, params: &[S]
             [&mut loads.spin_accel_cos, &mut loads.spin_accel_sin],
             [&mut loads.spin_accel_rate_cos, &mut loads.spin_accel_rate_sin],
         ],
-        Some(i) => {
+        Some(spin) => {
             let own = [&b.force_cos, &b.force_sin, &b.spin_accel_cos, &b.spin_accel_sin, &b.spin_accel_rate_cos, &b.spin_accel_rate_sin];
             if !own.into_iter().any(turning) {
                 return;
             }
-            let Turning { force: [fc, fs], spin_accel: [gc, gs], spin_accel_rate: [hc, hs], .. } = loads.of_spin(i, params[i]);
+            let Turning { force: [fc, fs], spin_accel: [gc, gs], spin_accel_rate: [hc, hs], .. } = loads.of_spin(spin, spin.value(params));
             [[fc, fs], [gc, gs], [hc, hs]]
         }
     };
@@ -366,8 +366,8 @@ impl System {
             let own_speed = slot.speed(params, speed);
             b.reset_band(slot.map.len(), m, slot.reach, own_speed);
             S::linear(&*slot.part, &params[slot.params.clone()], own_speed, b);
-            if let Some(i) = slot.ratio {
-                b.per_spin(params[i]);
+            if let Some(ratio) = slot.ratio {
+                b.per_spin(ratio.value(params));
             }
             for (i, &w) in slot.weight.iter().enumerate() {
                 for j in b.mass.columns(i) {

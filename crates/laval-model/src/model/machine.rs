@@ -23,6 +23,8 @@ pub struct Machine {
     pub name: String,
     /// Spin speed for studies that name none, rad/s.
     pub speed: Option<f64>,
+    /// The spin that its speed is that of, by the name of the part that gives its ratio; the first spin where there is none.
+    pub spin: Option<String>,
     /// Direction of the shaft.
     pub axis: Axis,
     /// Drive.

@@ -20,6 +20,27 @@ pub struct PartInput {
     pub span: Option<Span>,
 }
 
+/// The speed of one spin over that of another, by the parameters that are their ratios to the first spin of the machine; none of that itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ratio {
+    /// The one.
+    pub of: Option<usize>,
+    /// The other.
+    pub to: Option<usize>,
+}
+
+impl Ratio {
+    /// Its value.
+    #[inline(always)]
+    pub fn value<S: Scalar>(self, params: &[S]) -> S {
+        let of = |k: Option<usize>| k.map_or(S::one(), |i| params[i]);
+        match self.to {
+            None => of(self.of),
+            Some(i) => of(self.of) / params[i],
+        }
+    }
+}
+
 /// A part in its place.
 pub struct Slot {
     /// Name.
@@ -34,8 +55,10 @@ pub struct Slot {
     pub uses: Uses,
     /// Its parameters among the machine's.
     pub params: Range<usize>,
-    /// Of a part that turns with another spin than the machine's: the parameter that is the ratio of their speeds.
-    pub ratio: Option<usize>,
+    /// The parameter that is the ratio of its spin to the first spin of the machine; none of what turns with that.
+    pub spin: Option<usize>,
+    /// Of a part that turns with another spin than the one that the speed of the machine is that of.
+    pub ratio: Option<Ratio>,
     /// Each local coordinate as a combination of global ones: the rows of B.
     pub map: Vec<Vec<(usize, f64)>>,
     /// What the weight adds to the local accelerations the part sees (a body at rest in a field g moves like one accelerated by -g), m/s^2.
@@ -60,20 +83,23 @@ impl Slot {
     /// The speed of its spin when the machine turns at `speed`.
     #[inline(always)]
     pub fn speed<S: Scalar>(&self, params: &[S], speed: S) -> S {
-        self.ratio.map_or(speed, |i| params[i] * speed)
+        self.ratio.map_or(speed, |r| r.value(params) * speed)
     }
     /// The angle, speed and acceleration of its spin at a point of the machine.
     #[inline(always)]
     pub fn turned<'a, S: Scalar>(&self, params: &[S], at: At<'a, S>) -> At<'a, S> {
         match self.ratio {
             None => at,
-            Some(i) => At { phase: params[i] * at.phase, speed: params[i] * at.speed, spin_accel: params[i] * at.spin_accel, ..at },
+            Some(ratio) => {
+                let r = ratio.value(params);
+                At { phase: r * at.phase, speed: r * at.speed, spin_accel: r * at.spin_accel, ..at }
+            }
         }
     }
     /// Its share in the spin row of the machine: the torque on its spin, carried over by the ratio.
     #[inline(always)]
     pub fn torque<S: Scalar>(&self, params: &[S], torque: S) -> S {
-        self.ratio.map_or(torque, |i| params[i] * torque)
+        self.ratio.map_or(torque, |r| r.value(params) * torque)
     }
     /// Local coordinates that are coupled with one of them.
     pub fn neighbours(&self, i: usize) -> Range<usize> {

@@ -106,13 +106,6 @@ impl System {
             None => Some(vec![found(&format!("{path}.x"))?, found(&format!("{path}.y"))?]),
         }
     }
-    /// The parameters that are ratios of other spins to that of the machine, each once.
-    pub fn spins(&self) -> Vec<usize> {
-        let mut all: Vec<usize> = self.slots.iter().filter_map(|s| s.ratio).collect();
-        all.sort_unstable();
-        all.dedup();
-        all
-    }
     /// The same machine with some parameters changed. Refuses inadmissible values.
     pub fn with(&self, overrides: &[(&str, f64)]) -> Result<System, Diagnostics> {
         let mut diagnostics = Diagnostics::default();
@@ -241,8 +234,9 @@ impl System {
         let local = At { q: &ws.q, v: &ws.v, a: &ws.a, z: &at.z[slot.states.clone()], ..*at };
         f(&match slot.ratio {
             None => local,
-            Some(i) => {
-                let by = |x: S| x.scale(self.params[i]);
+            Some(ratio) => {
+                let r = ratio.value(&self.params);
+                let by = |x: S| x.scale(r);
                 At { phase: by(at.phase), speed: by(at.speed), spin_accel: by(at.spin_accel), ..local }
             }
         })

@@ -205,14 +205,15 @@ impl System {
         let [q, v, a, z] = &w.seeded;
         let [phase, speed, spin_accel] = spin_vars;
         let mut local = At { q, v, a, z, phase, speed, spin_accel, t: D8::lift(at.t) };
-        if let Some(i) = slot.ratio {
-            let by = |x: D8| Scalar::scale(x, self.params()[i]);
+        let ratio = slot.ratio.map(|r| r.value(self.params()));
+        if let Some(r) = ratio {
+            let by = |x: D8| Scalar::scale(x, r);
             (local.phase, local.speed, local.spin_accel) = (by(phase), by(speed), by(spin_accel));
         }
         let mut rows = Rows { force: &mut w.force, rate: &mut w.rate, spin: &mut spin_row };
         D8::residual(&*slot.part, &w.params, &local, &mut rows, &mut w.blocks8);
-        if let Some(i) = slot.ratio {
-            spin_row = Scalar::scale(spin_row, self.params()[i]);
+        if let Some(r) = ratio {
+            spin_row = Scalar::scale(spin_row, r);
         }
         let spin_index = self.n();
         for (k, &Seed(group, index)) in chunk.iter().enumerate() {

@@ -95,8 +95,8 @@ impl SupportMap {
                 return Err(refused(system, index));
             }
             let mut b = blocks(system, slot, at.speed);
-            if let Some(i) = slot.ratio {
-                b.per_spin(system.params()[i]);
+            if let Some(ratio) = slot.ratio {
+                b.per_spin(ratio.value(system.params()));
             }
             for (grid, list) in [(&b.stiffness, &mut k), (&b.mass, &mut m), (&b.gyroscopic, &mut g)] {
                 for (i, rows) in slot.map.iter().enumerate() {

@@ -284,6 +284,7 @@ pub(super) fn machine(block: &MachineBlock, extras: Vec<Extra>) -> Machine {
             RotorAxis::Horizontal => system::Axis::Horizontal,
         },
         drive: block.drive,
+        spin: None,
         extras,
         points: Vec::new(),
     }

@@ -293,6 +293,23 @@ fn critical_speeds_are_those_of_every_spin() {
     assert_eq!(orders("orders = [1]\n"), [1.0]);
 }
 
+/// The spin that a machine is seen at is kept where it is assembled anew.
+#[test]
+fn another_spin_is_kept_with_other_parameters() {
+    let system = load(&coaxial(300.0, BETWEEN)).system;
+    let other = system.at_spin("inner").unwrap();
+    let again = other.with(&[("core.mass", 7.0)]).unwrap();
+    assert_eq!(again.machine.speed, Some(RATIO * 300.0));
+    let ratios = |s: &System| s.slots().iter().map(|slot| slot.speed(s.params(), 1.0)).collect::<Vec<f64>>();
+    assert_eq!(ratios(&other), ratios(&again));
+    assert!(ratios(&other).contains(&(1.0 / RATIO)) && ratios(&other).contains(&1.0));
+    // seen at either spin the same machine has the same modes
+    for (a, b) in modes(&system, 300.0).iter().zip(modes(&other, RATIO * 300.0)) {
+        assert!((a.value - b.value).abs() < 1e-9 * a.value.abs());
+    }
+    assert!(other.at_spin("inner").is_err(), "it is the spin of the machine already");
+}
+
 /// The motion in time is the sum of the responses of both spins.
 #[test]
 fn motions_in_time_are_the_sum_of_both_responses() {
@@ -332,8 +349,8 @@ fn mistakes_are_found_at_their_place() {
     let coupling = "[[part]]\nkind = \"coupling\"\nbetween = [\"case\", \"core\"]\nstiffness = 1e5\n";
     assert!(mistake(&coaxial(700.0, coupling)).contains("part.spins"));
     let gear = "[[part]]\nkind = \"gear\"\nbetween = [\"case\", \"core\"]\nfirst_radius = 0.1\nsecond_radius = 0.2\nstiffness = 1e5\n";
-    let told = mistake(&coaxial(700.0, gear));
-    assert!(told.contains("part.spins") && told.contains("-0.5"), "{told}");
+    let message = mistake(&coaxial(700.0, gear));
+    assert!(message.contains("part.spins") && message.contains("-0.5"), "{message}");
     assert!(mistake(&both.replace("ratio = -1.4", "ratio = 0")).contains("stands still"));
     let ring = "[[part]]\nkind = \"disc\"\nname = \"ring\"\non = \"case\"\nspin = \"inner\"\nmass = 1.0\n";
     assert!(mistake(&coaxial(700.0, ring)).contains("spin.fixed"));

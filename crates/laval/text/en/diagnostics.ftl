@@ -44,12 +44,12 @@ diag-is-it-must-be-2e8e = { $name } is { $value }; it must be { $wanted }
 
 ## laval-model/src/model/spins.rs
 
+diag-no-part-of-the-machine-turns-2e6a = no part of the machine turns with a spin "{ $name }"
+diag-spins-of-this-machine-d82c = spins of this machine: { $spins }
 diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" is fixed to "{ $body }", which turns with another spin
 diag-leave-spin-out-it-turns-with-b814 = leave spin out: it turns with that body; or give it coordinates of its own and a bearing between the two
 diag-add-a-part-of-kind-speed-cc8c = add a part of kind = "speed_ratio" with this name and its ratio to the speed of the machine
-diag-spins-of-this-machine-d82c = spins of this machine: { $spins }
 diag-turns-with-the-spin-which-does-1f6e = "{ $slot }" turns with the spin "{ $name }", which does not exist
-diag-no-part-of-the-machine-turns-2e6a = no part of the machine turns with a spin "{ $name }"
 
 ## laval-model/src/model/system.rs
 
@@ -1246,6 +1246,8 @@ diag-give-one-a-viscosity-or-take-ccca = give one a viscosity, or take criterion
 diag-no-body-of-this-machine-moves-0be8 = no body of this machine moves across the axis
 diag-separation-margins-need-an-operating-speed-78a5 = separation margins need an operating speed
 diag-give-speed-in-machine-or-the-6a56 = give speed in [machine], or the range of operating speeds in [operation]
+diag-separation-margins-are-those-of-the-c6b2 = separation margins are those of the speed of the machine
+diag-leave-standard-out-or-spin-c43d = leave standard out, or spin
 diag-responses-at-speeds-of-coordinates-ffcf = responses at { $speeds } speeds of { $n } coordinates
 diag-give-the-range-fewer-points-where-a938 = give the range fewer points: where the response bends it is refined without them
 diag-nothing-forces-this-machine-at-the-bc0c = nothing forces this machine at the spin speed

@@ -59,7 +59,7 @@ pub(in crate::study) fn orders(values: &Values, system: &System) -> Vec<f64> {
 /// Orders at which unbalance acts: 1, and the ratios of other spins.
 pub(in crate::study) fn spin_orders(system: &System) -> Vec<f64> {
     let mut all = vec![1.0];
-    all.extend(system.spins().iter().map(|&i| system.params()[i].abs()));
+    all.extend(system.spins().iter().map(|s| s.ratio.abs()));
     all
 }
 

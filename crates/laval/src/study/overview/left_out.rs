@@ -16,9 +16,9 @@ pub(super) fn left_out(facts: &Facts) -> Vec<Message> {
         let key = if kept { "left-linear-modes" } else { "left-linear" };
         out.push(Message::new(key).arg("parts", Arg::names(nonlinear)));
     }
-    let spins: Vec<&str> = system.spins().iter().filter_map(|&i| Some(system.spin(i)?.0.name.as_str())).collect();
+    let spins: Vec<String> = system.spins().into_iter().filter_map(|s| s.name).collect();
     if !spins.is_empty() {
-        out.push(Message::new("left-spins").arg("spins", Arg::names(spins)));
+        out.push(Message::new("left-spins").arg("spins", Arg::names(spins.iter().map(String::as_str).collect::<Vec<_>>())));
     }
     let tilts = system.stations().iter().any(|b| b.tilt.is_some());
     let bends = system.stations().iter().any(|b| b.flexible);

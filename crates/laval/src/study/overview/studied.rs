@@ -48,6 +48,11 @@ impl Needed {
     }
 }
 
+/// Responses over the speed of the machine; those of another spin have speeds of their own.
+fn responses(outcomes: &[Outcome]) -> impl Iterator<Item = (&ForcedResponse, &ForcedResponseResult, &str)> {
+    complete::<ForcedResponse, ForcedResponseResult>(outcomes).filter(|(s, ..)| s.spin.is_none())
+}
+
 /// Modes about the equilibrium at this speed.
 pub(super) fn modes(outcomes: &[Outcome], speed: f64) -> Found<ModesResult> {
     let fits = |s: &Modes| s.about == About::Rest && s.threshold == 0.0 && (s.speed - speed).abs() <= SAME * speed.abs();
@@ -72,7 +77,7 @@ pub(super) fn growth(outcomes: &[Outcome], needed: Needed) -> Found<Row> {
         all.map(|(_, r, name)| (&r.strongest, name)).find(|(s, _)| !s.is_empty())
     };
     let forced = || {
-        let all = complete::<ForcedResponse, ForcedResponseResult>(outcomes).filter(|(s, ..)| needed.within(&s.speed));
+        let all = responses(outcomes).filter(|(s, ..)| needed.within(&s.speed));
         all.map(|(_, r, name)| (&r.strongest, name)).find(|(s, _)| !s.is_empty())
     };
     let along = || campbell().or_else(criticals).or_else(forced).map(|(all, name)| (row(all), name.to_string()));
@@ -148,13 +153,13 @@ pub(super) fn response_beside(outcomes: &[Outcome], needed: Option<Needed>, name
 /// The response over a range that holds the speeds needed.
 pub(super) fn forced(outcomes: &[Outcome], needed: Needed) -> Found<ForcedResponseResult> {
     let wide = |s: &ForcedResponse| !s.speed.is_one() && needed.within(&s.speed);
-    let found = complete::<ForcedResponse, ForcedResponseResult>(outcomes).find(|(s, ..)| wide(s));
+    let found = responses(outcomes).find(|(s, ..)| wide(s));
     found.map(|(_, r, name)| (r.clone(), name.to_string()))
 }
 
 /// The response at the speeds needed alone, taken from one that covers them.
 pub(super) fn response(outcomes: &[Outcome], needed: Needed) -> Found<ForcedResponseResult> {
-    let found = complete::<ForcedResponse, ForcedResponseResult>(outcomes).find(|(s, ..)| needed.within(&s.speed));
+    let found = responses(outcomes).find(|(s, ..)| needed.within(&s.speed));
     found.and_then(|(_, r, name)| Some((part(r, needed)?, name.to_string())))
 }
 

@@ -51,11 +51,10 @@ pub(in crate::study) const BEYOND: &str = "study.beyond_table";
 /// # Errors
 /// A machine of several spins in a study of one; a speed at which a part is not known.
 pub(in crate::study) fn able<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
-    let another = || system.spins().first().and_then(|&i| system.slots().iter().find(|s| s.params.contains(&i)));
     if !T::SEVERAL_SPINS
-        && let Some(spin) = another()
+        && let Some(name) = system.spins().into_iter().find_map(|s| s.name)
     {
-        let message = text!("this study knows one spin, and the machine has another one, \"{name}\"", name = spin.name);
+        let message = text!("this study knows one spin, and the machine has another one, \"{name}\"", name);
         let help = text!(
             "modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static and transient take several spins"
         );

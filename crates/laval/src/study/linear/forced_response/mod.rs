@@ -94,9 +94,17 @@ impl Study for ForcedResponse {
         let mut speed = speed;
         if let Some(name) = &spin {
             match system.at_spin(name) {
-                Ok(own) => {
+                Ok(_) if margins => {
+                    diagnostics.push(
+                        Diagnostic::error("forced_response.standard", text!("separation margins are those of the speed of the machine"))
+                            .at(values.span_of("standard"))
+                            .help(text!("leave standard out, or spin")),
+                    );
+                    return None;
+                }
+                Ok(_) => {
                     // a spin that turns the other way has negative speeds
-                    if own.machine.speed.or_else(|| ratio(system, name)).is_some_and(|w| w < 0.0) {
+                    if ratio(system, name).is_some_and(|r| r < 0.0) {
                         (speed.from, speed.to) = (-speed.to, -speed.from);
                     }
                 }
@@ -221,7 +229,7 @@ pub struct ForcedResponseResult {
 
 /// Ratio of a spin to that of the machine.
 fn ratio(system: &System, name: &str) -> Option<f64> {
-    system.spins().into_iter().filter_map(|i| system.spin(i)).find(|s| s.0.name == name).map(|s| s.1)
+    system.spins().into_iter().find(|s| s.name.as_deref() == Some(name)).map(|s| s.ratio)
 }
 
 /// Half-power points of the maxima of a curve.

@@ -82,8 +82,8 @@ impl<'a> Shown<'a> {
         }
         let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
         self.system.linear(self.system.params(), self.study.speed.to, Form::Frequency, &mut model, &mut scratch);
-        let named = |parameter: usize| Some(format!("\"{}\"", self.system.spin(parameter)?.0.name));
-        let names: Vec<String> = model.loads.others.iter().filter_map(|o| named(o.parameter)).collect();
+        let spins = model.loads.others.iter().filter_map(|o| self.system.other_spin(o.spin).name);
+        let names: Vec<String> = spins.map(|name| format!("\"{name}\"")).collect();
         (!names.is_empty()).then(|| Finding::warning("spin", "forced-response-other-spins").arg("spins", Arg::term(names.join(", "))))
     }
 

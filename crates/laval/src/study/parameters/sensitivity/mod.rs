@@ -49,7 +49,6 @@ impl Study for Sensitivity {
     const DOC: &'static str = "How every peak and every fold (jump) of the steady response moves with every parameter of the machine: exact derivatives of its speed and \
         of its displacement or tilt, in order of their relative influence. Peaks are those of every point that a part, a limit or a probe names, and of tilts. \
         Values in lists and tables of a part are no parameters.";
-    const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required(
             "speed",
