@@ -1,9 +1,9 @@
 //! Stability along the speed of a machine with parts that have no time form: at every speed the roots that grow faster than the threshold, counted; between
 //! speeds where their number changes the root that crosses, followed by Newton's method.
 
+use super::follow::signed;
 use super::locate::{State, carried, value_and_slope};
 use super::roots::{LEAST, Request, Roots, roots};
-use super::sectors::Sector;
 use super::stability::{Edge, Row, Sample, peak, tops};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -69,8 +69,7 @@ pub fn row(
         out.evaluations += found.evaluations;
         out.frequency = Some(out.frequency.map_or(found.frequency, |f| f.min(found.frequency)));
         out.solved += 1;
-        let forward = |m: &super::pencil::MachineMode| if m.sector == Some(Sector::Backward) { m.value.conj() } else { m.value };
-        starts = found.spectrum.modes.iter().map(forward).collect();
+        starts = found.spectrum.modes.iter().map(|m| signed(m.value, m.sector)).collect();
         out.samples.extend(sample(speed, &found));
     }
     for k in 1..out.samples.len() {

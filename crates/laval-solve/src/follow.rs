@@ -257,7 +257,7 @@ fn lead_all(
 }
 
 /// A root of the backward sector as the conjugate one of the forward sector.
-fn signed(value: C64, sector: Option<Sector>) -> C64 {
+pub(super) fn signed(value: C64, sector: Option<Sector>) -> C64 {
     if sector == Some(Sector::Backward) { value.conj() } else { value }
 }
 
@@ -279,7 +279,7 @@ fn met(mut out: Sweep) -> Sweep {
 }
 
 /// Two values are those of one root.
-fn same(a: C64, b: C64) -> bool {
+pub(super) fn same(a: C64, b: C64) -> bool {
     (a - b).abs() <= 1e-8 * b.abs()
 }
 

@@ -16,6 +16,7 @@ mod part;
 
 use crate::characteristic::{Characteristic, Equilibrium, Polished};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::follow::{same, signed};
 use crate::machine_mode::{MachineMode, Unknowns, Whirl};
 use crate::model::field::Attach;
 use crate::model::station::Row;
@@ -122,8 +123,6 @@ const MET: f64 = 0.02;
 const GAP: f64 = 1e-3;
 /// Steps in which roots that lead to one are followed again.
 const PIECES: [usize; 3] = [4, 16, 64];
-/// Two values are those of one root.
-const SAME: f64 = 1e-8;
 /// Distance from a threshold, over it, at which growing modes are counted on both sides.
 const BESIDE: f64 = 1e-4;
 /// Growth over the largest eigenvalue that is rounding.
@@ -477,15 +476,6 @@ fn twice(all: &[Option<Followed>]) -> Vec<usize> {
         all.iter().enumerate().any(|(j, other)| j != *k && matches!((own, other), (Some(a), Some(b)) if alike(a, b)))
     };
     (0..all.len()).filter(again).collect()
-}
-
-fn same(a: C64, b: C64) -> bool {
-    (a - b).abs() <= SAME * b.abs()
-}
-
-/// A root of the backward sector as the conjugate one of the forward sector.
-fn signed(value: C64, sector: Option<Sector>) -> C64 {
-    if sector == Some(Sector::Backward) { value.conj() } else { value }
 }
 
 /// What a growth rate that should be 0 makes of the stiffness, by its derivative.
