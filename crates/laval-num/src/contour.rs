@@ -27,6 +27,22 @@ pub struct Sample {
     pub rate: C64,
 }
 
+/// A function that zeros are counted of. Every closure of a place is one.
+pub trait Function {
+    /// At so many places together it costs about as much as at one.
+    fn together(&self) -> usize {
+        1
+    }
+    /// Appends the function at every place; `None` where it is not known.
+    fn at(&mut self, places: &[C64], out: &mut Vec<Option<Sample>>);
+}
+
+impl<F: FnMut(C64) -> Option<Sample>> Function for F {
+    fn at(&mut self, places: &[C64], out: &mut Vec<Option<Sample>>) {
+        out.extend(places.iter().map(|&s| self(s)));
+    }
+}
+
 /// Where zeros are looked for.
 pub struct Region<'a> {
     /// Range of the real part.
@@ -64,6 +80,10 @@ pub const NOISE: f64 = 1e-10;
 const PRODUCT: usize = 32;
 /// Places on the edge of a cell that zeros are looked for from, at most.
 const BESIDE: usize = 12;
+/// Shortest step over the size of the path.
+const SHORTEST: f64 = 1e-14;
+/// Most pieces of a step that is divided.
+const PIECES: f64 = 16.0;
 /// Deepest subdivision.
 const DEPTH: usize = 40;
 /// Where a rectangle may be cut: not in the middle, which of a rectangle about the imaginary axis is that axis with the roots that nothing damps.
@@ -79,6 +99,8 @@ struct Search<'a, F> {
     budget: u64,
     /// Places on the path followed last, with the size of `f'/f` there.
     path: Vec<(C64, f64)>,
+    /// Evaluated last, in order.
+    samples: Vec<Option<Sample>>,
 }
 
 /// A rectangle; `half` when it stands for itself and its mirror image.
@@ -110,7 +132,7 @@ impl Cell {
 }
 
 /// All zeros of `f` in a region, beginning with some that are known (exactly, to rounding); at most `budget` evaluations.
-pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> Found {
+pub fn zeros<F: Function>(f: F, region: &Region, known: &[C64], budget: u64) -> Found {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
     let mut search = Search::over(f, region, known, budget);
     let mut missing = search.missing(&whole);
@@ -126,7 +148,7 @@ pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C6
 }
 
 /// The number of zeros in a region that are not among the known ones, and the evaluations it took.
-pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> (Option<i64>, u64) {
+pub fn missing<F: Function>(f: F, region: &Region, known: &[C64], budget: u64) -> (Option<i64>, u64) {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
     let mut search = Search::over(f, region, known, budget);
     let missing = search.missing(&whole);
@@ -134,14 +156,19 @@ pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[
 }
 
 /// By how much the phase of a function turns along a path, its steps limited as those around a [`Region`]; `None` where it could not be followed.
-pub fn turned<F: FnMut(C64) -> Option<Sample>>(f: F, path: &[C64], reach: &dyn Fn(C64) -> f64, budget: u64) -> Option<f64> {
+pub fn turned<F: Function>(f: F, path: &[C64], reach: &dyn Fn(C64) -> f64, budget: u64) -> Option<f64> {
     Search::new(f, reach, budget).turned(path)
 }
 
 /// A zero by Newton's method from a start, steps no longer than half of `size`, with zeros already known divided out.
-pub fn newton<F: FnMut(C64) -> Option<Sample>>(f: F, start: C64, size: f64, known: &[C64]) -> Option<C64> {
+pub fn newton<F: Function>(f: F, start: C64, size: f64, known: &[C64]) -> Option<C64> {
     let mut search = Search { known: known.to_vec(), ..Search::new(f, &|_| f64::INFINITY, 1000) };
     search.newton(start, size)
+}
+
+/// Places between two others that divide the way into so many pieces.
+fn divide((a, b): (C64, C64), pieces: usize, nodes: &mut Vec<(C64, Option<Sample>)>) {
+    nodes.extend((1..pieces).map(|k| (a + (b - a).scale(k as f64 / pieces as f64), None)));
 }
 
 /// A number of moderate size and the same angle.
@@ -149,9 +176,9 @@ fn direction(z: C64) -> C64 {
     z.scale(1.0 / z.size())
 }
 
-impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
+impl<'a, F: Function> Search<'a, F> {
     fn new(f: F, reach: &'a dyn Fn(C64) -> f64, budget: u64) -> Self {
-        Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget, path: Vec::new() }
+        Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget, path: Vec::new(), samples: Vec::new() }
     }
 
     fn over(f: F, region: &Region<'a>, known: &[C64], budget: u64) -> Self {
@@ -169,16 +196,28 @@ impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
 
     /// f with the known zeros divided out: phase as it is, rate without them.
     fn at(&mut self, s: C64) -> Option<Sample> {
-        if self.evaluations >= self.budget {
-            return None;
+        self.evaluate(&[s]);
+        self.samples.first().copied().flatten()
+    }
+
+    /// The same at some places, into `samples`; `None` beyond the budget.
+    fn evaluate(&mut self, places: &[C64]) {
+        self.samples.clear();
+        let left = usize::try_from(self.budget.saturating_sub(self.evaluations)).unwrap_or(usize::MAX);
+        let places = &places[..places.len().min(left)];
+        self.evaluations += places.len() as u64;
+        spend((100 + 30 * self.known.len() as u64) * places.len() as u64);
+        self.f.at(places, &mut self.samples);
+        for (s, sample) in places.iter().zip(&mut self.samples) {
+            if let Some(known) = sample {
+                for z in &self.known {
+                    known.rate -= (*s - *z).recip();
+                }
+                if !(known.rate.is_finite() && known.phase.is_finite()) {
+                    *sample = None;
+                }
+            }
         }
-        self.evaluations += 1;
-        spend(100 + 30 * self.known.len() as u64);
-        let mut sample = (self.f)(s)?;
-        for z in &self.known {
-            sample.rate -= (s - *z).recip();
-        }
-        (sample.rate.is_finite() && sample.phase.is_finite()).then_some(sample)
     }
 
     /// Zeros of a cell that are not known.
@@ -195,6 +234,9 @@ impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
 
     /// Change of the phase along a path.
     fn turned(&mut self, path: &[C64]) -> Option<f64> {
+        if self.f.together() > 1 {
+            return self.turned_together(path);
+        }
         let mut here = self.at(*path.first()?)?;
         self.path.clear();
         let mut total = 0.0;
@@ -204,29 +246,81 @@ impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
             while s != end {
                 let rest = (end - s).abs();
                 let length = step.min((self.reach)(s)).min(0.9 * TURN / here.rate.abs()).min(rest);
-                if !(length > 1e-14 * s.abs().max(rest)) {
+                if !(length > SHORTEST * s.abs().max(rest)) {
                     return None;
                 }
                 let next = if length >= rest { end } else { s + (end - s).scale(length / rest) };
                 let there = self.at(next)?;
-                let way = next - s;
-                // of the sum of their angles only the rest after whole turns is needed: that of the product
-                let angle = |some: &[C64]| some.iter().fold(C64::ONE, |all, z| all * direction((next - *z) * (s - *z).conj()));
-                let known = self.known.chunks(PRODUCT).fold(C64::ONE, |all, some| direction(all * angle(some))).arg();
-                let turn = there.phase - here.phase - known;
-                let turn = turn - TAU * (turn / TAU).round();
-                let expected = (way * (here.rate + there.rate)).im * 0.5;
-                if way.abs() * there.rate.abs() <= TURN && (turn - expected).abs() <= AGREE {
-                    total += turn;
-                    self.path.push((next, there.rate.abs()));
-                    (s, here) = (next, there);
-                    step = 2.0 * length;
-                } else {
-                    step = 0.4 * length;
+                match self.turn((s, here), (next, there)) {
+                    Some(turn) => {
+                        total += turn;
+                        self.path.push((next, there.rate.abs()));
+                        (s, here) = (next, there);
+                        step = 2.0 * length;
+                    }
+                    None => step = 0.4 * length,
                 }
             }
         }
         Some(total)
+    }
+
+    /// The same of a function that costs little more at many places than at one: steps that are too long are divided, all of them together.
+    fn turned_together(&mut self, path: &[C64]) -> Option<f64> {
+        let whole: f64 = path.windows(2).map(|w| (w[1] - w[0]).abs()).sum();
+        let share = whole / self.f.together() as f64;
+        let mut nodes: Vec<(C64, Option<Sample>)> = vec![(*path.first()?, None)];
+        for side in path.windows(2) {
+            divide((side[0], side[1]), (((side[1] - side[0]).abs() / share).round() as usize).max(1), &mut nodes);
+            nodes.push((side[1], None));
+        }
+        loop {
+            let open: Vec<C64> = nodes.iter().filter(|n| n.1.is_none()).map(|n| n.0).collect();
+            self.evaluate(&open);
+            let mut samples = self.samples.drain(..);
+            for node in nodes.iter_mut().filter(|n| n.1.is_none()) {
+                node.1 = Some(samples.next().flatten()?);
+            }
+            drop(samples);
+            let mut next = vec![nodes[0]];
+            let mut total = 0.0;
+            for pair in nodes.windows(2) {
+                let ((a, Some(here)), (b, Some(there))) = (pair[0], pair[1]) else { return None };
+                let length = (b - a).abs();
+                let reach = (self.reach)(a).min((self.reach)(b));
+                let turn = if length <= reach { self.turn((a, here), (b, there)) } else { None };
+                match turn {
+                    Some(turn) => total += turn,
+                    None => {
+                        if !(length > SHORTEST * a.abs().max(whole)) {
+                            return None;
+                        }
+                        let rate = here.rate.abs().max(there.rate.abs());
+                        let pieces = (length * rate / (0.9 * TURN)).max(length / reach).ceil().clamp(2.0, PIECES) as usize;
+                        divide((a, b), pieces, &mut next);
+                    }
+                }
+                next.push(pair[1]);
+            }
+            if next.len() == nodes.len() {
+                self.path = nodes.iter().filter_map(|n| Some((n.0, n.1?.rate.abs()))).collect();
+                return Some(total);
+            }
+            nodes = next;
+        }
+    }
+
+    /// By how much the phase turns over a step, zeros already known divided out; `None` where the step is too long to tell.
+    fn turn(&self, (s, here): (C64, Sample), (next, there): (C64, Sample)) -> Option<f64> {
+        let way = next - s;
+        // of the sum of their angles only the rest after whole turns is needed: that of the product
+        let angle = |some: &[C64]| some.iter().fold(C64::ONE, |all, z| all * direction((next - *z) * (s - *z).conj()));
+        let known = self.known.chunks(PRODUCT).fold(C64::ONE, |all, some| direction(all * angle(some))).arg();
+        let turn = there.phase - here.phase - known;
+        let turn = turn - TAU * (turn / TAU).round();
+        let expected = (way * (here.rate + there.rate)).im * 0.5;
+        let short = way.abs() * here.rate.abs().max(there.rate.abs()) <= TURN;
+        (short && (turn - expected).abs() <= AGREE).then_some(turn)
     }
 
     /// Newton's method with the known zeros divided out.
@@ -394,6 +488,51 @@ mod tests {
         assert_eq!(missing(rational(vec![c(0.0, 0.5)], vec![]), &region, &[], 10_000).0, None);
         assert_eq!(missing(|_: C64| None, &region, &[], 1000).0, None);
         assert_eq!(missing(f(), &region, &[], 3).0, None);
+    }
+
+    struct Together<F>(F);
+
+    impl<F: FnMut(C64) -> Option<Sample>> Function for Together<F> {
+        fn together(&self) -> usize {
+            8
+        }
+        fn at(&mut self, places: &[C64], out: &mut Vec<Option<Sample>>) {
+            assert!(!places.is_empty());
+            out.extend(places.iter().map(|&s| (self.0)(s)));
+        }
+    }
+
+    /// Steps that are divided together count what steps one after the other count, also close to the path, and where steps are limited.
+    #[test]
+    fn many_places_together() {
+        let mut seed = 9u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64
+        };
+        for mirrored in [false, true] {
+            for _ in 0..300 {
+                // some of them close to an edge, on either side
+                let mut all: Vec<C64> = (0..12).map(|_| c(2.0 * random() - 0.5, 4.0 * random() - 2.0)).collect();
+                all.extend((0..3).map(|_| c(1.0 + 1e-4 * (random() - 0.5), 1.8 * random())));
+                if mirrored {
+                    let upper: Vec<C64> = all.iter().filter(|z| z.im > 0.0).copied().collect();
+                    all = upper.iter().flat_map(|&z| [z, z.conj()]).collect();
+                }
+                let known: Vec<C64> = all.iter().filter(|z| !mirrored || z.im > 0.0).take(4).copied().collect();
+                let im = if mirrored { (0.0, 1.5) } else { (-1.5, 1.5) };
+                let region = Region { re: (0.0, 1.0), im, mirrored, reach: &|s| 0.2 + 0.1 * s.abs(), noise: NOISE };
+                let (count, _) = missing(rational(all.clone(), vec![]), &region, &known, 100_000);
+                let (other, evaluations) = missing(Together(rational(all.clone(), vec![])), &region, &known, 100_000);
+                assert!(count.is_some() && count == other, "{count:?} {other:?} {evaluations}");
+            }
+        }
+        let f = rational(vec![c(0.5, 0.5)], vec![]);
+        let region = Region { re: (0.0, 1.0), im: (0.0, 1.0), mirrored: false, reach: &free, noise: NOISE };
+        assert_eq!(missing(Together(f), &region, &[], 3).0, None);
+        assert_eq!(missing(Together(|_: C64| None), &region, &[], 1000).0, None);
+        // on the path there is no count
+        assert_eq!(missing(Together(rational(vec![c(0.0, 0.5)], vec![])), &region, &[], 100_000).0, None);
     }
 
     /// Zeros just inside beside poles just outside: with steps of the distance of the poles none hides, wherever the two lie.

@@ -34,6 +34,15 @@ pub struct Test {
 }
 
 impl Border {
+    /// By the null vectors of a root over the members.
+    pub(super) fn of(of: &Arc<Selection>, (rows, cols): (&[f64], &[f64]), (left, right): (&[C64], &[C64])) -> Option<Border> {
+        let scaled = |x: &[C64], k: &[f64]| x.iter().zip(k).map(|(x, k)| x.scale(1.0 / k)).collect();
+        let (mut b, mut c): (Vec<C64>, Vec<C64>) = (scaled(left, rows), scaled(right, cols));
+        normalise(&mut b)?;
+        normalise(&mut c)?;
+        Some(Border { of: of.clone(), rows: rows.to_vec(), cols: cols.to_vec(), b, c })
+    }
+
     /// `y^H M x` for the vectors of a test and the entries of a matrix over all unknowns.
     pub fn product(&self, test: &Test, m: &[C64]) -> C64 {
         let (pattern, from) = (self.of.inner.pattern(), &self.of.inner_from);

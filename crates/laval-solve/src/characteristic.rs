@@ -171,6 +171,17 @@ impl<'a> Characteristic<'a> {
         out
     }
 
+    /// The same in x and y, about a state in fixed axes.
+    pub fn real_polynomial(&self) -> Option<[Vec<f64>; 3]> {
+        let mut out = (self.frame == Frame::Fixed).then(|| self.model.polynomial().map(|all| all.iter().map(|x| x.re).collect::<Vec<f64>>()))?;
+        for (all, more) in out.iter_mut().zip(self.nonlinear.iter().flatten()) {
+            let mut more = more.clone();
+            self.sectors.restore_entries(&self.pattern, &mut more);
+            all.iter_mut().zip(more).for_each(|(a, b)| *a += b.re);
+        }
+        Some(out)
+    }
+
     fn polarised(&self, mut terms: [Vec<C64>; 3]) -> [Vec<C64>; 3] {
         terms.iter_mut().for_each(|all| self.sectors.polarise_entries(&self.pattern, all));
         terms
@@ -316,16 +327,48 @@ impl<'a> Characteristic<'a> {
             let [value, _] = evaluated(terms, s);
             return value;
         }
-        let mut seeded = LinearModel::default();
-        self.system.linear(&self.params, Dual::seed(self.speed, 0), Form::Frequency, &mut seeded, &mut self.scratch);
         if self.polynomial.is_some() {
-            self.by_speed = Some(self.polynomial_by_speed(&seeded));
+            self.find_slope_by_speed();
             return self.linear_by_speed(s);
         }
+        let mut seeded = self.seeded_by_speed();
         std::mem::swap(&mut self.model, &mut seeded);
         let [_, slope] = self.differentiated(s, (0.0, 1.0));
         self.model = seeded;
         slope
+    }
+
+    /// `y^H dT/dW x` of a root, of the share of linear parts, where T is a polynomial.
+    pub fn product_by_speed(&mut self, root: &Polished) -> Option<C64> {
+        self.polynomial.as_ref()?;
+        if self.by_speed.is_none() {
+            self.find_slope_by_speed();
+        }
+        let ([b0, b1, b2], s) = (self.by_speed.as_ref()?, root.value);
+        let mut out = C64::ZERO;
+        for (i, y) in root.left.iter().enumerate() {
+            let mut row = C64::ZERO;
+            for (e, j) in self.pattern.row(i) {
+                // gyroscopic terms alone, mostly
+                let zero = |x: &C64| x.re == 0.0 && x.im == 0.0;
+                if !(zero(&b0[e]) && zero(&b1[e]) && zero(&b2[e])) {
+                    row += (b0[e] + s * (b1[e] + s * b2[e])) * root.right[j];
+                }
+            }
+            out += y.conj() * row;
+        }
+        Some(out)
+    }
+
+    fn seeded_by_speed(&mut self) -> LinearModel<D1> {
+        let mut seeded = LinearModel::default();
+        self.system.linear(&self.params, Dual::seed(self.speed, 0), Form::Frequency, &mut seeded, &mut self.scratch);
+        seeded
+    }
+
+    fn find_slope_by_speed(&mut self) {
+        let seeded = self.seeded_by_speed();
+        self.by_speed = Some(self.polynomial_by_speed(&seeded));
     }
 
     /// Of a model whose speed is seeded.
@@ -458,8 +501,17 @@ impl<'a> Characteristic<'a> {
     }
 
     fn border_at(&mut self, s: C64, sector: Option<Sector>) -> Option<Border> {
-        let members: Vec<usize> = (0..self.size()).filter(|&i| sector.is_none_or(|k| self.sectors.of(i) == k)).collect();
-        self.border(s, &members)
+        self.border(s, &self.members(sector))
+    }
+
+    /// The unknowns of a sector, or all.
+    pub fn members(&self, sector: Option<Sector>) -> Vec<usize> {
+        (0..self.size()).filter(|&i| sector.is_none_or(|k| self.sectors.of(i) == k)).collect()
+    }
+
+    /// `A0, A1, A2` of T where it is a polynomial.
+    pub fn as_polynomial(&self) -> Option<&[Vec<C64>; 3]> {
+        self.polynomial.as_ref()
     }
 
     /// The same beside a pole so close that Newton's method does not see the root from the start: steps to the zero of `a (s - z)/(s - p)` with the value and the slope here and the

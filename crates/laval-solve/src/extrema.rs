@@ -3,7 +3,7 @@
 use super::characteristic::Equilibrium;
 use super::criticals::criticals;
 use super::extremum::Search;
-use super::linear_response::{Response, is_known, response};
+use super::linear_response::{Ahead, Response, is_known, response};
 use super::locate::State;
 use super::sweep::{Strongest, sweep};
 use crate::diagnostic::Diagnostic;
@@ -168,6 +168,7 @@ pub fn curve(
     // two crossings at one speed seed the same points twice, but for rounding
     speeds.dedup_by(|b, a| *b - *a <= 1e-8 * b.abs());
     let mut out = Curve { complete: true, ..Curve::default() };
+    let mut ahead = Ahead::new(system, state, &speeds);
     // intervals still to be looked at, the leftmost last, with the response at their right end where it is known
     let mut right: Vec<(f64, usize, Option<Response>)> = speeds.iter().rev().map(|&w| (w, 0, None)).collect();
     while let Some((w, depth, known)) = right.pop() {
@@ -179,7 +180,7 @@ pub fn curve(
             Some(r) => r,
             None => {
                 out.solved += 1;
-                match response(system, state, w)? {
+                match ahead.at(w)? {
                     Some(r) => r,
                     None if !is_known(system, state, w)? => {
                         out.unknown.push(w);
@@ -202,7 +203,7 @@ pub fn curve(
             let middle = 0.5 * (left.speed + w);
             out.solved += 1;
             let loudest = loudest(left, probes).max(loudest(&r, probes));
-            let bent = response(system, state, middle)?.filter(|m| {
+            let bent = ahead.at(middle)?.filter(|m| {
                 probes.iter().any(|p| {
                     let (a, b, c) = (left.size(p), m.size(p), r.size(p));
                     // products of amplitudes can underflow

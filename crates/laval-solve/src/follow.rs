@@ -1,11 +1,12 @@
 //! Roots along the spin speed, each followed by its tangent and Newton's method: of machines with parts that have no time form, and of machines too large for all their modes.
 
-use super::characteristic::{Border, Characteristic, Polished};
+use super::characteristic::{Characteristic, Polished};
 use super::locate::{Beside, State, slope};
 use super::machine_mode::{MachineMode, Unknowns};
 use super::pencil::Spectrum;
 use super::roots::{Request, mode, mode_near, roots};
 use super::sectors::Sector;
+use super::side_by_side::{Near, polish_all};
 use super::sweep::{Branch, Count, Strongest, Sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -155,7 +156,7 @@ pub(super) fn follow_large(
             let tangent = beside.as_mut().zip(root.as_ref()).and_then(|(beside, root)| slope(&mut t, beside, root));
             let old = earlier.iter().find(|b| b.branch == id && b.mode.sector == m.sector);
             let old = old.and_then(|b| Some((speeds[k - 1], b.mode.value, b.tangent?)));
-            before.push(Before { branch: id, mode: m.without_vectors(), tangent, old, border: root.map(|r| r.border) });
+            before.push(Before { branch: id, mode: m.without_vectors(), tangent, old, root });
         }
         record(&mut out, speed, spectrum);
     }
@@ -175,7 +176,7 @@ struct Before {
     tangent: Option<C64>,
     /// Speed, root and tangent one more speed before.
     old: Option<(f64, C64, C64)>,
-    border: Option<Border>,
+    root: Option<Polished>,
 }
 
 impl Before {
@@ -214,14 +215,23 @@ fn lead_all(
         let value = lead_in_pieces(system, state, (from, to), m, pieces)?;
         Ok(value.and_then(|value| t.polish(value, m.sector)))
     };
-    for b in before {
+    let ahead: Vec<Option<(C64, C64)>> = before.iter().map(|b| b.ahead(from, to)).collect();
+    let mut near: Vec<Option<Polished>> = before.iter().map(|_| None).collect();
+    for sector in [None, Some(Sector::Forward), Some(Sector::Backward), Some(Sector::Axial)] {
+        let (mut which, mut starts) = (Vec::new(), Vec::new());
+        for (k, b) in before.iter().enumerate().filter(|(_, b)| b.mode.sector == sector) {
+            if let Some((_, expected)) = ahead[k] {
+                which.push(k);
+                starts.push(Near { value: b.mode.value + expected, root: b.root.as_ref() });
+            }
+        }
+        for (k, root) in which.into_iter().zip(polish_all(t, &starts, sector)) {
+            near[k] = root;
+        }
+    }
+    for ((b, near), ahead) in before.iter().zip(near).zip(ahead) {
         let m = &b.mode;
-        let near = b.ahead(from, to).and_then(|(along, expected)| {
-            let start = m.value + expected;
-            let root = match &b.border {
-                Some(border) => t.polish_with(start, border.clone()),
-                None => t.polish(start, m.sector),
-            }?;
+        let near = near.zip(ahead).and_then(|(root, (along, _))| {
             ((root.value - m.value - along).abs() <= BEND * along.abs() + STILL * m.value.abs()).then_some(root)
         });
         let root = match near {
@@ -395,7 +405,7 @@ mod tests {
             place: (0, 0),
         };
         let old = Some((7.0, root(7.0), slope(7.0)));
-        let before = |mode: MachineMode, old| Before { branch: 0, mode, tangent: Some(slope(10.0)), old, border: None };
+        let before = |mode: MachineMode, old| Before { branch: 0, mode, tangent: Some(slope(10.0)), old, root: None };
         let (along, expected) = before(mode.clone(), old).ahead(10.0, 14.0).unwrap();
         assert!((along - slope(10.0).scale(4.0)).abs() < 1e-13);
         assert!((expected + root(10.0) - root(14.0)).abs() < 1e-12, "{expected:?}");

@@ -32,6 +32,7 @@ mod resonances;
 pub mod rest;
 pub mod roots;
 pub mod sectors;
+mod side_by_side;
 pub mod stability;
 pub mod statics;
 pub mod stationary;

@@ -11,7 +11,8 @@ use crate::model::system::System;
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Field;
-use laval_num::factor::{Factors, Plan, Terms};
+use laval_num::factor::{Factors, Forced, LaneFactors, Plan, Solved, Terms, solve_each};
+use laval_num::lanes::LANES;
 use laval_num::work::spend;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -85,6 +86,86 @@ pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Resp
         }
         r
     }))
+}
+
+/// The same at some speeds: of a large machine whose T is a polynomial as many together as there are lanes.
+///
+/// # Errors
+/// As the state, speed by speed.
+pub fn responses(system: &System, state: State, speeds: &[f64]) -> Vec<Result<Option<Response>, Diagnostic>> {
+    let mut factors = LaneFactors::default();
+    speeds.chunks(LANES).flat_map(|some| together(system, state, some, &mut factors)).collect()
+}
+
+/// Responses at speeds that are looked at from left to right, some of them together.
+pub(super) struct Ahead<'a> {
+    system: &'a System,
+    state: State<'a>,
+    /// Ascending.
+    planned: Vec<f64>,
+    known: Vec<(f64, Result<Option<Response>, Diagnostic>)>,
+}
+
+impl<'a> Ahead<'a> {
+    /// At these speeds (ascending) and in the middle between them.
+    pub fn new(system: &'a System, state: State<'a>, speeds: &[f64]) -> Self {
+        let mut planned = Vec::new();
+        if !plan(system).is_dense() {
+            for pair in speeds.windows(2) {
+                planned.extend([pair[0], 0.5 * (pair[0] + pair[1])]);
+            }
+            planned.extend(speeds.last());
+        }
+        Ahead { system, state, planned, known: Vec::new() }
+    }
+
+    /// As [`response`].
+    ///
+    /// # Errors
+    /// As the state.
+    pub fn at(&mut self, speed: f64) -> Result<Option<Response>, Diagnostic> {
+        let place = self.planned.partition_point(|&w| w < speed);
+        if self.planned.get(place) == Some(&speed) && self.known.iter().all(|k| k.0 != speed) {
+            // the middle before is looked at after the speed
+            let first = place.saturating_sub(1);
+            let some = &self.planned[first..self.planned.len().min(first + LANES)];
+            self.known = some.iter().copied().zip(responses(self.system, self.state, some)).collect();
+        }
+        match self.known.iter().position(|k| k.0 == speed) {
+            Some(k) => self.known.swap_remove(k).1,
+            None => response(self.system, self.state, speed),
+        }
+    }
+}
+
+fn together(
+    system: &System,
+    state: State,
+    speeds: &[f64],
+    factors: &mut LaneFactors<C64>,
+) -> Vec<Result<Option<Response>, Diagnostic>> {
+    let single = |&speed: &f64| response(system, state, speed);
+    if plan(system).is_dense() || !is_polynomial(system) {
+        return speeds.iter().map(single).collect();
+    }
+    let all: Vec<Result<Equations, Diagnostic>> = speeds.iter().map(|&speed| equations(system, state, speed)).collect();
+    let (mut which, mut systems) = (Vec::new(), Vec::new());
+    for (k, equations) in all.iter().enumerate() {
+        if let Ok(Equations { polynomial: Some(terms), load, sectors: None, .. }) = equations
+            && speeds[k] != 0.0
+        {
+            which.push(k);
+            systems.push(Forced { frequency: speeds[k], terms: terms.each_ref().map(Vec::as_slice), right: load });
+        }
+    }
+    let mut out: Vec<Option<Result<Option<Response>, Diagnostic>>> = speeds.iter().map(|_| None).collect();
+    for (k, solved) in which.into_iter().zip(solve_each(plan(system), &systems, factors)) {
+        let size = all[k].iter().flat_map(|e| &e.load).map(|z| z.abs()).fold(0.0, f64::max);
+        let response = |s: Solved| Response { speed: speeds[k], x: s.x, residual: if size > 0.0 { s.residual / size } else { s.residual } };
+        out[k] = solved.map(response).map(|r| Ok(Some(r)));
+    }
+    // what the lanes do not give is solved for by itself
+    out.into_iter().zip(speeds).map(|(found, speed)| found.unwrap_or_else(|| single(speed))).collect()
 }
 
 /// Whether T is known at a speed: where a part has no accurate reaction it holds what is no number, and then there is no response that could grow without bound either.

@@ -73,8 +73,14 @@ pub fn value_and_slope(system: &System, state: State, speed: f64, near: C64, sec
 
 /// Derivative of a root in the speed: `-(y^H dT/dW x) / (y^H dT/ds x)`.
 pub(super) fn slope(t: &mut Characteristic, beside: &mut Beside, root: &Polished) -> Option<C64> {
-    let by_speed = beside.by_speed(t, root.value);
-    let slope = -t.product(root, &by_speed) / root.by_s;
+    let along = match beside.0.is_empty().then(|| t.product_by_speed(root)).flatten() {
+        Some(product) => product,
+        None => {
+            let by_speed = beside.by_speed(t, root.value);
+            t.product(root, &by_speed)
+        }
+    };
+    let slope = -along / root.by_s;
     slope.is_finite().then_some(slope)
 }
 

@@ -17,15 +17,17 @@ use super::machine_mode::{MachineMode, Unknowns, Whirl};
 use super::pencil::{Family, ISOTROPIC, Linearised, Spectrum, time_forms};
 use super::resonances::resonances;
 use super::sectors::Sector;
+use super::side_by_side::{Block, Determinants, Near, polish_all};
 use super::ties::{mode_rank, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Domain, Physics, TimeForm};
 use crate::model::system::System;
 use laval_model::text;
 use laval_num::complex::{C64, c};
-use laval_num::contour::{Region, Sample, missing, zeros};
+use laval_num::contour::{Function, Region, Sample, missing, zeros};
 use laval_num::eig;
 use laval_num::factor::{Directed, Factors, Selection};
+use laval_num::lanes::LANES;
 use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -136,16 +138,19 @@ struct Determinant<'a, 'b> {
     factors: Factors<Directed>,
     /// Without the factor that takes the poles of waves away.
     bare: bool,
+    /// Many places together, where T is a polynomial with many unknowns.
+    together: Option<Determinants>,
+    cancel: Option<&'a AtomicBool>,
 }
 
 impl<'a, 'b> Determinant<'a, 'b> {
-    fn new(t: &'a mut Characteristic<'b>, sector: Option<Sector>) -> Self {
-        let members: Vec<usize> = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
-        let of = t.selection(&members);
-        Determinant { t, sector, of, factors: Factors::default(), bare: false }
+    fn new(t: &'a mut Characteristic<'b>, sector: Option<Sector>, frequency: f64, cancel: Option<&'a AtomicBool>) -> Self {
+        let of = t.selection(&t.members(sector));
+        let together = Block::new(t, sector).and_then(|block| Determinants::new(&block, frequency));
+        Determinant { t, sector, of, factors: Factors::default(), bare: false, together, cancel }
     }
 
-    fn at(&mut self, s: C64) -> Option<Sample> {
+    fn single(&mut self, s: C64) -> Option<Sample> {
         let determinant = self.t.determinant(s, &self.of, &mut self.factors)?;
         let mut sample = Sample { phase: determinant.phase, rate: determinant.rate };
         if !self.bare && self.sector != Some(Sector::Axial) {
@@ -159,6 +164,25 @@ impl<'a, 'b> Determinant<'a, 'b> {
             sample.rate += rate.conj();
         }
         (sample.phase.is_finite() && sample.rate.is_finite()).then_some(sample)
+    }
+}
+
+impl Function for &mut Determinant<'_, '_> {
+    fn together(&self) -> usize {
+        if self.together.is_some() { LANES } else { 1 }
+    }
+    fn at(&mut self, places: &[C64], out: &mut Vec<Option<Sample>>) {
+        for some in places.chunks(self.together()) {
+            if self.cancel.is_some_and(|c| c.load(Ordering::Relaxed)) {
+                out.extend(some.iter().map(|_| None));
+                continue;
+            }
+            let side_by_side = self.together.as_mut().map(|d| d.at(some));
+            for (k, &s) in some.iter().enumerate() {
+                let known = side_by_side.as_ref().and_then(|all| all[k]);
+                out.push(known.or_else(|| self.single(s)));
+            }
+        }
     }
 }
 
@@ -285,7 +309,6 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     let mut counting = Characteristic::new(rough.as_ref().unwrap_or(system), about);
     let terms = domains.iter().map(|d| d.terms as u64).sum::<u64>().max(1);
     let budget = BUDGET.min(TERMS / terms).min(request.evaluations.unwrap_or(u64::MAX));
-    let stopped = || request.cancel.is_some_and(|c| c.load(Ordering::Relaxed));
     let sectors: &[Option<Sector>] = if uncoupled(&mut t, speed) { &[Some(Sector::Forward), Some(Sector::Axial)] } else { &[None] };
     // roots that are known lead on, and what is missing shows in the count
     let large = is_large(system).then(|| match request.frequency {
@@ -327,7 +350,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     let mut out =
         Roots { spectrum: Spectrum::default(), areas: Vec::new(), counted: Vec::new(), evaluations: 0, margin: request.margin, frequency };
     for &sector in sectors {
-        let mut f = Determinant::new(&mut counting, sector);
+        let mut f = Determinant::new(&mut counting, sector, frequency, request.cancel);
         if f.of.members.is_empty() {
             continue;
         }
@@ -363,11 +386,10 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 known.push(p);
             }
         };
-        for s in starts {
-            let s = if mirrored && s.im < 0.0 { s.conj() } else { s };
-            if let Some(p) = t.polish(s, sector) {
-                keep(p, &mut known);
-            }
+        let upper = |s: C64| if mirrored && s.im < 0.0 { s.conj() } else { s };
+        let near: Vec<Near> = starts.into_iter().map(|s| Near { value: upper(s), root: None }).collect();
+        for p in polish_all(&mut t, &near, sector).into_iter().flatten() {
+            keep(p, &mut known);
         }
         let (pieces, margin) = rectangles(&domains, speed, request.margin, frequency, request.growing, sector);
         out.margin = out.margin.max(margin);
@@ -383,7 +405,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 known.iter().map(|p| p.value).chain(lower).collect()
             };
             let given = both(&known);
-            let found = zeros(|s| if stopped() { None } else { f.at(s) }, &region, &given, budget);
+            let found = zeros(&mut f, &region, &given, budget);
             out.evaluations += found.evaluations;
             let mut left = found.missing;
             let before = known.len();
@@ -403,7 +425,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             // the proof is for the roots as they are handed on: the same where each is one that was found, on the same side of the edge
             let same = !moved && known.len() == before + fresh.len();
             if known.len() > before && left == Some(0) && !same {
-                let again = missing(|s| if stopped() { None } else { f.at(s) }, &region, &both(&known), budget);
+                let again = missing(&mut f, &region, &both(&known), budget);
                 out.evaluations += again.1;
                 left = again.0;
             } else if found.zeros.len() > both(&known).iter().filter(|z| holds(&growth, &band, region.mirrored, **z)).count() {

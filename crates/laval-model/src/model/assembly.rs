@@ -69,9 +69,10 @@ impl Places {
         }
         out
     }
-    /// The lists in order.
-    pub fn lists(&self) -> impl Iterator<Item = &[(usize, f64)]> {
-        self.starts.windows(2).map(|w| &self.entries[w[0]..w[1]])
+    /// The list of a place, by its number row by row.
+    #[inline]
+    pub fn list(&self, place: usize) -> &[(usize, f64)] {
+        &self.entries[self.starts[place]..self.starts[place + 1]]
     }
 }
 

@@ -101,9 +101,12 @@ impl<S> Grid<S> {
     {
         if i.abs_diff(j) <= self.reach { self[(i, j)] } else { S::zero() }
     }
-    /// All entries, row by row.
-    pub fn entries(&self) -> impl Iterator<Item = &S> {
-        (0..self.rows).flat_map(|i| self.row(i))
+    /// All entries are zero and constant.
+    pub fn is_nothing(&self) -> bool
+    where
+        S: Scalar,
+    {
+        self.data.iter().all(|x| x.is_nothing())
     }
     #[inline(always)]
     fn place(&self, i: usize, j: usize) -> usize {

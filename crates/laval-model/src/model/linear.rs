@@ -306,10 +306,18 @@ impl<S: Scalar> LinearModel<S> {
 
 fn add_at<S: Scalar>(places: &Places, local: &Grid<S>, global: &mut [S]) {
     // most of what a part may hold is zero
-    for (list, &x) in places.lists().zip(local.entries()).filter(|(_, x)| !x.is_nothing()) {
-        for &(e, factor) in list {
-            global[e] += if factor == 1.0 { x } else { x.scale(factor) };
+    if local.is_nothing() {
+        return;
+    }
+    let mut first = 0;
+    for i in 0..local.rows() {
+        let row = local.row(i);
+        for (k, &x) in row.iter().enumerate().filter(|(_, x)| !x.is_nothing()) {
+            for &(e, factor) in places.list(first + k) {
+                global[e] += if factor == 1.0 { x } else { x.scale(factor) };
+            }
         }
+        first += row.len();
     }
 }
 

@@ -15,20 +15,19 @@
 //! Source: Z. Bai, J. Demmel, J. Dongarra, A. Ruhe, H. van der Vorst (eds.), Templates for the Solution of Algebraic Eigenvalue Problems, SIAM 2000, sections 7.5 and 9.2.
 
 use super::EigError;
-use super::number::{norm2, right_vectors};
-use crate::complex::{C64, c};
+use crate::complex::C64;
 use crate::dense::{Field, Mat};
-use crate::factor::{Factors, Plan};
+use crate::factor::{Factors, Number, Plan, ScaledQuadratic};
 use crate::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
 use crate::work::spend;
 
 /// A quadratic problem by the entries of its matrices on the pattern of a plan.
 #[derive(Clone, Copy, Debug)]
-pub struct Quadratic<'a> {
+pub struct Quadratic<'a, T = C64> {
     /// How T(s) is factored.
     pub plan: &'a Plan,
     /// A0, A1, A2.
-    pub terms: [&'a [C64]; 3],
+    pub terms: [&'a [T]; 3],
 }
 
 /// Eigenvalues nearest to a shift.
@@ -45,24 +44,33 @@ const RESOLVED: f64 = 1e-7;
 /// Distance of the nearest eigenvalue over that of one from which on it is rounding of infinite ones, which may come in chains.
 const INFINITE: f64 = 1e-7;
 /// Steps after which the approximations are looked at, again and again.
-const ROUND: usize = 20;
+const ROUND: usize = 8;
 /// Shifts that are tried, and their distance over the size of the eigenvalues.
 const SHIFTS: i32 = 4;
 const BESIDE: f64 = 1e-6;
+/// Square of the norm of a vector, over that of its last component, beside which that is nothing.
+const FAR: f64 = 1e60;
 /// Size of a new direction, over that before it was made orthogonal, that is rounding.
 const ROUNDING: f64 = 1e-13;
 
 impl Quadratic<'_> {
-    fn at(&self, s: C64) -> Vec<C64> {
+    /// Scaled for s of some size; `None` where it is factored as a dense matrix.
+    pub fn scaled(&self, size: f64) -> Option<ScaledQuadratic> {
+        ScaledQuadratic::new(self.plan, self.terms, size)
+    }
+}
+
+impl<T: Number + super::Number> Quadratic<'_, T> {
+    fn at(&self, s: T) -> Vec<T> {
         let [a0, a1, a2] = self.terms;
         a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| a0 + s * (a1 + s * a2)).collect()
     }
 
     /// Entries of A1 and A2 that are not both zero: row, column, values.
-    fn rates(&self) -> Vec<(usize, usize, C64, C64)> {
+    fn rates(&self) -> Vec<(usize, usize, T, T)> {
         let [_, a1, a2] = self.terms;
         let row = |i: usize| self.plan.pattern().row(i).map(move |(e, j)| (i, j, a1[e], a2[e]));
-        (0..self.plan.n()).flat_map(row).filter(|x| x.2 != C64::ZERO || x.3 != C64::ZERO).collect()
+        (0..self.plan.n()).flat_map(row).filter(|x| x.2 != T::ZERO || x.3 != T::ZERO).collect()
     }
 
     /// Square roots of the diagonal of |A0| + |p| |A1| + |p|^2 |A2|: unknowns of different units count alike.
@@ -76,85 +84,107 @@ impl Quadratic<'_> {
     }
 }
 
-/// A complex vector, padded with zeros to whole lanes: real parts, then imaginary parts.
+/// A vector by the `P` parts of its numbers, each padded with zeros to whole lanes.
 #[derive(Clone, Debug)]
-struct Planes {
-    re: Vec<f64>,
-    im: Vec<f64>,
-}
+struct Planes<const P: usize>([Vec<f64>; P]);
 
-impl Planes {
-    fn from(values: impl ExactSizeIterator<Item = C64>) -> Self {
+impl<const P: usize> Planes<P> {
+    fn from<T: Number>(values: impl ExactSizeIterator<Item = T>) -> Self {
         let length = values.len().next_multiple_of(LANES);
-        let mut out = Planes { re: vec![0.0; length], im: vec![0.0; length] };
-        values.enumerate().for_each(|(i, x)| (out.re[i], out.im[i]) = (x.re, x.im));
-        out
+        let mut out = std::array::from_fn(|_| vec![0.0; length]);
+        let mut parts = [0.0; P];
+        for (i, x) in values.enumerate() {
+            x.write(&mut parts);
+            out.iter_mut().zip(parts).for_each(|(plane, part)| plane[i] = part);
+        }
+        Planes(out)
     }
     #[inline(always)]
-    fn at(&self, i: usize) -> C64 {
-        c(self.re[i], self.im[i])
+    fn at<T: Number>(&self, i: usize) -> T {
+        T::read(&std::array::from_fn::<f64, P, _>(|p| self.0[p][i]))
+    }
+    fn all(&mut self) -> impl Iterator<Item = &mut f64> {
+        self.0.iter_mut().flatten()
     }
     fn norm(&self) -> f64 {
-        let m = self.re.iter().chain(&self.im).fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
-        let squares = |all: &[f64]| all.iter().map(|x| (x / m) * (x / m)).sum::<f64>();
-        if m == 0.0 || !m.is_finite() { m } else { m * (squares(&self.re) + squares(&self.im)).sqrt() }
+        let m = self.0.iter().flatten().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
+        if m == 0.0 || !m.is_finite() {
+            return m;
+        }
+        let scale = 1.0 / m;
+        m * self.0.iter().map(|all| all.iter().map(|x| (x * scale) * (x * scale)).sum::<f64>()).sum::<f64>().sqrt()
     }
     /// Divides by the norm, which is returned.
     fn normalise(&mut self) -> f64 {
         let size = self.norm();
         if size > 0.0 {
-            self.re.iter_mut().chain(&mut self.im).for_each(|x| *x *= 1.0 / size);
+            let scale = 1.0 / size;
+            self.all().for_each(|x| *x *= scale);
         }
         size
     }
 }
 
-/// Makes a vector orthogonal to others of norm one; what of them was in it is added to `column`.
-struct Orthogonalise<'a> {
-    basis: &'a [Planes],
-    next: &'a mut Planes,
-    column: &'a mut [C64],
+/// Makes a vector orthogonal to others of norm one; the parts of them that were in it are added to `column`.
+struct Orthogonalise<'a, const P: usize> {
+    basis: &'a [Planes<P>],
+    next: &'a mut Planes<P>,
+    column: &'a mut [[f64; P]],
 }
 
-impl Kernel for Orthogonalise<'_> {
+impl<const P: usize> Kernel for Orthogonalise<'_, P> {
     type Out = ();
     #[inline(always)]
     fn run<S: LaneScalar>(self) {
-        let mut parts = vec![C64::ZERO; self.basis.len()];
+        let mut parts = vec![[0.0; P]; self.basis.len()];
+        let rows = self.next.0[0].len() / LANES;
         // twice: what the first pass leaves is rounding of what it takes
         for _ in 0..2 {
-            let (re, im) = (self.next.re.as_chunks::<LANES>().0, self.next.im.as_chunks::<LANES>().0);
             for (b, part) in self.basis.iter().zip(&mut parts) {
-                let (b_re, b_im) = (b.re.as_chunks::<LANES>().0, b.im.as_chunks::<LANES>().0);
-                let (mut sum_re, mut sum_im) = (S::zero(), S::zero());
-                for k in 0..re.len() {
-                    let (x, y, u, v) = (S::load(&re[k]), S::load(&im[k]), S::load(&b_re[k]), S::load(&b_im[k]));
-                    sum_re += u * x + v * y;
-                    sum_im += u * y - v * x;
+                let mut sums = [S::zero(); P];
+                for k in 0..rows {
+                    let (x, u) = (lane::<S>(&self.next.0[0], k), lane::<S>(&b.0[0], k));
+                    sums[0] += u * x;
+                    if P == 2 {
+                        let (y, v) = (lane::<S>(&self.next.0[P - 1], k), lane::<S>(&b.0[P - 1], k));
+                        sums[0] += v * y;
+                        sums[P - 1] += u * y - v * x;
+                    }
                 }
-                let (mut a, mut b) = (0.0, 0.0);
-                for (x, y) in sum_re.to_array().iter().zip(&sum_im.to_array()) {
-                    (a, b) = (a + x, b + y);
+                for p in 0..P {
+                    part[p] = sums[p].to_array().iter().fold(0.0, |a, x| a + x);
                 }
-                *part = c(a, b);
             }
-            let (re, im) = (self.next.re.as_chunks_mut::<LANES>().0, self.next.im.as_chunks_mut::<LANES>().0);
-            for k in 0..re.len() {
-                let (mut x, mut y) = (S::load(&re[k]), S::load(&im[k]));
+            for k in 0..rows {
+                let mut x = [S::zero(); P];
+                for p in 0..P {
+                    x[p] = lane::<S>(&self.next.0[p], k);
+                }
                 for (b, part) in self.basis.iter().zip(&parts) {
-                    let (u, v) = (S::load(&b.re.as_chunks::<LANES>().0[k]), S::load(&b.im.as_chunks::<LANES>().0[k]));
-                    let (p, q) = (S::cst(part.re), S::cst(part.im));
-                    x -= p * u - q * v;
-                    y -= p * v + q * u;
+                    let (u, p) = (lane::<S>(&b.0[0], k), S::cst(part[0]));
+                    x[0] -= p * u;
+                    if P == 2 {
+                        let (v, q) = (lane::<S>(&b.0[P - 1], k), S::cst(part[P - 1]));
+                        x[0] += q * v;
+                        x[P - 1] -= p * v + q * u;
+                    }
                 }
-                x.store(&mut re[k]);
-                y.store(&mut im[k]);
+                for p in 0..P {
+                    x[p].store(&mut self.next.0[p].as_chunks_mut::<LANES>().0[k]);
+                }
             }
-            for (h, &part) in self.column.iter_mut().zip(&parts) {
-                *h += part;
+            for (h, part) in self.column.iter_mut().zip(&parts) {
+                for p in 0..P {
+                    h[p] += part[p];
+                }
             }
         }
     }
+}
+
+#[inline(always)]
+fn lane<S: LaneScalar>(plane: &[f64], k: usize) -> S {
+    S::load(&plane.as_chunks::<LANES>().0[k])
 }
 
 /// The eigenvalues nearest to `shift`, at least `wanted` where so many are resolved within `most` steps. `size` is that of the eigenvalues.
@@ -162,12 +192,31 @@ impl Kernel for Orthogonalise<'_> {
 /// # Errors
 /// Entries that are not finite; a problem that every number solves.
 pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: usize) -> Result<Nearest, EigError> {
-    let n = problem.plan.n();
     // beside an eigenvalue where the shift is one
-    let beside = (0..SHIFTS).map(|k| shift + C64::cis(f64::from(k)).scale(BESIDE * f64::from(k) * size));
-    let factored = |p: C64| Some((p, Factors::new(problem.plan, &problem.at(p)).ok()?));
-    let Some((shift, factors)) = beside.into_iter().find_map(factored) else { return Err(EigError::SingularPencil) };
+    let shifts = (0..SHIFTS).map(|k| shift + C64::cis(f64::from(k)).scale(BESIDE * f64::from(k) * size));
+    arnoldi::<C64, 2>(problem, shifts, size, (wanted, most))
+}
+
+/// The same of a real problem with a real shift, in real arithmetic.
+///
+/// # Errors
+/// As [`nearest`].
+pub fn nearest_real(problem: &Quadratic<f64>, shift: f64, size: f64, wanted: usize, most: usize) -> Result<Nearest, EigError> {
+    let shifts = (0..SHIFTS).map(|k| shift + BESIDE * f64::from(k) * size);
+    arnoldi::<f64, 1>(problem, shifts, size, (wanted, most))
+}
+
+fn arnoldi<T: Number + super::Number, const P: usize>(
+    problem: &Quadratic<T>,
+    mut shifts: impl Iterator<Item = T>,
+    size: f64,
+    (wanted, most): (usize, usize),
+) -> Result<Nearest, EigError> {
+    let n = problem.plan.n();
+    let factored = |p: T| Some((p, Factors::new(problem.plan, &problem.at(p)).ok()?));
+    let Some((shift, factors)) = shifts.find_map(factored) else { return Err(EigError::SingularPencil) };
     let (weights, rates, level) = (problem.weights(size), problem.rates(), Level::best());
+    let over: Vec<f64> = weights.iter().map(|w| 1.0 / w).collect();
     let most = most.min(2 * n);
     // an arbitrary start, the same every time
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
@@ -175,37 +224,40 @@ pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: 
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
-    let mut start = Planes::from((0..2 * n).map(|_| c(random(), random())));
+    let start = (0..2 * n).map(|_| T::read(&std::array::from_fn::<f64, P, _>(|_| random())));
+    let mut start = Planes::<P>::from(start);
     start.normalise();
-    let (mut basis, mut columns): (Vec<Planes>, Vec<Vec<C64>>) = (vec![start], Vec::new());
-    let (mut x, mut y, mut image) = (vec![C64::ZERO; n], vec![C64::ZERO; n], vec![C64::ZERO; n]);
+    let (mut basis, mut columns): (Vec<Planes<P>>, Vec<Vec<T>>) = (vec![start], Vec::new());
+    let (mut x, mut y, mut image) = (vec![T::ZERO; n], vec![T::ZERO; n], vec![T::ZERO; n]);
     loop {
         let k = columns.len();
-        spend((4 * (n * 30 + 8 * n * k)) as u64);
+        spend((P * P * (n * 30 + 8 * n * k)) as u64);
         let b = &basis[k];
         for i in 0..n {
-            x[i] = b.at(i).scale(1.0 / weights[i]);
-            y[i] = (b.at(n + i).scale(size) + shift * b.at(i)).scale(1.0 / weights[i]);
+            let (u, w): (T, T) = (b.at(i), b.at(n + i));
+            x[i] = Number::times(u, over[i]);
+            y[i] = Number::times(Number::times(w, size) + shift * u, over[i]);
         }
-        image.fill(C64::ZERO);
+        image.fill(T::ZERO);
         rates.iter().for_each(|&(i, j, a1, a2)| image[i] += a1 * x[j] + a2 * y[j]);
         factors.solve(&mut image);
-        image.iter_mut().zip(&weights).for_each(|(v, &d)| *v = -v.scale(d));
-        let second = |i: usize| (b.at(i) + shift * image[i]).scale(1.0 / size);
-        let mut next = Planes::from((0..2 * n).map(|i| if i < n { image[i] } else { second(i - n) }));
+        image.iter_mut().zip(&weights).for_each(|(v, &d)| *v = Number::times(*v, -d));
+        let second = |i: usize| Number::times(b.at::<T>(i) + shift * image[i], 1.0 / size);
+        let mut next = Planes::<P>::from((0..2 * n).map(|i| if i < n { image[i] } else { second(i - n) }));
         let before = next.norm();
         if !before.is_finite() {
             return Err(EigError::NotFinite);
         }
-        let mut column = vec![C64::ZERO; k + 2];
-        dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column });
+        let mut parts = vec![[0.0; P]; k + 2];
+        dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut parts });
         let rest = next.normalise();
         let ended = rest <= ROUNDING * before;
-        column[k + 1] = c(if ended { 0.0 } else { rest }, 0.0);
+        let mut column: Vec<T> = parts.iter().map(|x| T::read(x)).collect();
+        column[k + 1] = T::real(if ended { 0.0 } else { rest });
         columns.push(column);
         let steps = k + 1;
-        if ended || steps >= most || (steps % ROUND == 0 && steps > wanted) {
-            let found = resolved(&columns, shift)?;
+        if ended || steps >= most || (steps % ROUND == 0 && steps > wanted + wanted / 4) {
+            let found = resolved(&columns, shift.act(C64::ONE))?;
             if ended || steps >= most || found.values.len() >= wanted {
                 return Ok(if ended { Nearest { radius: f64::INFINITY, ..found } } else { found });
             }
@@ -214,18 +266,17 @@ pub fn nearest(problem: &Quadratic, shift: C64, size: f64, wanted: usize, most: 
     }
 }
 
-/// What a Hessenberg matrix, column by column with the entry below its last row, says of the eigenvalues.
-fn resolved(columns: &[Vec<C64>], shift: C64) -> Result<Nearest, EigError> {
+/// What a Hessenberg matrix, column by column with the entry below its last row, shows of the eigenvalues.
+fn resolved<T: Number + super::Number>(columns: &[Vec<T>], shift: C64) -> Result<Nearest, EigError> {
     let m = columns.len();
-    let h = Mat::from_fn(m, m, |i, j| columns[j].get(i).copied().unwrap_or(C64::ZERO));
-    let beyond = columns[m - 1][m].abs();
+    let h = Mat::from_fn(m, m, |i, j| columns[j].get(i).copied().unwrap_or(T::ZERO));
+    let beyond = columns[m - 1][m].size();
     let mut out = Nearest { values: Vec::new(), radius: f64::INFINITY };
-    let all = right_vectors(&h)?;
-    let largest = all.iter().map(|m| m.0.abs()).fold(0.0, f64::max);
-    for (value, right) in all.iter().filter(|m| m.0.abs() > INFINITE * largest) {
+    let all = T::of_hessenberg(&h)?;
+    let largest = all.iter().map(|m| m.abs()).fold(0.0, f64::max);
+    for &value in all.iter().filter(|m| m.abs() > INFINITE * largest) {
         let size = value.abs();
-        let error = beyond * right[m - 1].abs() / norm2(right);
-        if error <= RESOLVED * size {
+        if beyond * last_component(&h, value) <= RESOLVED * size {
             out.values.push(shift + value.recip());
         } else {
             out.radius = out.radius.min(1.0 / size);
@@ -236,10 +287,29 @@ fn resolved(columns: &[Vec<C64>], shift: C64) -> Result<Nearest, EigError> {
     Ok(out)
 }
 
+/// Last component of an eigenvector of a Hessenberg matrix over its norm: all rows but the first give the other components from it.
+fn last_component<T: Number + super::Number>(h: &Mat<T>, value: C64) -> f64 {
+    let m = h.rows();
+    let mut y = vec![C64::ZERO; m];
+    y[m - 1] = C64::ONE;
+    let mut squares = 1.0;
+    for k in (1..m).rev() {
+        let below = h[(k, k - 1)];
+        let row = (k..m).fold(value * y[k], |sum, j| sum - h[(k, j)].act(y[j]));
+        y[k - 1] = row / below.act(C64::ONE);
+        squares += y[k - 1].norm_sqr();
+        if !(squares < FAR) {
+            return 0.0;
+        }
+    }
+    1.0 / squares.sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::Pencil;
     use super::*;
+    use crate::complex::c;
     use crate::factor::Pattern;
     use std::sync::Arc;
 
@@ -279,27 +349,27 @@ mod tests {
     #[test]
     fn orthogonal_at_every_level_with_the_same_bits() {
         let vector =
-            |k: usize| Planes::from((0..37).map(|i| C64::cis((i * i + 3 * k * i) as f64 + k as f64).scale(1.0 + 0.1 * (i + k) as f64)));
+            |k: usize| Planes::<2>::from((0..37).map(|i| C64::cis((i * i + 3 * k * i) as f64 + k as f64).scale(1.0 + 0.1 * (i + k) as f64)));
         let mut basis = vec![vector(0)];
         basis[0].normalise();
         for k in 1..4 {
             let mut next = vector(k);
-            dispatch(Level::best(), Orthogonalise { basis: &basis, next: &mut next, column: &mut [C64::ZERO; 4] });
+            dispatch(Level::best(), Orthogonalise { basis: &basis, next: &mut next, column: &mut [[0.0; 2]; 4] });
             next.normalise();
             basis.push(next);
         }
-        let inner = |a: &Planes, b: &Planes| (0..37).fold(C64::ZERO, |sum, i| sum + a.at(i).conj() * b.at(i));
-        let all: Vec<(Planes, [C64; 4])> = Level::supported()
+        let inner = |a: &Planes<2>, b: &Planes<2>| (0..37).fold(C64::ZERO, |sum, i| sum + a.at::<C64>(i).conj() * b.at(i));
+        let all: Vec<(Planes<2>, [[f64; 2]; 4])> = Level::supported()
             .map(|level| {
-                let (mut next, mut column) = (vector(7), [C64::ZERO; 4]);
+                let (mut next, mut column) = (vector(7), [[0.0; 2]; 4]);
                 dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column });
                 (next, column)
             })
             .collect();
         for (next, column) in &all {
-            assert!(next.re == all[0].0.re && next.im == all[0].0.im && *column == all[0].1);
+            assert!(next.0 == all[0].0.0 && *column == all[0].1);
             for (b, h) in basis.iter().zip(column) {
-                assert!(inner(b, next).abs() <= 1e-14 * next.norm() && (inner(b, &vector(7)) - *h).abs() <= 1e-13 * next.norm());
+                assert!(inner(b, next).abs() <= 1e-14 * next.norm() && (inner(b, &vector(7)) - c(h[0], h[1])).abs() <= 1e-13 * next.norm());
             }
         }
     }
@@ -316,6 +386,22 @@ mod tests {
             let nearer = found.values.iter().filter(|v| (**v - shift).abs() < found.radius).count();
             assert!(found.radius > 0.0 && nearer >= wanted / 2, "{found:?}");
             agrees(&found, &exact, shift);
+        }
+    }
+
+    /// In real arithmetic the same, in conjugate pairs.
+    #[test]
+    fn a_real_shift() {
+        let (plan, terms, exact) = chain(600, 4e8, 1e-6);
+        let real = terms.each_ref().map(|all| all.iter().map(|x| x.re).collect::<Vec<f64>>());
+        let problem = Quadratic { plan: &plan, terms: real.each_ref().map(Vec::as_slice) };
+        for (shift, size) in [(300.0, 1e3), (0.0, 500.0), (-900.0, 2e3)] {
+            let found = nearest_real(&problem, shift, size, 12, 120).unwrap();
+            assert!(found.values.len() >= 12 && found.radius > 0.0, "{found:?}");
+            agrees(&found, &exact, c(shift, 0.0));
+            for v in &found.values {
+                assert!(found.values.iter().any(|w| (w.conj() - *v).abs() <= 1e-9 * v.abs()), "{v:?} is alone");
+            }
         }
     }
 

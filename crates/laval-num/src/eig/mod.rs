@@ -5,7 +5,8 @@
 //! | `A x = s x` | [`eigenvalues`], [`Spectrum`] (reusable, fast for small real matrices), [`modes`] |
 //! | `A x = s E x`, E possibly singular | [`Pencil`] |
 //! | `A x = s E x`, real symmetric, E positive definite | [`definite`] |
-//! | `(A0 + s A1 + s^2 A2) x = 0`, sparse: those nearest to a shift | [`nearest`] |
+//! | `(A0 + s A1 + s^2 A2) x = 0`, sparse: those nearest to a shift | [`nearest`], [`nearest_real`] |
+//! | the same near starts, side by side | [`polish`] |
 //! | modes along a parameter | [`Track`] |
 //!
 //! Every problem is scaled before it is solved (rows and columns by powers of two, so without rounding), and every mode carries the
@@ -23,6 +24,7 @@ mod krylov;
 mod mode;
 mod number;
 mod pencil;
+mod polish;
 mod small;
 mod standard;
 mod symmetric;
@@ -30,10 +32,11 @@ mod symmetric;
 mod tests;
 mod track;
 
-pub use krylov::{Nearest, Quadratic, nearest};
+pub use krylov::{Nearest, Quadratic, nearest, nearest_real};
 pub use mode::{Mode, upper_half};
 pub use number::{Number, Svd};
 pub use pencil::{Modes, Pencil};
+pub use polish::{Root, Start, polish};
 pub use standard::{Spectrum, derivative, eigenvalues, modes};
 pub use symmetric::definite;
 pub use track::{Match, Track, assign};

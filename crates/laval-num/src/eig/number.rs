@@ -1,6 +1,6 @@
 //! The border to faer: decompositions of real and complex matrices, in and out of this crate's types.
 
-use super::EigError;
+use super::{EigError, small};
 use crate::complex::{C64, c};
 use crate::dense::{Field, Mat};
 use crate::lanes::cleared;
@@ -44,6 +44,11 @@ pub trait Number: Field + Into<C64> {
     fn act(self, z: C64) -> C64;
     #[doc(hidden)]
     fn values(a: &Mat<Self>) -> Result<Vec<C64>, EigError>;
+    /// Eigenvalues of a Hessenberg matrix.
+    #[doc(hidden)]
+    fn of_hessenberg(a: &Mat<Self>) -> Result<Vec<C64>, EigError> {
+        Self::values(a)
+    }
     #[doc(hidden)]
     fn evd(a: &Mat<Self>) -> Result<Raw, EigError>;
     #[doc(hidden)]
@@ -69,6 +74,9 @@ fn decompose<T>(factor: usize, n: usize) {
     let reals = size_of::<T>() / size_of::<f64>();
     spend((factor * n * n * n * reals * reals) as u64);
 }
+
+/// Largest Hessenberg matrix that the compact QR iteration is used for.
+const COMPACT: usize = 64;
 
 const YES: ComputeEigenvectors = ComputeEigenvectors::Yes;
 const NO: ComputeEigenvectors = ComputeEigenvectors::No;
@@ -175,6 +183,11 @@ impl Number for f64 {
             .map_err(|_| EigError::NoConvergence)?;
         Ok((0..n).map(|i| c(re[i], im[i])).collect())
     }
+    fn of_hessenberg(a: &Mat) -> Result<Vec<C64>, EigError> {
+        let (n, mut values) = (a.rows(), Vec::new());
+        let done = n <= COMPACT && is_finite(a) && small::eigenvalues(a.clone().data_mut(), n, &mut values).is_ok();
+        if done && values.iter().all(|z| z.is_finite()) { Ok(values) } else { Self::values(a) }
+    }
     fn evd(a: &Mat) -> Result<Raw, EigError> {
         if !is_finite(a) {
             return Err(EigError::NotFinite);
@@ -258,21 +271,6 @@ impl Number for C64 {
     fn svd(a: &Mat<C64>) -> Result<Svd<C64>, EigError> {
         svd_with(a, |z| c64::new(z.re, z.im), |z: &c64| out(*z), |z| z.re)
     }
-}
-
-/// Eigenvalues of a complex matrix, each with its right vector.
-pub(super) fn right_vectors(a: &Mat<C64>) -> Result<Vec<(C64, Vec<C64>)>, EigError> {
-    if !is_finite(a) {
-        return Err(EigError::NotFinite);
-    }
-    let n = a.rows();
-    decompose::<C64>(20, n);
-    let f = faer::Mat::from_fn(n, n, |i, j| c64::new(a[(i, j)].re, a[(i, j)].im));
-    let (mut s, mut r) = (faer::diag::Diag::zeros(n), faer::Mat::zeros(n, n));
-    let mut buffer = MemBuffer::new(evd::evd_scratch::<c64>(n, NO, YES, Par::Seq, Spec::default()));
-    cleared(|| evd::evd_cplx(f.as_ref(), s.as_mut(), None, Some(r.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default()))
-        .map_err(|_| EigError::NoConvergence)?;
-    Ok((0..n).map(|j| (out(s[j]), column(&r, j))).collect())
 }
 
 /// QZ algorithm. Complex also for real pencils: the library's real back substitution gives wrong left vectors for complex pairs.

@@ -20,9 +20,13 @@
 //! ```
 
 mod banded;
+mod each;
+mod forms;
+mod lanes;
 mod order;
 mod pattern;
 mod plan;
+mod quadratic;
 mod selection;
 mod terms;
 #[cfg(test)]
@@ -33,9 +37,13 @@ use crate::dense::{Field, Lu, Mat, Singular};
 use crate::dual::Dual;
 use crate::work::spend;
 use banded::Banded;
+pub use each::{Forced, Solved, solve_each};
+pub use forms::Forms;
+pub use lanes::{InLanes, LaneFactors, Pair, Row, Turn};
 pub use pattern::Pattern;
 pub use plan::Plan;
 use plan::Target;
+pub use quadratic::ScaledQuadratic;
 pub use selection::Selection;
 pub use terms::{Entry, Terms};
 
@@ -201,6 +209,23 @@ fn inverse_root(x: f64) -> f64 {
     f64::from_bits(((1023 - (exponent + 1).div_euclid(2)) as u64) << 52)
 }
 
+/// Powers of two for rows and columns that bring the largest entries of both near one, from the row, the column and the size of entries.
+fn scales(n: usize, entries: &[(usize, usize, f64)]) -> (Vec<f64>, Vec<f64>) {
+    let (mut rows, mut columns) = (vec![1.0; n], vec![1.0; n]);
+    let (mut by_row, mut by_column) = (vec![0.0f64; n], vec![0.0f64; n]);
+    for _ in 0..SCALINGS {
+        by_row.fill(0.0);
+        by_column.fill(0.0);
+        for &(i, j, size) in entries {
+            let x = size * rows[i] * columns[j];
+            (by_row[i], by_column[j]) = (by_row[i].max(x), by_column[j].max(x));
+        }
+        rows.iter_mut().zip(&by_row).for_each(|(r, &x)| *r *= inverse_root(x));
+        columns.iter_mut().zip(&by_column).for_each(|(c, &x)| *c *= inverse_root(x));
+    }
+    (rows, columns)
+}
+
 /// One factorisation. Reusable: [`Factors::factor`] keeps its allocations.
 #[derive(Clone, Debug)]
 pub struct Factors<T> {
@@ -310,22 +335,9 @@ impl<T: Number> Factors<T> {
         self.corner.factor(&corner).map_err(|s| Singular { column: band.order[inner + s.column] })
     }
 
-    /// Powers of two that bring the largest entries of rows and columns near one.
     fn scale(&mut self, n: usize) {
-        crate::refill::refill(&mut self.rows, n, 1.0);
-        crate::refill::refill(&mut self.columns, n, 1.0);
-        let sizes: Vec<f64> = self.entries.iter().map(|x| x.3.size()).collect();
-        let (mut by_row, mut by_column) = (vec![0.0f64; n], vec![0.0f64; n]);
-        for _ in 0..SCALINGS {
-            by_row.fill(0.0);
-            by_column.fill(0.0);
-            for (&(i, j, ..), size) in self.entries.iter().zip(&sizes) {
-                let x = size * self.rows[i] * self.columns[j];
-                (by_row[i], by_column[j]) = (by_row[i].max(x), by_column[j].max(x));
-            }
-            self.rows.iter_mut().zip(&by_row).for_each(|(r, &x)| *r *= inverse_root(x));
-            self.columns.iter_mut().zip(&by_column).for_each(|(c, &x)| *c *= inverse_root(x));
-        }
+        let sizes: Vec<(usize, usize, f64)> = self.entries.iter().map(|x| (x.0, x.1, x.3.size())).collect();
+        (self.rows, self.columns) = scales(n, &sizes);
     }
 
     /// Solves `A x = b` in place.

@@ -47,7 +47,7 @@ pub(super) enum Target {
 }
 
 /// Multiplications of a factorisation of a band with a border.
-fn effort(inner: usize, half: usize, border: usize) -> f64 {
+pub(super) fn effort(inner: usize, half: usize, border: usize) -> f64 {
     let (n, b, k) = (inner as f64, half as f64, border as f64);
     n * b * (2.0 * b + 1.0) + n * k * (3.0 * b + k) + k * k * k / 3.0
 }

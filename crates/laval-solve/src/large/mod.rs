@@ -9,7 +9,7 @@ use crate::characteristic::{Characteristic, Equilibrium};
 use crate::model::system::System;
 use crate::sectors::Sector;
 use laval_num::complex::{C64, c};
-use laval_num::eig::{Nearest, Quadratic, nearest};
+use laval_num::eig::{Nearest, Quadratic, nearest, nearest_real};
 use laval_num::factor::Selection;
 use laval_num::order::ascending;
 use std::sync::Arc;
@@ -25,7 +25,7 @@ pub const LEAST_MODES: usize = 12;
 const OF_SPEED: f64 = 3.0;
 /// Of the frequencies above those modes, the number among which the limit is laid into the widest gap.
 const GAPS: usize = 4;
-/// Place of the first shift, over the size of the lowest frequencies.
+/// Place of the first shift, over the size of the lowest frequencies: on the real axis of a real problem, else on the imaginary one.
 const LOW: f64 = 0.37;
 /// Eigenvalues sought about one place, and steps for them, at most.
 const WANTED: usize = 24;
@@ -56,11 +56,27 @@ pub(super) struct Starts {
     pub values: Vec<(Option<Sector>, C64)>,
 }
 
+/// Eigenvalues, with the range of the imaginary axis that their neighbourhood covers.
+struct Covered {
+    values: Vec<C64>,
+    range: (f64, f64),
+}
+
+impl Covered {
+    /// Of the eigenvalues nearest to a shift.
+    fn about(shift: C64, found: Nearest) -> Self {
+        let half = ((COVERED * found.radius).powi(2) - shift.re * shift.re).max(0.0).sqrt();
+        Covered { values: found.values, range: (shift.im - half, shift.im + half) }
+    }
+}
+
 /// The unknowns of one sector.
 struct Block {
     sector: Option<Sector>,
     of: Arc<Selection>,
     terms: [Vec<C64>; 3],
+    /// In x and y, of all unknowns of a machine at rest.
+    real: Option<[Vec<f64>; 3]>,
 }
 
 impl Block {
@@ -71,13 +87,22 @@ impl Block {
     fn mirrored(&self) -> bool {
         self.sector != Some(Sector::Forward)
     }
-    /// Eigenvalues whose neighbourhoods cover the axis from `a` to `b`, with those already found about a place on it.
-    fn cover(&self, (a, b): (f64, f64), first: Option<(f64, Nearest)>) -> Vec<C64> {
+    /// Eigenvalues near the lowest frequencies, of about this size.
+    fn low(&self, size: f64, wanted: usize) -> Option<Covered> {
+        let found = if let Some(real) = &self.real {
+            let problem = Quadratic { plan: &self.of.inner, terms: real.each_ref().map(Vec::as_slice) };
+            nearest_real(&problem, LOW * size, size, wanted, STEPS).map(|found| Covered::about(c(LOW * size, 0.0), found))
+        } else {
+            nearest(&self.problem(), c(0.0, LOW * size), size, wanted, STEPS).map(|found| Covered::about(c(0.0, LOW * size), found))
+        };
+        found.ok()
+    }
+    /// Eigenvalues whose neighbourhoods cover the axis from `a` to `b`, with those already found.
+    fn cover(&self, (a, b): (f64, f64), first: Option<Covered>) -> Vec<C64> {
         let (mut open, mut out, mut places) = (vec![(a, b)], Vec::new(), 0);
-        if let Some((place, found)) = first {
-            let radius = COVERED * found.radius;
-            out = found.values;
-            open = [(a, b.min(place - radius)), (a.max(place + radius), b)].into_iter().filter(|(a, b)| b > a).collect();
+        if let Some(Covered { values, range: (low, high) }) = first {
+            out = values;
+            open = [(a, b.min(low)), (a.max(high), b)].into_iter().filter(|(a, b)| b > a).collect();
         }
         while let Some((a, b)) = open.pop()
             && places < PLACES
@@ -124,8 +149,9 @@ fn blocks(t: &Characteristic, sectors: &[Option<Sector>]) -> Vec<Block> {
     let block = |&sector: &Option<Sector>| {
         let members: Vec<usize> = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
         let of = t.selection(&members);
+        let real = sector.is_none().then(|| t.real_polynomial()).flatten().map(|all| all.map(|all| of.taken(&all)));
         let terms = terms.each_ref().map(|all| of.taken(all));
-        Block { sector, of, terms }
+        Block { sector, of, terms, real }
     };
     sectors.iter().map(block).filter(|b| !b.of.members.is_empty()).collect()
 }
@@ -159,16 +185,15 @@ pub fn usual_frequency(system: &System, about: &Equilibrium) -> f64 {
     lowest(&blocks(&Characteristic::new(system, about), &[None]), about.speed.abs()).0
 }
 
-/// A frequency that at least [`LEAST_MODES`] modes lie below, in a wide gap between two of them; and for each block the place on the axis that this was seen from,
-/// with what was found about it.
-fn lowest(blocks: &[Block], speed: f64) -> (f64, Vec<Option<(f64, Nearest)>>) {
+/// A frequency that at least [`LEAST_MODES`] modes lie below, in a wide gap between two of them; and for each block what was found for that.
+fn lowest(blocks: &[Block], speed: f64) -> (f64, Vec<Option<Covered>>) {
     let (mut all, mut about): (Vec<f64>, _) = (Vec::new(), Vec::new());
     for block in blocks {
         let size = if speed > 0.0 { speed } else { slow(block) };
-        let found = nearest(&block.problem(), c(0.0, LOW * size), size, 2 * (LEAST_MODES + GAPS) + 2, STEPS).ok();
+        let found = block.low(size, (LEAST_MODES + GAPS + 1) * if block.mirrored() { 2 } else { 1 });
         let values = found.iter().flat_map(|f| &f.values);
         all.extend(values.map(|s| s.im).filter(|f| !(block.mirrored() && *f < 0.0)).map(f64::abs));
-        about.push(found.map(|found| (LOW * size, found)));
+        about.push(found);
     }
     ascending(&mut all);
     let last = all.last().map_or(0.0, |f| 1.05 * f);
