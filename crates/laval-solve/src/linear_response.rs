@@ -110,7 +110,7 @@ impl<'a> Ahead<'a> {
     /// At these speeds (ascending) and in the middle between them.
     pub fn new(system: &'a System, state: State<'a>, speeds: &[f64]) -> Self {
         let mut planned = Vec::new();
-        if !plan(system).is_dense() {
+        if plan(system).suits_lanes() {
             for pair in speeds.windows(2) {
                 planned.extend([pair[0], 0.5 * (pair[0] + pair[1])]);
             }
@@ -145,7 +145,7 @@ fn together(
     factors: &mut LaneFactors<C64>,
 ) -> Vec<Result<Option<Response>, Diagnostic>> {
     let single = |&speed: &f64| response(system, state, speed);
-    if plan(system).is_dense() || !is_polynomial(system) {
+    if !plan(system).suits_lanes() || !is_polynomial(system) {
         return speeds.iter().map(single).collect();
     }
     let all: Vec<Result<Equations, Diagnostic>> = speeds.iter().map(|&speed| equations(system, state, speed)).collect();

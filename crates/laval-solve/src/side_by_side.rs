@@ -20,11 +20,11 @@ pub struct Block {
 }
 
 impl Block {
-    /// Of a machine whose T is a polynomial that is factored as a band.
+    /// Of a machine whose T is a polynomial that suits lanes.
     pub fn new(t: &Characteristic, sector: Option<Sector>) -> Option<Self> {
         let terms = t.as_polynomial()?;
         let of = t.selection(&t.members(sector));
-        (!of.inner.is_dense()).then(|| Block { terms: terms.each_ref().map(|all| of.taken(all)), of })
+        of.inner.suits_lanes().then(|| Block { terms: terms.each_ref().map(|all| of.taken(all)), of })
     }
 
     fn scaled(&self, size: f64) -> Option<ScaledQuadratic> {

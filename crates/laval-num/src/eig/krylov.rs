@@ -54,7 +54,7 @@ const FAR: f64 = 1e60;
 const ROUNDING: f64 = 1e-13;
 
 impl Quadratic<'_> {
-    /// Scaled for s of some size; `None` where it is factored as a dense matrix.
+    /// Scaled for s of some size; `None` of a plan that does not suit lanes.
     pub fn scaled(&self, size: f64) -> Option<ScaledQuadratic> {
         ScaledQuadratic::new(self.plan, self.terms, size)
     }

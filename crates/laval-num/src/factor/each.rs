@@ -42,9 +42,9 @@ struct Entry {
     terms: [Row; 3],
 }
 
-/// Solves up to as many systems as there are lanes; `None` of a matrix that is singular or not finite. Of a plan that factors a dense matrix nothing is solved.
+/// Solves up to as many systems as there are lanes; `None` of a matrix that is singular or not finite. Of a plan that does not suit lanes nothing is solved.
 pub fn solve_each(plan: &Plan, systems: &[Forced], factors: &mut LaneFactors<C64>) -> Vec<Option<Solved>> {
-    let (Some(band), Some(last)) = (&plan.band, systems.last()) else { return systems.iter().map(|_| None).collect() };
+    let (Some(band), Some(last)) = (plan.band.as_ref().filter(|_| plan.suits_lanes()), systems.last()) else { return systems.iter().map(|_| None).collect() };
     let n = plan.n();
     let lane = |l: usize| systems.get(l).unwrap_or(last);
     let frequency: Row = std::array::from_fn(|l| lane(l).frequency);

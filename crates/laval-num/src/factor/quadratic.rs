@@ -26,9 +26,9 @@ pub struct ScaledQuadratic {
 }
 
 impl ScaledQuadratic {
-    /// Of the entries of the pattern of a plan, for s of about this size. `None` of a plan that factors a dense matrix.
+    /// Of the entries of the pattern of a plan, for s of about this size. `None` of a plan that does not suit lanes.
     pub fn new(plan: &Plan, [a0, a1, a2]: [&[C64]; 3], size: f64) -> Option<Self> {
-        let band = plan.band.as_ref()?;
+        let band = plan.band.as_ref().filter(|_| plan.suits_lanes())?;
         let n = plan.n();
         let mut terms = Vec::with_capacity(a0.len());
         for row in 0..n {
