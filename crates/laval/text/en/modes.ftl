@@ -13,6 +13,9 @@ modes-least-damped = { $among ->
         [decaying] Least damped of the decaying modes
         [stable] Least damped stable mode
        *[all] Least damped mode
+    }{ $near ->
+        [yes] {" "}up to ten times the spin speed
+       *[no] {""}
     }: mode { $mode }, { $whirl } at { $frequency }, { $damped ->
         [no] undamped
        *[yes] damping ratio { $value }, logarithmic decrement { $decrement }

@@ -72,7 +72,7 @@ remark-forces = Forces: { $text }.
 # Checks: name, result, requirement.
 check-stability = Stability
 check-instability = Nearest instability
-check-resonance = Nearest resonance (1×)
+check-resonance = Nearest resonance
 check-jump = Nearest jump or bifurcation
 check-vibration = Vibration
 check-velocity = Vibration velocity

@@ -34,8 +34,8 @@ tiles-largest = { $point }: { $amplitude }
 
 shapes-table = Mode shapes: motion of every point over the largest semi-major axis of the mode
 shapes-more = { $modes ->
-        [one] One more mode, which decays faster, is
-       *[other] { $modes } more modes, which decay faster, are
+        [one] One more mode, of higher frequency, is
+       *[other] { $modes } more modes, of higher frequency, are
     } in the table.
 shapes-alt = Shapes of { $modes ->
         [one] one mode

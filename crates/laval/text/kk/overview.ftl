@@ -70,7 +70,7 @@ remark-forces = Күштер: { $text }.
 # Checks: name, result, requirement.
 check-stability = Орнықтылық
 check-instability = Ең жақын орнықсыздық
-check-resonance = Ең жақын резонанс (1×)
+check-resonance = Ең жақын резонанс
 check-jump = Ең жақын секіріс немесе бифуркация
 check-vibration = Тербеліс
 check-forces = Күштер

@@ -71,7 +71,7 @@ remark-forces = Силы: { $text }.
 # Checks: name, result, requirement.
 check-stability = Устойчивость
 check-instability = Ближайшая неустойчивость
-check-resonance = Ближайший резонанс (1×)
+check-resonance = Ближайший резонанс
 check-jump = Ближайший скачок или бифуркация
 check-vibration = Вибрация
 check-velocity = Виброскорость

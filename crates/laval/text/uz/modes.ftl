@@ -13,6 +13,9 @@ modes-least-damped = { $among ->
         [decaying] So‘nuvchi modalardan eng kam so‘nuvchisi
         [stable] Eng kam so‘nuvchi turg‘un moda
        *[all] Eng kam so‘nuvchi moda
+    }{ $near ->
+        [yes] {" "}(aylanish chastotasining o‘n baravarigacha)
+       *[no] {""}
     }: { $mode }-moda, { $whirl }, chastotasi { $frequency }, { $damped ->
         [no] so‘nishsiz
        *[yes] nisbiy so‘nish { $value }, logarifmik dekrement { $decrement }

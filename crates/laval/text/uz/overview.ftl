@@ -70,7 +70,7 @@ remark-forces = Kuchlar: { $text }.
 # Tekshiruvlar: nomi, natijasi, talabi.
 check-stability = Turg‘unlik
 check-instability = Eng yaqin noturg‘unlik
-check-resonance = Eng yaqin rezonans (1×)
+check-resonance = Eng yaqin rezonans
 check-jump = Eng yaqin sakrash yoki bifurkatsiya
 check-vibration = Tebranish
 check-forces = Kuchlar

@@ -30,7 +30,7 @@ tiles-reason = { $reason ->
 tiles-largest = { $point }: { $amplitude }
 
 shapes-table = Modalar shakllari: har bir nuqtaning harakati, modaning eng katta yarim o‘qiga nisbatan
-shapes-more = Tezroq so‘nuvchi yana { $modes } ta moda jadvalda.
+shapes-more = Chastotasi yuqoriroq yana { $modes } ta moda jadvalda.
 shapes-alt = { $speed } tezlikda { $modes } ta modaning shakli: nuqtalarning fazodagi orbitalari va o‘q bo‘ylab siljishlar.
 orbits-alt = { $speeds } ta tezlikda { $orbits } ta orbita, faza belgisi va pretsessiya yo‘nalishi bilan.
 deflected-alt = Mashinaning { $speeds } ta tezlikdagi egilgan shakli: nuqtalarning fazodagi orbitalari va o‘q bo‘ylab siljishlar.

@@ -477,7 +477,13 @@ impl<'a> Shown<'a> {
             frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(times(*k)).reference());
         }
         frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
-        let growth = Panel::new(Axis::new("growth rate", "1/s"));
+        let growth = Axis::new("growth rate", "1/s");
+        // modes that the panel above leaves out do not set the scale here
+        let seen = (0..branches.len()).filter(|k| !outside.contains(k)).flat_map(|k| &branches[k].points).map(|p| p.1.growth());
+        let (low, high) = seen.chain([self.threshold]).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), g| (a.min(g), b.max(g)));
+        let space = 0.08 * (high - low);
+        let growth = if outside.is_empty() || !(space > 0.0) { growth } else { growth.range(low - space, high + space) };
+        let growth = Panel::new(growth);
         let growth = operating.iter().fold(growth, |p, o| p.mark(o.margin()).mark(o.rule()));
         let growth =
             growth.mark(line("growth")).mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));

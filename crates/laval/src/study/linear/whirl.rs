@@ -21,6 +21,32 @@ pub(in crate::study) fn aperiodic(root: C64) -> bool {
     root.im.abs() <= 1e-9 * root.re.abs()
 }
 
+/// Frequency over the fastest speed above which nothing drives a mode: of a shaft it is one of its division.
+const FAR: f64 = 10.0;
+
+/// The modes that a reader looks for: those that grow, then those of the lowest frequencies, `most` at most, by number. Modes far above the fastest speed (rad/s) only
+/// where too few are below.
+pub(in crate::study) fn lowest(
+    modes: &[MachineMode],
+    among: impl IntoIterator<Item = usize>,
+    fastest: f64,
+    most: usize,
+    grows: impl Fn(&MachineMode) -> bool,
+) -> Vec<usize> {
+    let mut all: Vec<usize> = among.into_iter().collect();
+    // aperiodic roots that decay tell least
+    let rank = |k: &usize| (!grows(&modes[*k]), far(&modes[*k], fastest), aperiodic(modes[*k].value));
+    all.sort_by(|a, b| rank(a).cmp(&rank(b)).then(modes[*a].frequency().total_cmp(&modes[*b].frequency())));
+    all.truncate(most);
+    all.sort_unstable();
+    all
+}
+
+/// The frequency of a mode is far above what drives it.
+pub(in crate::study) fn far(m: &MachineMode, fastest: f64) -> bool {
+    m.frequency() > FAR * fastest.abs()
+}
+
 /// Adds how an unstable mode moves at a spin speed: the word `whirl`, and the frequency where it oscillates.
 pub(in crate::study) fn growing(finding: Finding, m: &MachineMode, speed: f64) -> Finding {
     let word = match m.whirl.at(speed) {

@@ -5,35 +5,25 @@ use super::buckling::diverging;
 use crate::outcome::Mode;
 use crate::solve::pencil::MachineMode;
 use crate::solve::sectors::circular;
-use crate::study::linear::whirl::aperiodic;
+use crate::study::linear::whirl::{aperiodic, lowest};
 use laval_num::order::SortByNumber;
 
-/// Modes shown: the slowest in decay first.
+/// Modes shown.
 const MOST: usize = 8;
-/// Frequency over the fastest speed above which a mode is shown only where too few are below: nothing drives it, and of a shaft it is one of its division.
-const FAR: f64 = 10.0;
 /// Share of the largest amplitude below which a body is not named.
 const HARDLY: f64 = 0.02;
 /// Semi-axes that differ by less than this share make a circle.
 const ROUND: f64 = 1e-6;
 
-/// Modes by frequency; of many those that decay most slowly.
+/// Modes by frequency; of many those that grow and those of the lowest frequencies.
 pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
     let Some((study, result)) = facts.modes.as_ref().and_then(|(s, m)| Some((s, m.get()?))) else { return Vec::new() };
     let threshold = study.threshold.max(facts.threshold);
-    let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| !aperiodic(m.value)).collect();
-    all.extend(diverging(result, threshold));
+    let modes = &result.spectrum.modes;
     let fastest = facts.operating.map_or(0.0, |o| o.high.abs());
-    let far = |m: &MachineMode| m.frequency() > FAR * fastest && !(m.growth() > threshold);
-    let near = all.iter().filter(|m| !far(m)).count();
-    if near < MOST {
-        all.sort_by_number(|m| if far(m) { m.frequency() } else { 0.0 });
-        all.truncate(MOST);
-    } else {
-        all.retain(|m| !far(m));
-    }
-    all.sort_by_number(|a| a.damping_ratio());
-    all.truncate(MOST);
+    let periodic = (0..modes.len()).filter(|&k| !aperiodic(modes[k].value));
+    let shown = lowest(modes, periodic, fastest, MOST, |m| m.growth() > threshold);
+    let mut all: Vec<&MachineMode> = diverging(result, threshold).into_iter().chain(shown.into_iter().map(|k| &modes[k])).collect();
     all.sort_by_number(|a| a.frequency());
     let speed = facts.system.machine.speed.unwrap_or(0.0);
     all.into_iter().map(|m| Mode { grows: m.growth() > threshold, ..mode(facts, m, speed) }).collect()

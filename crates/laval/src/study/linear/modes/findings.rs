@@ -48,10 +48,14 @@ impl Shown<'_> {
     /// The least damped of the modes that do not grow.
     fn least_damped(&self, any_unstable: bool, any_grows: bool) -> Option<Finding> {
         let (slow, open) = (self.undamped.is_some(), decay_uncounted(self.system, self.study.speed).is_some());
-        let modes = self.modes().iter().enumerate();
-        let (k, m) = modes
-            .filter(|(_, m)| !self.grows(m) && m.frequency() > 0.0 && !(slow && m.growth() > 0.0))
-            .max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()))?;
+        let decays = |(_, m): &(usize, &MachineMode)| !self.grows(m) && m.frequency() > 0.0 && !(slow && m.growth() > 0.0);
+        let least = |far: bool| {
+            let modes = self.modes().iter().enumerate().filter(decays);
+            modes.filter(|(_, m)| whirl::far(m, self.study.speed) == far).max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()))
+        };
+        // those that something may drive come first
+        let (k, m) = least(false).or_else(|| least(true))?;
+        let near = !whirl::far(m, self.study.speed) && self.modes().iter().any(|m| whirl::far(m, self.study.speed));
         let undamped = m.growth().abs() <= self.rounding;
         let among = match (open, any_unstable || any_grows) {
             (true, _) => "found",
@@ -68,6 +72,7 @@ impl Shown<'_> {
                 .of("damping ratio")
                 .value(ratio, "")
                 .arg("among", Arg::word(among))
+                .arg("near", Arg::word(if near { "yes" } else { "no" }))
                 .arg("mode", Arg::count(k + 1))
                 .arg("whirl", whirl::direction(m.whirl.at(self.study.speed), m.forward_share))
                 .arg("frequency", Arg::frequency(m.frequency()))

@@ -4,6 +4,7 @@
 use crate::model::system::System;
 use crate::outcome::{Arg, Figure, Message, Picture, Table, Tiles, View};
 use crate::solve::pencil::MachineMode;
+use crate::study::linear::whirl::lowest;
 use crate::study::shared::stations::Stations;
 use laval_num::complex::C64;
 use serde::{Deserialize, Serialize};
@@ -18,7 +19,7 @@ pub struct Shapes {
     pub modes: Vec<Vec<[C64; 2]>>,
 }
 
-/// Modes drawn: of more those that decay most slowly.
+/// Modes drawn: of more those that grow and those of the lowest frequencies.
 const DRAWN: usize = 12;
 /// Share of the largest displacement that is rounding.
 const ROUNDING: f64 = 1e-10;
@@ -43,14 +44,11 @@ impl Shapes {
         self.stations.columns(Table::new("shapes", doc).int("mode", "", "number in order of frequency", number), &motions, "")
     }
 
-    /// The figure of the modes that decay most slowly, by frequency. `grows`: modes that are unstable.
+    /// The figure of the lowest modes, by frequency. `grows`: modes that are unstable.
     pub(super) fn figure(&self, system: &System, modes: &[MachineMode], speed: f64, grows: impl Fn(&MachineMode) -> bool) -> Figure {
         let moves = |k: &usize| self.modes[*k].iter().any(|m| m[0] != C64::zero() || m[1] != C64::zero());
         let all: Vec<usize> = (0..modes.len()).filter(|k| modes[*k].frequency() > 0.0 || grows(&modes[*k])).filter(moves).collect();
-        let mut shown = all.clone();
-        shown.sort_by(|a, b| modes[*a].damping_ratio().total_cmp(&modes[*b].damping_ratio()));
-        shown.truncate(DRAWN);
-        shown.sort_unstable();
+        let shown = lowest(modes, all.iter().copied(), speed, DRAWN, &grows);
         let pictures = shown.iter().map(|&k| picture(&modes[k], k, speed, grows(&modes[k]))).collect();
         let view = View::Shapes { horizontal: Stations::horizontal(system), to_scale: self.stations.to_scale };
         let mut notes = Vec::new();
