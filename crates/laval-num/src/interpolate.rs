@@ -11,6 +11,7 @@
 
 use crate::scalar::Scalar;
 use std::fmt;
+use std::ops::Range;
 
 /// A table that cannot be interpolated. Rows are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,22 +61,16 @@ impl Interpolant {
         if x.len() != y.len() {
             return Err(TableError::Lengths(x.len(), y.len()));
         }
-        let (Some(&x0), Some(&y0)) = (x.first(), y.first()) else { return Err(TableError::Empty) };
-        if let Some(row) = x.iter().zip(y).position(|(x, y)| !(x.is_finite() && y.is_finite())) {
+        let knots = Knots::new(x)?;
+        if let Some(row) = y.iter().position(|y| !y.is_finite()) {
             return Err(TableError::NotFinite(row));
         }
-        if let Some(row) = x.windows(2).position(|w| w[0] >= w[1]) {
-            return Err(TableError::NotIncreasing(row + 1));
-        }
-        let h: Vec<f64> = x.windows(2).map(|w| w[1] - w[0]).collect();
-        let d: Vec<f64> = y.windows(2).zip(&h).map(|(w, h)| (w[1] - w[0]) / h).collect();
-        let slope = slopes(&h, &d);
+        let slope: Vec<f64> = (0..x.len()).map(|k| knots.slope(&y, k)).collect();
         let piece = |i: usize| {
-            let (s0, s1) = (slope[i], slope[i + 1]);
-            let c = [s0, (3.0 * d[i] - 2.0 * s0 - s1) / h[i], (s0 + s1 - 2.0 * d[i]) / (h[i] * h[i])];
-            Piece { start: x[i], width: h[i], c }
+            let h = x[i + 1] - x[i];
+            Piece { start: x[i], width: h, c: cubic(h, (y[i + 1] - y[i]) / h, slope[i], slope[i + 1]) }
         };
-        Ok(Interpolant { first: (x0, y0), pieces: (0..h.len()).map(piece).collect(), outside: None })
+        Ok(Interpolant { first: (x[0], y[0]), pieces: (0..x.len() - 1).map(piece).collect(), outside: None })
     }
 
     /// The same with the tangents at its ends outside.
@@ -102,51 +97,160 @@ impl Interpolant {
         // 0 * x lets NaN through where there is no interval
         let (mut y, mut slope) = (S::cst(self.first.1) + x.scale(0.0), x.scale(0.0));
         for p in &self.pieces {
-            let u = x - S::cst(p.start);
-            let over = u - S::cst(p.width);
-            let t = over.select_pos(S::cst(p.width), u.pos());
-            let (c1, c2, c3) = (S::cst(p.c[0]), S::cst(p.c[1]), S::cst(p.c[2]));
-            y += t * (c1 + t * (c2 + t * c3));
-            let inside = c1 + t * (c2.scale(2.0) + t * c3.scale(3.0));
-            slope += over.select_pos(S::zero(), u.select_pos(inside, S::zero()));
+            let (rise, inside) = rise([S::cst(p.c[0]), S::cst(p.c[1]), S::cst(p.c[2])], p.start, p.width, x);
+            y += rise;
+            slope += inside;
         }
         if let Some([before, after]) = self.outside {
-            let (first, last) = self.range();
-            let (under, over) = (S::cst(first) - x, x - S::cst(last));
-            y += over.pos().scale(after) - under.pos().scale(before);
-            slope += over.select_pos(S::cst(after), S::zero()) + under.select_pos(S::cst(before), S::zero());
+            let (rise, inside) = beyond(self.range(), [S::cst(before), S::cst(after)], x);
+            y += rise;
+            slope += inside;
         }
         (y, slope)
     }
 }
 
-fn slopes(h: &[f64], d: &[f64]) -> Vec<f64> {
-    let n = h.len();
-    match n {
-        0 => return vec![0.0],
-        1 => return vec![d[0]; 2],
-        _ => {}
-    }
-    let inner = |i: usize| {
-        let (left, right) = (d[i - 1], d[i]);
-        let (p, r) = (2.0 * h[i] + h[i - 1], h[i] + 2.0 * h[i - 1]);
-        if left * right <= 0.0 { 0.0 } else { (p + r) / (p / left + r / right) }
-    };
-    let mut s = vec![end(h[0], h[1], d[0], d[1])];
-    s.extend((1..n).map(inner));
-    s.push(end(h[n - 1], h[n - 2], d[n - 1], d[n - 2]));
-    s
+/// `c` of [`Piece`] for an interval of width h, mean slope d and slopes s at its ends.
+#[inline(always)]
+fn cubic<S: Scalar>(h: f64, d: S, s0: S, s1: S) -> [S; 3] {
+    [s0, (d.scale(3.0) - s0.scale(2.0) - s1).scale(1.0 / h), (s0 + s1 - d.scale(2.0)).scale(1.0 / (h * h))]
 }
 
-fn end(h0: f64, h1: f64, d0: f64, d1: f64) -> f64 {
-    let s = ((2.0 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
-    if s * d0 <= 0.0 {
-        0.0
-    } else if d0 * d1 < 0.0 && s.abs() > 3.0 * d0.abs() {
-        3.0 * d0
-    } else {
-        s
+/// What an interval adds to value and slope at `x`: nothing before it, its whole rise after it.
+#[inline(always)]
+fn rise<S: Scalar>(c: [S; 3], start: f64, width: f64, x: S) -> (S, S) {
+    let u = x - S::cst(start);
+    let over = u - S::cst(width);
+    let t = over.select_pos(S::cst(width), u.pos());
+    let inside = c[0] + t * (c[1].scale(2.0) + t * c[2].scale(3.0));
+    (t * (c[0] + t * (c[1] + t * c[2])), over.select_pos(S::zero(), u.select_pos(inside, S::zero())))
+}
+
+/// What tangents at the ends add to value and slope outside.
+#[inline(always)]
+fn beyond<S: Scalar>((first, last): (f64, f64), [before, after]: [S; 2], x: S) -> (S, S) {
+    let (under, over) = (S::cst(first) - x, x - S::cst(last));
+    let slope = over.select_pos(after, S::zero()) + under.select_pos(before, S::zero());
+    (over.pos() * after - under.pos() * before, slope)
+}
+
+/// The values of a table at its arguments.
+pub trait Ordinates<S> {
+    /// That of a row, counted from 0.
+    fn at(&self, row: usize) -> S;
+}
+
+impl Ordinates<f64> for &[f64] {
+    #[inline(always)]
+    fn at(&self, row: usize) -> f64 {
+        self[row]
     }
+}
+
+/// Arguments of a table whose values are numbers with derivatives of their own: the same cubic as [`Interpolant`], exact in the values as well.
+///
+/// The slope at a knot has a corner in the values where the table turns or is flat; there its derivative is that with the slope held at 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Knots {
+    x: Vec<f64>,
+    straight: bool,
+}
+
+impl Knots {
+    /// Strictly increasing, at least one.
+    pub fn new(x: &[f64]) -> Result<Self, TableError> {
+        if x.is_empty() {
+            return Err(TableError::Empty);
+        }
+        if let Some(row) = x.iter().position(|x| !x.is_finite()) {
+            return Err(TableError::NotFinite(row));
+        }
+        if let Some(row) = x.windows(2).position(|w| w[0] >= w[1]) {
+            return Err(TableError::NotIncreasing(row + 1));
+        }
+        Ok(Knots { x: x.to_vec(), straight: false })
+    }
+    /// See [`Interpolant::straight_outside`].
+    #[must_use]
+    pub fn straight_outside(self) -> Self {
+        Knots { straight: true, ..self }
+    }
+    /// First and last argument.
+    pub fn range(&self) -> (f64, f64) {
+        (self.x[0], self.x[self.x.len() - 1])
+    }
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.x.len()
+    }
+    #[inline(always)]
+    fn width(&self, i: usize) -> f64 {
+        self.x[i + 1] - self.x[i]
+    }
+    /// Mean slope of an interval.
+    #[inline(always)]
+    fn mean<S: Scalar>(&self, y: &impl Ordinates<S>, i: usize) -> S {
+        (y.at(i + 1) - y.at(i)).scale(1.0 / self.width(i))
+    }
+    /// Slope at a knot.
+    #[inline(always)]
+    fn slope<S: Scalar>(&self, y: &impl Ordinates<S>, k: usize) -> S {
+        let last = self.x.len() - 1;
+        match (k, last) {
+            (_, 0) => S::zero(),
+            (_, 1) => self.mean(y, 0),
+            (0, _) => end([self.width(0), self.width(1)], [self.mean(y, 0), self.mean(y, 1)]),
+            _ if k == last => end([self.width(last - 1), self.width(last - 2)], [self.mean(y, last - 1), self.mean(y, last - 2)]),
+            _ => {
+                let (left, right, h) = (self.mean(y, k - 1), self.mean(y, k), [self.width(k - 1), self.width(k)]);
+                let (p, r) = (2.0 * h[1] + h[0], h[1] + 2.0 * h[0]);
+                let both = left * right;
+                // 0 times what is not a number is not 0
+                let sum = both.select_pos(right.scale(p) + left.scale(r), S::one());
+                both.select_pos(both.scale(p + r) / sum, both.scale(0.0))
+            }
+        }
+    }
+    /// Value and d value / d x at `x`, with derivatives of `x` and of the values; the slope at a knot is that of the interval before it.
+    #[inline(always)]
+    pub fn value_and_slope<S: Scalar>(&self, y: &impl Ordinates<S>, x: S) -> (S, S) {
+        let pieces = self.pieces(x.value());
+        let (mut value, mut slope) = (y.at(pieces.start) + x.scale(0.0), x.scale(0.0));
+        for i in pieces {
+            let c = cubic(self.width(i), self.mean(y, i), self.slope(y, i), self.slope(y, i + 1));
+            let (rise, inside) = rise(c, self.x[i], self.width(i), x);
+            value += rise;
+            slope += inside;
+        }
+        if self.straight {
+            let (rise, inside) = beyond(self.range(), [self.slope(y, 0), self.slope(y, self.x.len() - 1)], x);
+            value += rise;
+            slope += inside;
+        }
+        (value, slope)
+    }
+    /// The interval of an argument; all of them for lanes on several.
+    #[inline(always)]
+    fn pieces(&self, x: f64) -> Range<usize> {
+        let count = self.x.len() - 1;
+        if count == 0 || x.is_nan() {
+            return 0..count;
+        }
+        let mut i = 0;
+        while i + 1 < count && self.x[i + 1] < x {
+            i += 1;
+        }
+        i..i + 1
+    }
+}
+
+/// Slope at an end, from the nearer interval to the farther.
+#[inline(always)]
+fn end<S: Scalar>(h: [f64; 2], d: [S; 2]) -> S {
+    let s = (d[0].scale(2.0 * h[0] + h[1]) - d[1].scale(h[0])).scale(1.0 / (h[0] + h[1]));
+    let steep = (s.square() - d[0].square().scale(9.0)).select_pos(d[0].scale(3.0), s);
+    let limited = (-(d[0] * d[1])).select_pos(steep, s);
+    (s * d[0]).select_pos(limited, s.scale(0.0))
 }
 
 #[cfg(test)]
@@ -255,5 +359,67 @@ mod tests {
         assert_eq!(Interpolant::new(&[1.0, 2.0, 2.0], &[0.0; 3]), Err(TableError::NotIncreasing(2)));
         assert_eq!(Interpolant::new(&[1.0, f64::NAN], &[0.0; 2]), Err(TableError::NotFinite(1)));
         assert!(TableError::NotIncreasing(2).to_string().contains("row 3"));
+    }
+
+    /// A column of numbers with derivatives.
+    struct Column<S>(Vec<S>);
+    impl<S: Scalar> Ordinates<S> for Column<S> {
+        fn at(&self, row: usize) -> S {
+            self.0[row]
+        }
+    }
+
+    /// Inside, at the knots and outside: value and slope are those of the table of constants.
+    #[test]
+    fn knots_are_the_same_cubic() {
+        let (x, y) = ([0.0, 1.0, 3.0, 3.5, 6.0], [0.0, 1.0, 5.0, -2.0, -2.5]);
+        for straight in [false, true] {
+            let (mut table, mut knots) = (Interpolant::new(&x, &y).unwrap(), Knots::new(&x).unwrap());
+            if straight {
+                (table, knots) = (table.straight_outside(), knots.straight_outside());
+            }
+            for at in [-1.0, 0.0, 0.4, 1.0, 2.0, 3.0, 3.2, 3.5, 4.0, 6.0, 9.0] {
+                let (a, b) = (table.value_and_slope(at), knots.value_and_slope(&&y[..], at));
+                assert!((a.0 - b.0).abs() < 1e-13 && (a.1 - b.1).abs() < 1e-13, "{at}: {a:?} {b:?}");
+            }
+            assert!(knots.value_and_slope(&&y[..], f64::NAN).0.is_nan());
+        }
+        assert_eq!(Knots::new(&[3.0]).unwrap().value_and_slope(&&[5.0][..], 100.0), (5.0, 0.0));
+        assert_eq!(Knots::new(&[1.0, 1.0]), Err(TableError::NotIncreasing(1)));
+        assert_eq!(Knots::new(&[]), Err(TableError::Empty));
+    }
+
+    /// Of value and slope, in every ordinate: central differences of whole tables, at arguments in every interval and outside. A row farther than two from
+    /// the argument has no effect.
+    #[test]
+    fn derivatives_in_the_values_are_exact() {
+        let (x, y) = ([0.0, 1.0, 3.0, 3.5, 6.0, 6.5], [0.0, 1.0, 5.0, 9.0, 4.0, 8.0]);
+        for straight in [false, true] {
+            let knots = Knots::new(&x).unwrap();
+            let knots = if straight { knots.straight_outside() } else { knots };
+            for at in [-0.5, 0.3, 1.0, 2.9, 3.2, 5.0, 6.2, 8.0] {
+                for k in 0..x.len() {
+                    let seeded = Column(
+                        y.iter().enumerate().map(|(i, y)| if i == k { Dual::<f64, 1>::seed(*y, 0) } else { Dual::cst(*y) }).collect(),
+                    );
+                    let (value, slope) = knots.value_and_slope(&seeded, Dual::cst(at));
+                    let moved = |h: f64| {
+                        let mut y = y;
+                        y[k] += h;
+                        knots.value_and_slope(&&y[..], at)
+                    };
+                    let (up, down) = (moved(1e-5), moved(-1e-5));
+                    let difference = [(up.0 - down.0) / 2e-5, (up.1 - down.1) / 2e-5];
+                    assert!((value.eps[0] - difference[0]).abs() < 1e-8, "{at} {k}: {value:?} {difference:?}");
+                    assert!((slope.eps[0] - difference[1]).abs() < 1e-7, "{at} {k}: {slope:?} {difference:?}");
+                }
+            }
+        }
+        // at a row its own value alone
+        let seeded = |k: usize| Column((0..6).map(|i| if i == k { Dual::<f64, 1>::seed(y[i], 0) } else { Dual::cst(y[i]) }).collect());
+        let knots = Knots::new(&x).unwrap();
+        for k in 0..6 {
+            assert!((knots.value_and_slope(&seeded(k), Dual::cst(3.0)).0.eps[0] - f64::from(u8::from(k == 2))).abs() < 1e-14, "{k}");
+        }
     }
 }

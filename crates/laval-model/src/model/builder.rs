@@ -35,8 +35,8 @@ impl Builder {
         self
     }
     /// Adds a part.
-    pub fn part<P: Part>(self, name: impl Into<String>, part: P, params: Params<P, f64>) -> Self {
-        self.input(name, part.erased(), P::Family::to_vec(&params))
+    pub fn part<P: Part>(self, name: impl Into<String>, part: P, params: impl Into<Params<P, f64>>) -> Self {
+        self.input(name, part.erased(), P::Family::to_vec(&params.into()))
     }
     /// Adds a part whose type is forgotten, with its parameters in slot order.
     pub fn input(mut self, name: impl Into<String>, part: Arc<dyn Erased>, params: Vec<f64>) -> Self {

@@ -7,7 +7,7 @@ use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity
 use super::erased::*;
 use super::field::Field;
 use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
-use super::params::{Family as _, ParamSlot, Parametric};
+use super::params::{Family as _, List, ParamSlot, Parametric};
 use super::part::Part;
 use crate::text::Text;
 use laval_num::complex::Complex;
@@ -33,32 +33,32 @@ macro_rules! parts {
             fn reach(&self) -> usize {
                 self.extent().map_or(usize::MAX, |e| e.reach())
             }
-            fn rows(&self) -> usize {
-                self.extent().map_or(0, |e| e.rows())
-            }
             fn memory(&self) -> usize {
                 Part::memory(self)
             }
             fn slots(&self) -> Vec<ParamSlot> {
-                T::Family::all_slots(Erased::rows(self))
+                T::Family::all_slots(self.row_counts())
+            }
+            fn lists(&self) -> Vec<List> {
+                T::Family::lists()
             }
             fn fields(&self) -> &'static [Field] {
                 T::FIELDS
             }
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>) {
-                Part::observe(self, &T::Family::from_slice(p), at, out)
+                Part::observe(self, &self.given(p), at, out)
             }
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>) {
-                Part::validity(self, &T::Family::from_slice(p), at, out)
+                Part::validity(self, &self.given(p), at, out)
             }
             fn check(&self, p: &[f64]) -> Vec<(&'static str, Text)> {
-                Part::check(self, &T::Family::from_slice(p))
+                Part::check(self, &self.given(p))
             }
             fn warnings(&self, p: &[f64]) -> Vec<Text> {
-                Part::warnings(self, &T::Family::from_slice(p))
+                Part::warnings(self, &self.given(p))
             }
             fn spin_row_d8(&self, p: &[D8], at: &At<D8>) -> D8 {
-                Part::spin_row(self, &T::Family::from_slice(p), at)
+                Part::spin_row(self, &self.given(p), at)
             }
             fn body(&self) -> Option<&dyn BodyPart> {
                 Part::body(self)
@@ -95,34 +95,34 @@ macro_rules! parts {
                     residual(self, p, at, out, blocks)
                 }
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
-                    Part::linear(self, &T::Family::from_slice(p), speed, blocks)
+                    Part::linear(self, &self.given(p), speed, blocks)
                 }
                 fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>> {
-                    Part::energy(self, &T::Family::from_slice(p), at)
+                    Part::energy(self, &self.given(p), at)
                 }
             )*
         }
 
         impl<T: capability::FrequencyDomain + Part> FrequencyDomain for T {
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain> {
-                capability::FrequencyDomain::domain(self, &<T as Parametric>::Family::from_slice(p), speed)
+                capability::FrequencyDomain::domain(self, &self.given(p), speed)
             }
             fn rough(&self) -> Option<Arc<dyn Erased>> {
                 capability::FrequencyDomain::rough(self).map(|p| Arc::new(p) as Arc<dyn Erased>)
             }
             fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)> {
-                let (part, p) = capability::FrequencyDomain::approximation(self, &<T as Parametric>::Family::from_slice(p))?;
+                let (part, p) = capability::FrequencyDomain::approximation(self, &self.given(p))?;
                 Some((Arc::new(part), <T as Parametric>::Family::to_vec(&p)))
             }
             $(
                 fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
-                    capability::FrequencyDomain::load(self, &<T as Parametric>::Family::from_slice(p), speed, blocks)
+                    capability::FrequencyDomain::load(self, &self.given(p), speed, blocks)
                 }
                 fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]) {
-                    capability::FrequencyDomain::impedance(self, &<T as Parametric>::Family::from_slice(p), s, speed, out)
+                    capability::FrequencyDomain::impedance(self, &self.given(p), s, speed, out)
                 }
                 fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar> {
-                    capability::FrequencyDomain::regular(self, &<T as Parametric>::Family::from_slice(p), s, speed)
+                    capability::FrequencyDomain::regular(self, &self.given(p), s, speed)
                 }
             )*
         }
@@ -133,7 +133,7 @@ with_scalars!(parts);
 
 impl<T: capability::ReplacedInTime + Part> ReplacedInTime for T {
     fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>> {
-        let part = capability::ReplacedInTime::timed(self, &<T as Parametric>::Family::from_slice(p), speeds, stop)?;
+        let part = capability::ReplacedInTime::timed(self, &self.given(p), speeds, stop)?;
         Some(part.map(|p| Arc::new(p) as Arc<dyn Erased>))
     }
     fn fitted(&self) -> Option<Fitted> {
@@ -144,7 +144,7 @@ impl<T: capability::ReplacedInTime + Part> ReplacedInTime for T {
 impl<P: Part> Apply<P> for Residual {
     #[inline(always)]
     fn apply<S: Scalar>(part: &P, args: &mut ResidualArgs<'_, S>) {
-        let p = P::Family::from_slice(args.p);
+        let p = part.given(args.p);
         part.residual(&p, &args.at, &mut args.out);
         if part.physics() != Physics::Nonlinear {
             *args.out.spin += part.spin_row(&p, &args.at);
@@ -155,13 +155,13 @@ impl<P: Part> Apply<P> for Residual {
 impl<P: Part> Apply<P> for Linear {
     #[inline(always)]
     fn apply<S: Scalar>(part: &P, args: &mut LinearArgs<'_, S>) {
-        part.linear(&P::Family::from_slice(args.p), args.speed, args.blocks);
+        part.linear(&part.given(args.p), args.speed, args.blocks);
     }
 }
 
 #[inline(always)]
 fn residual<T: Part, S: Scalar>(part: &T, p: &[S], at: &At<S>, out: &mut Rows<S>, blocks: &mut Blocks<S>) {
-    let p = T::Family::from_slice(p);
+    let p = part.given(p);
     match Part::physics(part) {
         Physics::Nonlinear => part.residual(&p, at, out),
         Physics::Linear | Physics::Frequency(_) => {

@@ -1,6 +1,7 @@
 //! What a part or a study may be given: one declaration each, from which the file reader, the schema, the documentation and
 //! the sweep axes follow.
 
+use super::params::List;
 use crate::diagnostic::Span;
 use crate::text;
 use crate::text::Text;
@@ -497,8 +498,8 @@ pub struct KindInfo {
     pub example: &'static str,
     /// Everything that may be said of it, besides `kind` and `name`.
     pub fields: Vec<Field>,
-    /// Parameters in the rows of a list: its field and theirs.
-    pub rows: Option<(&'static str, &'static [Field])>,
+    /// Lists whose rows hold parameters.
+    pub lists: Vec<List>,
 }
 
 /// A block of the file beside parts and studies, such as `[suspension]` or `[[cup]]`, as the file reader, the schema and the documentation see it.

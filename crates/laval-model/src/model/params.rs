@@ -57,25 +57,27 @@ pub trait Family: Send + Sync + 'static {
     const FIELDS: &'static [Field];
     /// Their defaults in SI units; required parameters have none.
     const DEFAULTS: &'static [Option<f64>];
-    /// How many scalars (a lateral pair counts two), without those in a list.
+    /// How many scalars (a lateral pair counts two), without those in lists.
     const COUNT: usize;
-    /// Field of the file that holds the list of parameters, row by row; "" where there is none.
-    const LIST: &'static str = "";
-    /// The parameters of one row of the list.
-    const ROW: &'static [Field] = &[];
-    /// The scalar slots of one row of the list, in order.
-    fn row_slots() -> Vec<ParamSlot> {
+    /// How many lists hold parameters row by row.
+    const LISTS: usize = 0;
+    /// These lists, in order.
+    fn lists() -> Vec<List> {
         Vec::new()
     }
-    /// From consecutive scalars, those of the rows last.
-    fn from_slice<S: Scalar>(v: &[S]) -> Self::P<S>;
+    /// From consecutive scalars, those of so many rows of each list last.
+    fn from_slice<S: Scalar>(v: &[S], rows: RowCounts) -> Self::P<S>;
     /// To consecutive scalars.
     fn to_vec(p: &Self::P<f64>) -> Vec<f64>;
-    /// The scalar slots in order: those of this many rows of the list (`section[1].outer_diameter`) come last.
-    fn all_slots(rows: usize) -> Vec<ParamSlot> {
-        let row =
-            |k: usize| Self::row_slots().into_iter().map(move |s| ParamSlot { name: format!("{}[{}].{}", Self::LIST, k + 1, s.name), ..s });
-        Self::slots().into_iter().chain((0..rows).flat_map(row)).collect()
+    /// The scalar slots in order: those of so many rows of each list (`section[1].outer_diameter`) come last.
+    fn all_slots(rows: RowCounts) -> Vec<ParamSlot> {
+        let mut out = Self::slots();
+        for (list, count) in Self::lists().iter().zip(rows) {
+            for k in 0..count {
+                out.extend(list.slots.iter().map(|s| ParamSlot { name: list.path(k, &s.name), ..s.clone() }));
+            }
+        }
+        out
     }
     /// The scalar slots in order, without those of a list.
     fn slots() -> Vec<ParamSlot> {
@@ -93,10 +95,51 @@ pub trait Family: Send + Sync + 'static {
     }
 }
 
+/// Most lists with parameters of one part.
+pub const MOST_LISTS: usize = 2;
+
+/// How many rows each list of a part has, in the order of [`Family::lists`].
+pub type RowCounts = [usize; MOST_LISTS];
+
+/// A list whose rows hold parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct List {
+    /// The field that holds it.
+    pub name: &'static str,
+    /// It is a list of numbers: one value in a row, without a name.
+    pub bare: bool,
+    /// The parameters of one row.
+    pub fields: &'static [Field],
+    /// Their scalar slots, in order.
+    pub slots: Vec<ParamSlot>,
+}
+
+impl List {
+    /// Name of a parameter in a row, which is counted from 0 here and from 1 there: `section[1].outer_diameter`, `mass_ratios[1]`.
+    pub fn path(&self, row: usize, parameter: &str) -> String {
+        let (name, number) = (self.name, row + 1);
+        if self.bare { format!("{name}[{number}]") } else { format!("{name}[{number}].{parameter}") }
+    }
+    /// The parameter that a path without its part names, in any row.
+    pub fn find(&self, path: &str) -> Option<&ParamSlot> {
+        let (number, rest) = path.strip_prefix(self.name)?.strip_prefix('[')?.split_once(']')?;
+        let numbered = number.parse::<usize>().is_ok_and(|n| n > 0);
+        let names = |s: &&ParamSlot| if self.bare { rest.is_empty() } else { rest.strip_prefix('.') == Some(s.name.as_str()) };
+        self.slots.iter().find(names).filter(|_| numbered)
+    }
+}
+
 /// What has parameters: every [`Part`](super::part::Part).
 pub trait Parametric: Send + Sync + Sized + 'static {
     /// The parameters, declared with [`params!`](crate::params).
     type Family: Family;
+    /// How many rows its lists have.
+    fn row_counts(&self) -> RowCounts;
+    /// Its parameters from consecutive scalars.
+    #[inline(always)]
+    fn given<S: Scalar>(&self, v: &[S]) -> Params<Self, S> {
+        Self::Family::from_slice(v, self.row_counts())
+    }
 }
 
 /// The parameters of part `P` as numbers of kind `S`.
@@ -115,9 +158,11 @@ pub mod shape {
 pub trait RowFamily: Family {
     /// The field that holds the list: its columns have the names of these parameters, and may have others.
     const LIST: &'static str;
+    /// It is a list of numbers, and this one parameter is their meaning.
+    const BARE: bool = false;
 }
 
-/// The parameters of `F` and, in every row of a list, those of `R`.
+/// The parameters of `F` and, in every row of a list, those of `R`. With two lists `F` is of this kind too.
 pub struct WithRows<F, R>(PhantomData<(F, R)>);
 
 /// Values of [`WithRows`]: the parameters beside the list are reached directly.
@@ -131,8 +176,23 @@ pub struct Listed<P, R> {
 
 impl<P, R> Deref for Listed<P, R> {
     type Target = P;
+    #[inline(always)]
     fn deref(&self) -> &P {
         &self.own
+    }
+}
+
+/// Without rows.
+impl<P, R> From<P> for Listed<P, R> {
+    fn from(own: P) -> Self {
+        Listed { own, rows: Vec::new() }
+    }
+}
+
+/// Without rows of either list.
+impl<P, A, B> From<P> for Listed<Listed<P, A>, B> {
+    fn from(own: P) -> Self {
+        Listed { own: Listed { own, rows: Vec::new() }, rows: Vec::new() }
     }
 }
 
@@ -141,14 +201,20 @@ impl<F: Family, R: RowFamily> Family for WithRows<F, R> {
     const FIELDS: &'static [Field] = F::FIELDS;
     const DEFAULTS: &'static [Option<f64>] = F::DEFAULTS;
     const COUNT: usize = F::COUNT;
-    const LIST: &'static str = <R as RowFamily>::LIST;
-    const ROW: &'static [Field] = R::FIELDS;
-    fn row_slots() -> Vec<ParamSlot> {
-        R::slots()
+    const LISTS: usize = F::LISTS + 1;
+    fn lists() -> Vec<List> {
+        let mut out = F::lists();
+        out.push(List { name: R::LIST, bare: R::BARE, fields: R::FIELDS, slots: R::slots() });
+        out
     }
-    fn from_slice<S: Scalar>(v: &[S]) -> Self::P<S> {
-        let (own, rows) = v.split_at(F::COUNT);
-        Listed { own: F::from_slice(own), rows: rows.chunks_exact(R::COUNT).map(R::from_slice).collect() }
+    #[inline(always)]
+    fn from_slice<S: Scalar>(v: &[S], counts: RowCounts) -> Self::P<S> {
+        let (own, last) = v.split_at(v.len() - counts[F::LISTS] * R::COUNT);
+        let mut rows = Vec::with_capacity(counts[F::LISTS]);
+        for row in last.chunks_exact(R::COUNT) {
+            rows.push(R::from_slice(row, [0; MOST_LISTS]));
+        }
+        Listed { own: F::from_slice(own, counts), rows }
     }
     fn to_vec(p: &Self::P<f64>) -> Vec<f64> {
         F::to_vec(&p.own).into_iter().chain(p.rows.iter().flat_map(R::to_vec)).collect()
@@ -162,7 +228,7 @@ impl Family for NoParams {
     const FIELDS: &'static [Field] = &[];
     const DEFAULTS: &'static [Option<f64>] = &[];
     const COUNT: usize = 0;
-    fn from_slice<S: Scalar>(_: &[S]) {}
+    fn from_slice<S: Scalar>(_: &[S], _: RowCounts) {}
     fn to_vec(_: &()) -> Vec<f64> {
         Vec::new()
     }
@@ -207,7 +273,7 @@ macro_rules! params {
             const COUNT: usize = 0 $( + $crate::params!(@len $shape) )*;
             #[inline(always)]
             #[allow(unused_mut, unused_variables, unused_assignments)]
-            fn from_slice<S: $crate::laval_num::scalar::Scalar>(v: &[S]) -> $p<S> {
+            fn from_slice<S: $crate::laval_num::scalar::Scalar>(v: &[S], _: $crate::model::params::RowCounts) -> $p<S> {
                 let mut i = 0;
                 $( let $name = $crate::params!(@read $shape, v, i); i += $crate::params!(@len $shape); )*
                 $p { $($name),* }

@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use super::erased;
 use super::field::{Field, ParamValues, Values};
-use super::params::Family;
+use super::params::{Family, MOST_LISTS, RowCounts};
 use crate::diagnostic::Diagnostics;
 use crate::text::Text;
 use laval_num::scalar::Scalar;
@@ -55,6 +55,11 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn uses(&self) -> Uses {
         Uses { velocity: true, acceleration: true, spin: true }
     }
+    /// How many rows the lists with its parameters have ([`WithRows`](super::params::WithRows)), in their order.
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [0; MOST_LISTS]
+    }
     /// How many of its states, the last ones, are memory states ([`Blocks::memory`]).
     fn memory(&self) -> usize {
         0
@@ -90,7 +95,7 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn body(&self) -> Option<&dyn erased::BodyPart> {
         None
     }
-    /// It has many coordinates, or parameters in a list: [`Extent`](super::capability::Extent).
+    /// It has many coordinates: [`Extent`](super::capability::Extent).
     fn extent(&self) -> Option<&dyn erased::Extent> {
         None
     }
@@ -134,4 +139,8 @@ pub trait Part: Send + Sync + Sized + 'static {
 
 impl<P: Part> Parametric for P {
     type Family = <P as Part>::Family;
+    #[inline(always)]
+    fn row_counts(&self) -> RowCounts {
+        Part::rows(self)
+    }
 }

@@ -3,7 +3,7 @@
 use super::blocks::{Blocks, Grid};
 use super::erased::*;
 use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
-use super::params::{NoParams, ParamSlot};
+use super::params::{List, NoParams, ParamSlot};
 use super::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Part, Physics, Rows, Uses, Validity};
 use super::slot::{GlobalDof, Slot};
 use super::station::{Pair, Row};
@@ -129,14 +129,14 @@ macro_rules! absorbed {
             fn reach(&self) -> usize {
                 self.0.reach()
             }
-            fn rows(&self) -> usize {
-                self.0.rows()
-            }
             fn memory(&self) -> usize {
                 0
             }
             fn slots(&self) -> Vec<ParamSlot> {
                 self.0.slots()
+            }
+            fn lists(&self) -> Vec<List> {
+                self.0.lists()
             }
             fn fields(&self) -> &'static [Field] {
                 self.0.fields()

@@ -160,7 +160,9 @@ impl System {
             text!("parameters of \"{part}\": {near} ({other})", part, near = near.join(", "), other)
         };
         let in_rows = |f: &&Field| self.param_slots.iter().any(|s| s.name.starts_with(&format!("{part}.{}[", f.name)));
-        let list = self.slot(part).and_then(|s| Field::list_of(s.part.fields(), rest)).filter(|f| !in_rows(f));
+        let slot = self.slot(part);
+        let list = slot.and_then(|s| Field::list_of(s.part.fields(), rest));
+        let of_parameters = |f: &Field| slot.is_some_and(|s| s.part.lists().iter().any(|l| l.name == f.name));
         // a row beyond the last of a list of parameters: section[9] of four
         if let Some((name, _)) = rest.split_once('[') {
             let numbers = self.param_slots.iter().filter_map(|s| {
@@ -179,6 +181,12 @@ impl System {
             }
         }
         let message = match list {
+            Some(list) if in_rows(&list) => {
+                text!("\"{path}\" is no parameter: \"{name}\" is a list, whose rows are numbered from 1", path, name = list.name)
+            }
+            Some(list) if of_parameters(list) => {
+                text!("there is no parameter \"{path}\": \"{part}\" is given without {name}", path, part, name = list.name)
+            }
             Some(list) => text!("\"{path}\" is no parameter: \"{name}\" is a list, and studies hold its values", path, name = list.name),
             None => text!("there is no parameter \"{path}\"", path),
         };

@@ -7,7 +7,8 @@
 //! [Fy] = - [kyx kyy] [y] - [cyx cyy] [y']
 //! ```
 //!
-//! A table is interpolated by a monotone piecewise cubic over the spin speed W (PCHIP, `laval_num::interpolate`), with exact derivative. Beyond its ends it has no values unless `beyond` says
+//! A table is interpolated by a monotone piecewise cubic over the spin speed W (PCHIP, `laval_num::interpolate`), with exact derivatives over the speed and over
+//! each coefficient of its rows. Beyond its ends it has no values unless `beyond` says
 //! how it continues: as a constant, or along the tangents at its ends.
 //!
 //! `stiffness = k` is short for kxx = kyy = k, `damping = c` for cxx = cyy = c.
@@ -29,12 +30,12 @@ use crate::model::blocks::Blocks;
 use crate::model::capability::Scope;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::params::Family;
+use crate::model::params::{Family, Listed, RowCounts, RowFamily, WithRows};
 use crate::model::part::{At, Beyond, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, PortKind, Tabulated, Validity};
 use crate::params;
 use crate::text;
 use crate::text::Text;
-use laval_num::interpolate::{Interpolant, TableError};
+use laval_num::interpolate::{Knots, Ordinates, TableError};
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
@@ -54,6 +55,44 @@ params! {
     }
 }
 
+params! {
+    /// Coefficients in a row of the table of a [`BearingLinear`].
+    pub struct TableRow in TableRowFamily {
+        kxx: scalar, "N/m", Bounds::within(1e15), default 0.0, "stiffness in x against x";
+        kxy: scalar, "N/m", Bounds::within(1e15), default 0.0, "force in -x per displacement in y";
+        kyx: scalar, "N/m", Bounds::within(1e15), default 0.0, "force in -y per displacement in x";
+        kyy: scalar, "N/m", Bounds::within(1e15), default 0.0, "stiffness in y against y";
+        cxx: scalar, "N s/m", Bounds::within(1e12), default 0.0, "damping in x against x";
+        cxy: scalar, "N s/m", Bounds::within(1e12), default 0.0, "force in -x per velocity in y";
+        cyx: scalar, "N s/m", Bounds::within(1e12), default 0.0, "force in -y per velocity in x";
+        cyy: scalar, "N s/m", Bounds::within(1e12), default 0.0, "damping in y against y";
+    }
+}
+
+impl RowFamily for TableRowFamily {
+    const LIST: &'static str = "table";
+}
+
+/// A column of the table by its place in [`NAMES`].
+struct Column<'a, S>(&'a [TableRow<S>], usize);
+
+impl<S: Scalar> Ordinates<S> for Column<'_, S> {
+    #[inline(always)]
+    fn at(&self, row: usize) -> S {
+        let r = &self.0[row];
+        match self.1 {
+            0 => r.kxx,
+            1 => r.kxy,
+            2 => r.kyx,
+            3 => r.kyy,
+            4 => r.cxx,
+            5 => r.cxy,
+            6 => r.cyx,
+            _ => r.cyy,
+        }
+    }
+}
+
 /// The coefficients in order: kxx kxy kyx kyy cxx cxy cyx cyy.
 const NAMES: [&str; 8] = ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"];
 
@@ -66,7 +105,8 @@ const RANGE: &str = "distance of the speed from the middle of the bearing table 
 /// Coefficients over speed; a coefficient without a column is zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    columns: [Option<Interpolant>; 8],
+    speeds: Knots,
+    rows: Vec<TableRow>,
     beyond: Beyond,
 }
 
@@ -74,9 +114,11 @@ impl Table {
     /// From increasing speeds (rad/s, at least two) and columns by coefficient name; every mistake is one sentence.
     pub fn new(speed: &[f64], column: impl Fn(&str) -> Option<Vec<f64>>) -> Result<Self, Vec<Text>> {
         let mut wrong = Vec::new();
+        let speeds = Knots::new(speed);
         if speed.len() < 2 {
             wrong.push(text!("a table over speed has at least two rows; for one speed give the coefficients themselves"));
-        } else if let Err(error) = Interpolant::new(speed, &vec![0.0; speed.len()]) {
+        } else if let Err(error) = &speeds {
+            let error = *error;
             wrong.push(match error {
                 TableError::NotIncreasing(row) => {
                     let shown = |w: f64| text::quantity(w, "rad/s");
@@ -91,7 +133,7 @@ impl Table {
             });
         }
         let columns = NAMES.map(|name| {
-            let values = column(name)?;
+            let Some(values) = column(name) else { return Some(vec![0.0; speed.len()]) };
             if values.len() != speed.len() {
                 wrong.push(text!(
                     "column {name} has {values} rows and column speed has {speed}",
@@ -101,28 +143,32 @@ impl Table {
                 ));
                 return None;
             }
-            match Interpolant::new(speed, &values) {
-                Ok(f) => Some(f),
-                Err(TableError::NotFinite(row)) if values.get(row).is_some_and(|v| !v.is_finite()) => {
-                    wrong.push(text!("column {name}: row {number} is not a finite number", name, number = row + 1));
-                    None
-                }
-                Err(_) => None, // the speeds, reported above
+            if let Some(row) = values.iter().position(|v| !v.is_finite()) {
+                wrong.push(text!("column {name}: row {number} is not a finite number", name, number = row + 1));
             }
+            Some(values)
         });
-        if wrong.is_empty() { Ok(Table { columns, beyond: Beyond::Refuse }) } else { Err(wrong) }
+        let columns: Option<Vec<Vec<f64>>> = columns.into_iter().collect();
+        let (Ok(speeds), Some(columns), true) = (speeds, columns, wrong.is_empty()) else { return Err(wrong) };
+        let row = |k: usize| TableRowFamily::from_slice(&columns.iter().map(|c| c[k]).collect::<Vec<_>>(), RowCounts::default());
+        Ok(Table { speeds, rows: (0..speed.len()).map(row).collect(), beyond: Beyond::Refuse })
     }
 
     /// The same, continued like this outside its range.
     #[must_use]
     pub fn beyond(self, beyond: Beyond) -> Self {
-        let straight = |f: Interpolant| if beyond == Beyond::Linear { f.straight_outside() } else { f };
-        Table { columns: self.columns.map(|f| f.map(straight)), beyond }
+        let speeds = if beyond == Beyond::Linear { self.speeds.straight_outside() } else { self.speeds };
+        Table { speeds, beyond, ..self }
+    }
+
+    /// Its coefficients as the parameters of a bearing.
+    pub fn params(&self) -> Params<BearingLinear, f64> {
+        Listed { own: BearingLinearParams::new(), rows: self.rows.clone() }
     }
 
     /// First and last speed, rad/s.
     pub fn range(&self) -> (f64, f64) {
-        self.columns.iter().flatten().next().map_or((0.0, 0.0), Interpolant::range)
+        self.speeds.range()
     }
 }
 
@@ -148,7 +194,7 @@ impl BearingLinear {
     pub fn constant(link: Link) -> Self {
         BearingLinear { link, table: None, axial: false }
     }
-    /// With coefficients over speed; the parameters stay at their defaults.
+    /// With coefficients over the speeds of a table; the coefficients themselves are parameters ([`Table::params`]).
     pub fn tabulated(link: Link, table: Table) -> Self {
         BearingLinear { link, table: Some(table), axial: false }
     }
@@ -157,14 +203,19 @@ impl BearingLinear {
         BearingLinear { axial: true, ..self }
     }
     #[inline(always)]
-    fn coefficients<S: Scalar>(&self, p: &BearingLinearParams<S>, speed: S) -> Coefficients<S> {
+    fn coefficients<S: Scalar>(&self, p: &Params<Self, S>, speed: S) -> Coefficients<S> {
         match &self.table {
             None => Coefficients { value: [p.kxx, p.kxy, p.kyx, p.kyy, p.cxx, p.cxy, p.cyx, p.cyy], slope: [S::zero(); 8] },
             Some(table) => {
                 let mut out = Coefficients { value: [S::zero(); 8], slope: [S::zero(); 8] };
-                for (i, column) in table.columns.iter().enumerate() {
-                    if let Some(f) = column {
-                        (out.value[i], out.slope[i]) = f.value_and_slope(speed);
+                for i in 0..NAMES.len() {
+                    let column = Column(&p.rows, i);
+                    let mut empty = true;
+                    for k in 0..p.rows.len() {
+                        empty &= column.at(k).is_nothing();
+                    }
+                    if !empty {
+                        (out.value[i], out.slope[i]) = table.speeds.value_and_slope(&column, speed);
                     }
                 }
                 out
@@ -191,7 +242,7 @@ cyy = "3e4 N s/m"
 "#;
     const DOC: &'static str = "A bearing or seal given by its eight linear coefficients kxx kxy kyx kyy cxx cxy cyx cyy, constant or in a table \
         over speed. The force on the first point is -K d - C d'; kxy > 0 > kyx drives forward whirl.";
-    type Family = BearingLinearFamily;
+    type Family = WithRows<BearingLinearFamily, TableRowFamily>;
     const FIELDS: &'static [Field] = &[
         Field::required("between", FieldKind::Between, "the two points it joins"),
         Field::optional(
@@ -310,6 +361,10 @@ cyy = "3e4 N s/m"
         Physics::Linear
     }
     #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [self.table.as_ref().map_or(0, |t| t.speeds.count()), 0]
+    }
+    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, speed: S, b: &mut Blocks<S>) {
         let k = self.coefficients(p, speed).value;
         for i in 0..2 {
@@ -360,7 +415,7 @@ cyy = "3e4 N s/m"
         if !self.axial && (p.kzz != 0.0 || p.czz != 0.0) {
             return vec![("kzz", text!("this bearing was built without kzz"))];
         }
-        let constants = BearingLinearFamily::to_vec(p);
+        let constants = BearingLinearFamily::to_vec(&p.own);
         if self.table.is_some() && constants[..NAMES.len()].iter().any(|x| *x != 0.0) {
             return vec![("table", text!("the coefficients come from the table: a constant beside it has no effect"))];
         }
@@ -419,7 +474,7 @@ mod tests {
         let p = BearingLinearParams { kxx: 1.0, kxy: 2.0, kyx: 3.0, kyy: 4.0, cxx: 5.0, cxy: 6.0, cyx: 7.0, cyy: 8.0, kzz: 0.0, czz: 0.0 };
         let mut b = Blocks::default();
         b.reset(2, 0, 100.0);
-        BearingLinear::constant(link()).linear(&p, 100.0, &mut b);
+        BearingLinear::constant(link()).linear(&p.into(), 100.0, &mut b);
         let z = local_stiffness(&b, c(0.0, 10.0)).unwrap();
         assert_eq!((z[(0, 1)], z[(1, 0)]), (c(2.0, 60.0), c(3.0, 70.0)));
         assert_eq!((z[(0, 0)], z[(1, 1)]), (c(1.0, 50.0), c(4.0, 80.0)));
@@ -433,7 +488,7 @@ mod tests {
         for (direction, sign) in [(1.0, 1.0), (-1.0, -1.0)] {
             let (q, v) = ([1e-3, 0.0], [0.0, direction * 1e-3 * 200.0]);
             let at = At { q: &q, v: &v, a: &[0.0; 2], z: &[], phase: 0.0, speed: 300.0, spin_accel: 0.0, t: 0.0 };
-            let e = bearing.energy(&p, &at).unwrap();
+            let e = bearing.energy(&p.into(), &at).unwrap();
             let per_turn = e.supplied * std::f64::consts::TAU / 200.0;
             assert!((per_turn - sign * std::f64::consts::PI * 1e-6 * 4e5).abs() < 1e-12);
         }
@@ -444,7 +499,7 @@ mod tests {
     fn between_its_rows_a_table_is_the_cubic_that_its_documentation_names() {
         let field = BearingLinear::FIELDS.iter().find(|f| f.name == "table").unwrap();
         assert!(field.doc.contains("monotone cubic") && field.doc.contains("PCHIP"), "{}", field.doc);
-        let kxx = |speed: f64| BearingLinear::tabulated(link(), table()).coefficients(&BearingLinearParams::new(), speed).value[0];
+        let kxx = |speed: f64| BearingLinear::tabulated(link(), table()).coefficients(&table().params(), speed).value[0];
         let (d0, d1, h) = (2e6 / 150.0, 1e6 / 150.0, 150.0);
         let (s1, s2) = (6.0 * h / (3.0 * h / d0 + 3.0 * h / d1), 0.0);
         // cubic Hermite in the middle of the second interval
@@ -459,7 +514,7 @@ mod tests {
     #[test]
     fn a_table_is_exact_at_its_rows_and_marks_speeds_outside() {
         let bearing = BearingLinear::tabulated(link(), table());
-        let p = BearingLinearParams::new();
+        let p = table().params();
         for (speed, kxx, inside) in [(200.0, 3e6, true), (600.0, 3.5e6, true), (900.0, 3.5e6, false), (49.0, 1e6, false)] {
             assert!((bearing.coefficients(&p, speed).value[0] - kxx).abs() < 1e-6);
             let at = At { q: &[0.0; 2], v: &[0.0; 2], a: &[0.0; 2], z: &[], phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
@@ -519,7 +574,7 @@ mod tests {
 
     #[test]
     fn beyond_its_ends_a_table_holds_or_goes_straight_on() {
-        let p = BearingLinearParams::new();
+        let p = table().params();
         let kxx = |beyond, speed| BearingLinear::tabulated(link(), table().beyond(beyond)).coefficients(&p, speed);
         let end = kxx(Beyond::Hold, 600.0 - 1e-6).slope[0];
         let (held, straight) = (kxx(Beyond::Hold, 700.0), kxx(Beyond::Linear, 700.0));
@@ -541,9 +596,9 @@ crate::conformance! {
             Options::default();
         axial: BearingLinear::constant(tests::link()).axial(), BearingLinearParams { kxx: 1e6, kyy: 1e6, kzz: 2e5, czz: 90.0, ..BearingLinearParams::new() },
             Options::default();
-        tabulated: BearingLinear::tabulated(tests::link(), tests::table()), BearingLinearParams::new(),
-            Options { speed: 650.0, ..Options::anisotropic() };
-        straight_on: BearingLinear::tabulated(tests::link(), tests::table().beyond(Beyond::Linear)), BearingLinearParams::new(),
-            Options { speed: 650.0, ..Options::anisotropic() };
+        tabulated: BearingLinear::tabulated(tests::link(), tests::table()), tests::table().params(),
+            Options { speed: 630.0, ..Options::anisotropic() };
+        straight_on: BearingLinear::tabulated(tests::link(), tests::table().beyond(Beyond::Linear)), tests::table().params(),
+            Options { speed: 630.0, ..Options::anisotropic() };
     }
 }

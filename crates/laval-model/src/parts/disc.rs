@@ -33,6 +33,7 @@ use crate::model::blocks::{Blocks, rotating};
 use crate::model::capability::body::{BodyParameters, BodyPart};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::params::{RowCounts, RowFamily, WithRows};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, PortKind, Validity};
 use crate::params;
 use crate::parts::speed_ratio::SPIN;
@@ -60,15 +61,17 @@ params! {
 /// Largest tilt, rad, whose square is left out.
 const SMALL: f64 = 0.1;
 
-/// An unbalance in a plane of its own.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Unbalance {
-    /// kg m.
-    size: f64,
-    /// Direction from the key mark, rad.
-    phase: f64,
-    /// Height above the reference point, m.
-    at: f64,
+params! {
+    /// An unbalance of a [`Disc`] in a plane of its own.
+    pub struct UnbalanceParams in UnbalanceFamily {
+        unbalance: scalar, "kg m", Bounds::up_to(1e4), required, "size";
+        phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction from the key mark";
+        at: scalar, "m", Bounds::within(100.0), default 0.0, "height of its plane above the reference point, for a disc that tilts";
+    }
+}
+
+impl RowFamily for UnbalanceFamily {
+    const LIST: &'static str = "unbalances";
 }
 
 /// See the [module](self).
@@ -80,13 +83,14 @@ pub struct Disc {
     on: Option<Attach>,
     /// The part that gives the ratio of its spin.
     spin: Option<String>,
-    unbalances: Vec<Unbalance>,
+    /// How many unbalances it has in planes of their own.
+    unbalances: usize,
 }
 
 impl Disc {
     /// Two coordinates: x, y.
     pub fn planar() -> Self {
-        Disc { tilts: false, along: [false; 2], on: None, spin: None, unbalances: Vec::new() }
+        Disc { tilts: false, along: [false; 2], on: None, spin: None, unbalances: 0 }
     }
     /// Four coordinates: x, y and tilt; needs the inertias.
     pub fn tilting() -> Self {
@@ -111,28 +115,27 @@ impl Disc {
     pub fn spin(self, name: impl Into<String>) -> Self {
         Disc { spin: Some(name.into()), ..self }
     }
-    /// With one more unbalance (kg m) in this direction from the key mark (rad), at this height above the reference point (m).
-    pub fn unbalanced(mut self, size: f64, phase: f64, at: f64) -> Self {
-        self.unbalances.push(Unbalance { size, phase, at });
-        self
+    /// With so many unbalances in planes of their own; they are rows of its parameters.
+    pub fn unbalanced(self, unbalances: usize) -> Self {
+        Disc { unbalances, ..self }
     }
     /// `U` at a spin angle.
     #[inline(always)]
-    fn turning<S: Scalar>(&self, p: &DiscParams<S>, phase: S) -> Complex<S> {
+    fn turning<S: Scalar>(&self, p: &Params<Self, S>, phase: S) -> Complex<S> {
         let mut sum = Complex::cis(phase + p.eccentricity_phase).scale(p.mass * p.eccentricity + p.unbalance);
-        for u in &self.unbalances {
-            sum += Complex::cis(phase + S::cst(u.phase)).scale(S::cst(u.size));
+        for u in &p.rows {
+            sum += Complex::cis(phase + u.phase).scale(u.unbalance);
         }
         sum
     }
     /// `Im(conj(u) z')` of all unbalances, each with the motion (rate or acceleration) of its own height.
     #[inline(always)]
-    fn carried<S: Scalar>(&self, p: &DiscParams<S>, phase: S, motion: &[S]) -> S {
+    fn carried<S: Scalar>(&self, p: &Params<Self, S>, phase: S, motion: &[S]) -> S {
         let own = Complex::cis(phase + p.eccentricity_phase).scale(p.mass * p.eccentricity + p.unbalance);
         let mut sum = (own.conj() * self.centre(p.centre_of_mass, motion)).im;
-        for u in &self.unbalances {
-            let turning = Complex::cis(phase + S::cst(u.phase)).scale(S::cst(u.size));
-            sum += (turning.conj() * self.centre(S::cst(u.at), motion)).im;
+        for u in &p.rows {
+            let turning = Complex::cis(phase + u.phase).scale(u.unbalance);
+            sum += (turning.conj() * self.centre(u.at, motion)).im;
         }
         sum
     }
@@ -163,7 +166,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
 "#;
     const DOC: &'static str = "A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling \
         and dynamic unbalance. Other parts attach to it.";
-    type Family = DiscFamily;
+    type Family = WithRows<DiscFamily, UnbalanceFamily>;
     const FIELDS: &'static [Field] = &[
         Field::optional(
             "on",
@@ -183,7 +186,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
             "unbalances",
             FieldKind::Columns(UNBALANCES),
             "",
-            "several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights; a study that varies parameters leaves them as they are",
+            "several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights",
         ),
     ];
 
@@ -191,7 +194,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
         let tilts = values.number("diametral_inertia").is_some_and(|x| x > 0.0);
         let along = ["axial", "torsional"].map(|name| values.flag(name) == Some(true));
         let on = values.attach("on").filter(|a| a.body.is_some());
-        let disc = Disc { tilts, along, on, spin: values.text("spin").map(str::to_string), unbalances: Vec::new() };
+        let disc = Disc { tilts, along, on, spin: values.text("spin").map(str::to_string), unbalances: 0 };
         if let (Some(_), Some(name)) = (&disc.on, ["axial", "torsional"].into_iter().find(|n| values.written(n))) {
             diagnostics.push(
                 Diagnostic::error("disc.on", text!("{name} has no effect on a disc that another body carries", name))
@@ -223,7 +226,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
             );
             return None;
         }
-        Some((0..sizes.len()).fold(disc, |disc, k| disc.unbalanced(sizes[k], entry("phase", k), entry("at", k))))
+        Some(disc.unbalanced(sizes.len()))
     }
 
     #[inline(never)]
@@ -248,6 +251,10 @@ skew = "0.1 mrad"                   # dynamic unbalance
     fn physics(&self) -> Physics {
         Physics::Linear
     }
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [self.unbalances, 0]
+    }
 
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _speed: S, b: &mut Blocks<S>) {
@@ -256,8 +263,8 @@ skew = "0.1 mrad"                   # dynamic unbalance
         b.mass[(1, 1)] = p.mass;
         let static_unbalance = rotating(p.mass * p.eccentricity + p.unbalance, p.eccentricity_phase);
         b.add_rotating([(0, one), (1, one)], static_unbalance, one, one);
-        for u in &self.unbalances {
-            let (own, z) = (rotating(S::cst(u.size), S::cst(u.phase)), S::cst(u.at));
+        for u in &p.rows {
+            let (own, z) = (rotating(u.unbalance, u.phase), u.at);
             b.add_rotating([(0, one), (1, one)], own, one, one);
             if self.tilts {
                 b.add_rotating([(3, z), (2, -z)], own, one, one);
@@ -357,6 +364,9 @@ skew = "0.1 mrad"                   # dynamic unbalance
             let field = if p.skew != 0.0 { "skew" } else { "centre_of_mass" };
             wrong.push((field, text!("{field} acts on the tilt, and this disc does not tilt: give diametral_inertia as well", field)));
         }
+        if !self.tilts && p.rows.iter().any(|u| u.at != 0.0) {
+            wrong.push(("unbalances", text!("the height of an unbalance acts on the tilt, and this disc does not tilt")));
+        }
         wrong
     }
     fn body(&self) -> Option<&dyn erased::BodyPart> {
@@ -389,15 +399,15 @@ impl BodyPart for Disc {
 
 impl Disc {
     #[inline(always)]
-    fn spin_inertia<S: Scalar>(&self, p: &DiscParams<S>) -> S {
+    fn spin_inertia<S: Scalar>(&self, p: &Params<Self, S>) -> S {
         let skew = if self.tilts { (p.diametral_inertia - p.polar_inertia) * p.skew * p.skew } else { S::zero() };
-        if self.unbalances.is_empty() {
+        if p.rows.is_empty() {
             let u = p.mass * p.eccentricity + p.unbalance;
             return p.polar_inertia + u * u / p.mass + skew;
         }
         let mut moment = Complex::zero();
-        for u in &self.unbalances {
-            moment += Complex::cis(S::cst(u.phase)).scale((S::cst(u.at) - p.centre_of_mass).scale(u.size));
+        for u in &p.rows {
+            moment += Complex::cis(u.phase).scale((u.at - p.centre_of_mass) * u.unbalance);
         }
         let pair = if self.tilts { moment.norm_sqr() / p.diametral_inertia } else { S::zero() };
         p.polar_inertia + self.turning(p, S::zero()).norm_sqr() / p.mass + pair + skew
@@ -407,37 +417,44 @@ impl Disc {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::params::Listed;
+
+    /// Size, direction and height of each.
+    pub(super) fn with(own: DiscParams, unbalances: &[[f64; 3]]) -> Params<Disc, f64> {
+        Listed { own, rows: unbalances.iter().map(|&[unbalance, phase, at]| UnbalanceParams { unbalance, phase, at }).collect() }
+    }
 
     #[test]
     fn mistakes_are_reported() {
         let p = DiscParams { diametral_inertia: 0.01, polar_inertia: 0.03, ..DiscParams::new(1.0) };
-        let wrong = Disc::tilting().check(&p);
+        let wrong = Disc::tilting().check(&p.into());
         assert_eq!(wrong[0].0, "polar_inertia");
         assert!(wrong[0].1.contains("above twice its diametral inertia"));
         // a thin disc is at the limit
-        assert!(Disc::tilting().check(&DiscParams { polar_inertia: 0.02, ..p }).is_empty());
+        assert!(Disc::tilting().check(&DiscParams { polar_inertia: 0.02, ..p }.into()).is_empty());
         let skewed = DiscParams { skew: 0.01, ..DiscParams::new(1.0) };
-        assert!(Disc::planar().check(&skewed)[0].1.contains("give diametral_inertia"));
-        assert_eq!(Disc::planar().check(&DiscParams { skew: 0.0, centre_of_mass: 0.1, ..skewed })[0].0, "centre_of_mass");
+        assert!(Disc::planar().check(&skewed.into())[0].1.contains("give diametral_inertia"));
+        assert_eq!(Disc::planar().check(&DiscParams { skew: 0.0, centre_of_mass: 0.1, ..skewed }.into())[0].0, "centre_of_mass");
     }
 
     /// One part whose unbalances stand for eccentricity, unbalance at a height, and a pair in two planes: the same forces.
     #[test]
     fn several_unbalances_are_the_sum_of_each() {
         let p = DiscParams { polar_inertia: 0.02, diametral_inertia: 0.03, centre_of_mass: 0.05, ..DiscParams::new(2.0) };
-        let forces = |disc: Disc, p: &DiscParams| {
+        let forces = |own: DiscParams, unbalances: &[[f64; 3]]| {
+            let p = with(own, unbalances);
             let mut b = Blocks::default();
             b.reset(4, 0, 50.0);
-            disc.linear(p, 50.0, &mut b);
+            Disc::tilting().unbalanced(p.rows.len()).linear(&p, 50.0, &mut b);
             [b.force_cos, b.force_sin, b.spin_accel_cos, b.spin_accel_sin].concat()
         };
         let near = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-13 * (1.0 + b.abs()));
         // at the height of the centre of mass an unbalance is that of the disc itself
-        let own = forces(Disc::tilting(), &DiscParams { unbalance: 3e-4, eccentricity_phase: 0.4, ..p });
-        assert!(near(own, forces(Disc::tilting().unbalanced(1e-4, 0.4, 0.05).unbalanced(2e-4, 0.4, 0.05), &p)));
+        let own = forces(DiscParams { unbalance: 3e-4, eccentricity_phase: 0.4, ..p }, &[]);
+        assert!(near(own, forces(p, &[[1e-4, 0.4, 0.05], [2e-4, 0.4, 0.05]])));
         // equal and opposite in two planes: no force, a moment u W^2 l about the axis a quarter turn from them
         let (u, l) = (2e-4, 0.3);
-        let pair = forces(Disc::tilting().unbalanced(u, 0.0, 0.2).unbalanced(u, std::f64::consts::PI, 0.2 - l), &p);
+        let pair = forces(p, &[[u, 0.0, 0.2], [u, std::f64::consts::PI, 0.2 - l]]);
         let mut want = [0.0; 16];
         // along x at the height z bends about y; sin: along y about -x
         (want[3], want[4 + 2]) = (u * 2500.0 * l, -u * 2500.0 * l);
@@ -454,7 +471,7 @@ mod tests {
                 values.set("diametral_inertia", Value::Number(x), None);
             }
             let disc = Disc::build(&values, &mut ParamValues::default(), &mut d);
-            (disc.map(|d| d.unbalances.len()), d.0.iter().map(|d| d.to_string()).collect::<String>())
+            (disc.map(|d| d.unbalances), d.0.iter().map(|d| d.to_string()).collect::<String>())
         };
         let two = [("unbalance", vec![1e-5, 2e-5]), ("phase", vec![0.1, 0.2])];
         assert_eq!(build(&two, None), (Some(2), String::new()));
@@ -472,7 +489,7 @@ mod tests {
         let blocks = |p: &DiscParams| {
             let mut b = Blocks::default();
             b.reset(2, 0, 50.0);
-            Disc::planar().linear(p, 50.0, &mut b);
+            Disc::planar().linear(&(*p).into(), 50.0, &mut b);
             (b.force_cos, b.force_sin)
         };
         let (x, y) = blocks(&DiscParams { eccentricity: 1e-3, ..base });
@@ -496,14 +513,20 @@ crate::conformance! {
             DiscParams { polar_inertia: 0.02, diametral_inertia: 0.013, unbalance: 3e-4, ..DiscParams::new(2.4) },
             Options::default();
         carried: Disc::planar().on(Attach::on("shaft")), DiscParams { polar_inertia: 0.02, ..DiscParams::new(2.4) }, Options::default();
-        planar_unbalances: Disc::planar().unbalanced(2e-4, 0.3, 0.0).unbalanced(1e-4, 2.0, 0.0),
-            DiscParams { eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscParams::new(2.4) },
+        planar_unbalances: Disc::planar().unbalanced(2),
+            tests::with(
+                DiscParams { eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscParams::new(2.4) },
+                &[[2e-4, 0.3, 0.0], [1e-4, 2.0, 0.0]],
+            ),
             Options::default();
-        tilting_unbalances: Disc::tilting().unbalanced(2e-4, 0.3, 0.1).unbalanced(1e-4, 2.0, -0.07),
-            DiscParams {
-                mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, diametral_inertia: 0.013,
-                skew: 0.0, skew_phase: 0.0, centre_of_mass: 0.06,
-            },
+        tilting_unbalances: Disc::tilting().unbalanced(2),
+            tests::with(
+                DiscParams {
+                    mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, diametral_inertia: 0.013,
+                    skew: 0.0, skew_phase: 0.0, centre_of_mass: 0.06,
+                },
+                &[[2e-4, 0.3, 0.1], [1e-4, 2.0, -0.07]],
+            ),
             Options::default();
     }
 }

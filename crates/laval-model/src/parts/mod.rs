@@ -26,7 +26,7 @@ pub mod stop;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::erased::Erased;
 use crate::model::field::{FieldKind, KindInfo, ParamValues, Value, Values};
-use crate::model::params::Family;
+use crate::model::params::{Family, Parametric as _};
 use crate::model::part::Part;
 use std::sync::Arc;
 
@@ -73,8 +73,8 @@ pub fn registry() -> Vec<PartKind> {
 pub fn kind<P: Part>() -> PartKind {
     let derived = |name: &str| P::FIELDS.iter().any(|f| matches!(f.kind, FieldKind::OneOf(options) if options.iter().any(|o| o.0 == name)));
     let fields = P::FIELDS.iter().chain(P::Family::FIELDS.iter().filter(|f| !derived(f.name))).copied().collect();
-    let rows = (!P::Family::ROW.is_empty()).then_some((P::Family::LIST, P::Family::ROW));
-    PartKind { info: KindInfo { kind: P::KIND, doc: P::DOC, example: P::EXAMPLE, fields, rows }, build: build::<P> }
+    let lists = P::Family::lists();
+    PartKind { info: KindInfo { kind: P::KIND, doc: P::DOC, example: P::EXAMPLE, fields, lists }, build: build::<P> }
 }
 
 fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Built> {
@@ -101,11 +101,14 @@ fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Buil
     let sound = !own.has_errors();
     diagnostics.0.append(&mut own.0);
     let part = built?;
-    let rows = Erased::rows(&part);
-    if let Some(columns) = values.columns(P::Family::LIST) {
-        for (k, slot) in (0..rows).flat_map(|k| P::Family::row_slots().into_iter().map(move |s| (k, s))) {
-            let name = format!("{}[{}].{}", P::Family::LIST, k + 1, slot.name);
-            let given = columns.get(slot.name.as_str()).and_then(|c| c.get(k)).copied();
+    let rows = part.rows();
+    for (list, count) in P::Family::lists().iter().zip(rows) {
+        let columns = values.columns(list.name);
+        for (k, slot) in (0..count).flat_map(|k| list.slots.iter().map(move |s| (k, s))) {
+            let name = list.path(k, &slot.name);
+            let column =
+                if list.bare { values.list(list.name) } else { columns.and_then(|c| c.get(slot.name.as_str())).map(Vec::as_slice) };
+            let given = column.and_then(|c| c.get(k)).copied();
             if let (None, Some(x)) = (params.get(&name), given.or(slot.default)) {
                 params.set(&name, x);
             }
@@ -113,7 +116,7 @@ fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Buil
     }
     let vector: Vec<f64> = P::Family::all_slots(rows).iter().map(|s| params.get(&s.name).unwrap_or(f64::NAN)).collect();
     if sound && vector.iter().all(|x| x.is_finite()) {
-        for (field, message) in part.check(&P::Family::from_slice(&vector)) {
+        for (field, message) in part.check(&part.given(&vector)) {
             diagnostics.push(Diagnostic::error("part.check", message).at(values.span_of(field)));
         }
     }

@@ -29,11 +29,12 @@ use crate::model::blocks::Blocks;
 use crate::model::capability::SpinDrive;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::params::{RowCounts, RowFamily, WithRows};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
 use crate::text;
 use crate::text::Text;
-use laval_num::interpolate::Interpolant;
+use laval_num::interpolate::{Interpolant, Knots, Ordinates};
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
@@ -49,6 +50,26 @@ params! {
     }
 }
 
+params! {
+    /// A row of the table of a [`Motor`].
+    pub struct TorqueRow in TorqueRowFamily {
+        share: scalar, "", Bounds::within(1e9), required, "torque there over torque";
+    }
+}
+
+impl RowFamily for TorqueRowFamily {
+    const LIST: &'static str = "table";
+}
+
+struct Shares<'a, S>(&'a [TorqueRow<S>]);
+
+impl<S: Scalar> Ordinates<S> for Shares<'_, S> {
+    #[inline(always)]
+    fn at(&self, row: usize) -> S {
+        self.0[row].share
+    }
+}
+
 /// Torque against speed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Curve {
@@ -60,8 +81,8 @@ pub enum Curve {
     SquirrelCage,
     /// Constant torque up to a power, constant power above.
     LimitedPower,
-    /// Through points.
-    Table(Interpolant),
+    /// Through points at these speeds, whose shares are parameters.
+    Table(Knots),
 }
 
 /// See the [module](self).
@@ -76,7 +97,7 @@ impl Motor {
     }
     /// Torque at a speed, N m.
     #[inline(always)]
-    pub fn torque<S: Scalar>(&self, p: &MotorParams<S>, speed: S) -> S {
+    pub fn torque<S: Scalar>(&self, p: &Params<Self, S>, speed: S) -> S {
         match &self.curve {
             // 0 times the speed: one that is not a number is not hidden
             Curve::Constant => p.torque + speed.scale(0.0),
@@ -90,7 +111,7 @@ impl Motor {
                 let over = w * p.torque - p.power;
                 over.select_pos(p.power / over.select_pos(w, S::one()), p.torque) + over.scale(0.0)
             }
-            Curve::Table(f) => p.torque * f.value_and_slope(speed).0,
+            Curve::Table(f) => p.torque * f.value_and_slope(&Shares(&p.rows), speed).0,
         }
     }
 }
@@ -108,7 +129,7 @@ inertia = "0.02 kg m^2"
 "#;
     const DOC: &'static str = "A motor with a torque curve: constant, linear, squirrel cage, limited power or a table. With drive = \"free\" in the machine the \
         speed follows from its torque and what the vibration takes, so that it may be caught at a resonance.";
-    type Family = MotorFamily;
+    type Family = WithRows<MotorFamily, TorqueRowFamily>;
     const FIELDS: &'static [Field] = &[
         Field::optional(
             "curve",
@@ -152,7 +173,8 @@ inertia = "0.02 kg m^2"
             }
             ("table", Some(columns)) => {
                 let column = |name: &str| columns.get(name).map_or(&[][..], Vec::as_slice);
-                match Interpolant::new(column("speed"), column("share")) {
+                // lengths and numbers as well as the speeds
+                match Interpolant::new(column("speed"), column("share")).and_then(|_| Knots::new(column("speed"))) {
                     Ok(f) => Curve::Table(f),
                     Err(e) => {
                         refuse(
@@ -190,6 +212,10 @@ inertia = "0.02 kg m^2"
     /// Nothing but a share of the spin row.
     fn physics(&self) -> Physics {
         Physics::Linear
+    }
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [if let Curve::Table(f) = &self.curve { f.count() } else { 0 }, 0]
     }
     #[inline(always)]
     fn linear<S: Scalar>(&self, _: &Params<Self, S>, _: S, _: &mut Blocks<S>) {}
@@ -241,9 +267,13 @@ impl SpinDrive for Motor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::params::Listed;
 
     pub(super) fn table() -> Curve {
-        Curve::Table(Interpolant::new(&[0.0, 200.0, 700.0], &[0.5, 1.0, 0.1]).unwrap())
+        Curve::Table(Knots::new(&[0.0, 200.0, 700.0]).unwrap())
+    }
+    pub(super) fn tabulated() -> Listed<MotorParams, TorqueRow> {
+        Listed { own: params(), rows: [0.5, 1.0, 0.1].map(TorqueRow::new).to_vec() }
     }
 
     pub(super) fn params() -> MotorParams {
@@ -252,7 +282,7 @@ mod tests {
 
     #[test]
     fn curves_have_their_marks() {
-        let p = params();
+        let p = tabulated();
         let at = |curve: Curve, w: f64| Motor::new(curve).torque(&p, w);
         assert_eq!(at(Curve::Constant, 123.0), 3.0);
         assert_eq!((at(Curve::Linear, 0.0), at(Curve::Linear, 400.0), at(Curve::Linear, 800.0)), (3.0, 1.5, 0.0));
@@ -296,8 +326,8 @@ mod mistakes {
         assert!(reported("table", table([1.0, 1.0]), &[]).contains("row"));
         assert_eq!(reported("table", table([0.0, 1.0]), &[]), "");
         let p = MotorParams { torque: -1.0, ..tests::params() };
-        assert_eq!(Motor::new(Curve::LimitedPower).check(&p)[0].0, "power");
-        assert_eq!(Motor::new(Curve::Linear).check(&MotorParams { synchronous_speed: 0.0, ..p })[0].0, "synchronous_speed");
+        assert_eq!(Motor::new(Curve::LimitedPower).check(&p.into())[0].0, "power");
+        assert_eq!(Motor::new(Curve::Linear).check(&MotorParams { synchronous_speed: 0.0, ..p }.into())[0].0, "synchronous_speed");
     }
 }
 
@@ -307,6 +337,6 @@ crate::conformance! {
         linear: Motor::new(Curve::Linear), tests::params(), Options::default();
         squirrel_cage: Motor::new(Curve::SquirrelCage), tests::params(), Options::default();
         limited_power: Motor::new(Curve::LimitedPower), tests::params(), Options::default();
-        table: Motor::new(tests::table()), tests::params(), Options::default();
+        table: Motor::new(tests::table()), tests::tabulated(), Options::default();
     }
 }

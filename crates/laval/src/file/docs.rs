@@ -2,6 +2,7 @@
 
 use super::writer::quoted;
 use crate::model::field::{Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo, MOST_POINTS};
+use crate::model::params::List;
 use crate::units::{describe, examples, write_number, write_si};
 use std::fmt::Write as _;
 
@@ -229,12 +230,21 @@ pub fn text(what: &str, kind: &KindInfo, width: usize) -> String {
         let _ = writeln!(out, "      {}", wrap(f.doc, 6, width));
         let _ = writeln!(out, "      {}", wrap(&takes(f), 6, width));
     }
+    for list in &kind.lists {
+        let _ = write!(out, "\nParameters in the rows of {}\n  {}\n", list.name, wrap(&rows(list, ""), 2, width));
+    }
     out.push_str("\nExample\n");
     let example = example(what, kind);
     for line in example.lines() {
         let _ = writeln!(out, "  {line}");
     }
     out
+}
+
+/// What studies vary in the rows of a list; each path between quotes.
+fn rows(list: &List, quote: &str) -> String {
+    let all: Vec<String> = list.slots.iter().map(|s| format!("{quote}{}{quote}", list.path(0, &s.name))).collect();
+    format!("{}. Rows are numbered from 1.", all.join(", "))
 }
 
 /// The `[machine]` block in the form of a kind, for [`text`] and [`markdown`] with `what` = `machine`.
@@ -244,7 +254,7 @@ pub fn machine() -> KindInfo {
         doc: "What belongs to the machine as a whole. A file has this block once, with single brackets; every key may be left out.",
         example: "name = \"oil separator\"\nspeed = \"3000 rpm\"\naxis = \"vertical\"                   # or \"horizontal\": gravity then points to -y\n",
         fields: super::MACHINE_FIELDS.to_vec(),
-        rows: None,
+        lists: Vec::new(),
     }
 }
 
@@ -258,6 +268,9 @@ pub fn markdown(what: &str, kind: &KindInfo) -> String {
             let _ = writeln!(out, "| `{}` | {} | {} | {} |", f.name, cell(f.doc), cell(&takes(f)), cell(&presence(f)));
         }
         out.push('\n');
+    }
+    for list in &kind.lists {
+        let _ = write!(out, "Parameters in the rows of `{}`: {}\n\n", list.name, rows(list, "`"));
     }
     let example = example(what, kind);
     let _ = write!(out, "```toml\n{example}```\n");

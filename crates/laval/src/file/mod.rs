@@ -209,15 +209,7 @@ pub const MACHINE_FIELDS: &[Field] = &[
 /// The scalar that a parameter path of a block (`free_surface_radius`, `stiffness.x`) names: its unit and bounds.
 pub(crate) fn parameter_of(kind: &KindInfo, path: &str) -> Option<(&'static str, Bounds)> {
     // of a row of a list: section[3].outer_diameter
-    let row = || {
-        let (list, fields) = kind.rows?;
-        let (number, name) = path.strip_prefix(list)?.strip_prefix('[')?.split_once("].")?;
-        let numbered = number.parse::<usize>().is_ok_and(|n| n > 0);
-        fields.iter().find_map(|f| match f.kind {
-            FieldKind::Quantity { unit, bounds } if numbered && f.name == name => Some((unit, bounds)),
-            _ => None,
-        })
-    };
+    let row = || kind.lists.iter().find_map(|list| list.find(path)).map(|slot| (slot.unit, slot.bounds));
     let field = |f: &Field| match f.kind {
         FieldKind::Quantity { unit, bounds } if f.name == path => Some((unit, bounds)),
         FieldKind::Lateral { unit, bounds } => {
@@ -233,7 +225,7 @@ pub(crate) fn parameter_of(kind: &KindInfo, path: &str) -> Option<(&'static str,
     kind.fields.iter().find_map(field).or_else(row)
 }
 
-/// All parameter paths of a kind; of a list those of its first row.
+/// All parameter paths of a kind; of lists those of their first rows.
 pub(crate) fn parameters_of(kind: &KindInfo) -> Vec<String> {
     let mut out = Vec::new();
     for f in &kind.fields {
@@ -243,7 +235,7 @@ pub(crate) fn parameters_of(kind: &KindInfo) -> Vec<String> {
             _ => {}
         }
     }
-    let rows = kind.rows.into_iter().flat_map(|(list, fields)| fields.iter().map(move |f| format!("{list}[1].{}", f.name)));
+    let rows = kind.lists.iter().flat_map(|list| list.slots.iter().map(move |s| list.path(0, &s.name)));
     out.into_iter().chain(rows).collect()
 }
 

@@ -5,6 +5,7 @@ use super::values::{Context, clip, subject, suggestion};
 use super::{parameter_of, parameters_of};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::model::field::{Attach, Bounds, Field, RangeValue, Value};
+use crate::model::params::List;
 use crate::text;
 
 /// The SI unit in which each entry of a table of values was given; none for a bare number.
@@ -117,7 +118,24 @@ impl Context<'_> {
         if let Some(p) = parameter_of(info, rest) {
             return Some(Some(p));
         }
-        if let Some(list) = Field::list_of(&info.fields, rest).filter(|l| info.rows.is_none_or(|r| r.0 != l.name)) {
+        let of_parameters = Field::list_of(&info.fields, rest).and_then(|f| info.lists.iter().find(|l| l.name == f.name));
+        // a row that has a number, and another mistake
+        let numbered = |list: &List| {
+            let number = rest.strip_prefix(list.name).and_then(|r| r.strip_prefix('[')?.split_once(']'));
+            number.is_some_and(|n| n.0.parse::<usize>().is_ok_and(|n| n > 0))
+        };
+        if let Some(list) = of_parameters.filter(|l| !numbered(l)) {
+            let message = text!(
+                "{who} is {path}, but \"{name}\" is a list, whose rows are numbered from 1",
+                who = subject(self.who, field),
+                path = text::quoted(&clip(path)),
+                name = list.name
+            );
+            let help = text!("parameters of a {kind}: {all}", kind, all = parameters_of(info).join(", "));
+            self.error("parameter.unknown", node.span.clone(), message, text!("a list, no parameter"), help);
+            return None;
+        }
+        if let Some(list) = Field::list_of(&info.fields, rest).filter(|_| of_parameters.is_none()) {
             let message = text!(
                 "{who} is {path}, but \"{name}\" is a list: studies hold its values",
                 who = subject(self.who, field),

@@ -25,7 +25,7 @@ pub fn blocks() -> Vec<BlockKind> {
     let one = |word, doc, example, fields: &[Field]| BlockInfo {
         word,
         several: false,
-        kinds: vec![KindInfo { kind: word, doc, example, fields: fields.to_vec(), rows: None }],
+        kinds: vec![KindInfo { kind: word, doc, example, fields: fields.to_vec(), lists: Vec::new() }],
     };
     let cups = BlockInfo { word: "cup", several: true, kinds: cups::cup_kinds() };
     let none = |_: &Extra, _: &System| None;

@@ -170,7 +170,7 @@ pub struct StudyKind {
 /// The registry entry of a study.
 pub fn kind<T: Study>() -> StudyKind {
     StudyKind {
-        info: KindInfo { kind: T::KIND, doc: T::DOC, example: T::EXAMPLE, fields: T::FIELDS.to_vec(), rows: None },
+        info: KindInfo { kind: T::KIND, doc: T::DOC, example: T::EXAMPLE, fields: T::FIELDS.to_vec(), lists: Vec::new() },
         build: |values, system, diagnostics| {
             let study = T::build(values, system, diagnostics)?;
             Some(Box::new(Written { study, speeds: speed_range::place(values) }) as Box<dyn ErasedStudy>)

@@ -20,6 +20,7 @@ mod overview;
 mod parts_physics;
 mod pure_tilt;
 mod response;
+mod rows_of_lists;
 mod sensitivity;
 mod several_unbalances;
 mod shapes;

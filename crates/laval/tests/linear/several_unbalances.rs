@@ -106,9 +106,9 @@ const VARYING: &[(&str, &str, &str)] = &[
     ("optimum", "vary", "study = { kind = \"modes\" }\nmaximise = \"x\"\nvary = [{ parameter = \"PATH\", from = 1, to = 2 }]"),
 ];
 
-/// Entries of `unbalances` are no parameters: a study that names one is refused at its place in words that say why, and what it can vary.
+/// Unbalances are varied by the number of their row: a study that names one otherwise is refused at its place in words that say how, and what it can vary.
 #[test]
-fn entries_of_a_list_are_refused_by_every_study_that_varies_parameters() {
+fn rows_of_a_list_are_named_by_number_in_every_study_that_varies_parameters() {
     let varies = |f: &&Field| {
         matches!(f.kind, FieldKind::ParameterPath | FieldKind::ParameterRange | FieldKind::ParameterRanges | FieldKind::Tolerances)
     };
@@ -125,7 +125,8 @@ fn entries_of_a_list_are_refused_by_every_study_that_varies_parameters() {
         let [d] = errors[..] else { panic!("{kind} {path}: {reported:?}") };
         assert_eq!(d.code, "parameter.unknown", "{kind}: {d:?}");
         assert!(d.message.contains(path) && d.message.contains("\"unbalances\" is a list"), "{kind}: {}", d.message);
-        assert!(d.help.as_deref().is_some_and(|h| h.contains("eccentricity_phase")), "{kind}: {:?}", d.help);
+        let says = |what: &str| d.help.as_deref().is_some_and(|h| h.contains(what));
+        assert!(says("unbalances[1].phase") && says("eccentricity_phase"), "{kind}: {:?}", d.help);
         let place = d.span.clone().map(|s| text[s.start..s.end].to_string()).unwrap_or_default();
         assert!(place.contains(path), "{kind}: {place}");
     };
@@ -140,7 +141,8 @@ fn entries_of_a_list_are_refused_by_every_study_that_varies_parameters() {
         "speed = { from = 100, to = 900 }\nuncertain = { \"rotor.unbalances.1.phase\" = 0.1 }".into(),
         "rotor.unbalances.1.phase",
     );
-    // the one that is a parameter is varied
-    let one = VARYING[0].2.replace("PATH", "rotor.unbalance");
-    assert!(load(&format!("{machine}kind = \"stability_map\"\n{one}\n")).is_ok());
+    for path in ["rotor.unbalance", "rotor.unbalances[2].unbalance"] {
+        let one = VARYING[0].2.replace("PATH", path);
+        assert!(load(&format!("{machine}kind = \"stability_map\"\n{one}\n")).is_ok(), "{path}");
+    }
 }

@@ -60,6 +60,8 @@ diag-parameters-of-7bbb = parameters of "{ $part }": { $near } ({ $other })
 diag-there-is-no-parameter-of-has-463f = there is no parameter "{ $path }": { $name } of "{ $part }" has one row
 diag-there-is-no-parameter-of-has-193c = there is no parameter "{ $path }": { $name } of "{ $part }" has { $count } rows
 diag-rows-are-numbered-from-1-parameters-b396 = rows are numbered from 1; parameters of the last: { $near }
+diag-is-no-parameter-is-a-list-4dcc = "{ $path }" is no parameter: "{ $name }" is a list, whose rows are numbered from 1
+diag-there-is-no-parameter-is-given-8dab = there is no parameter "{ $path }": "{ $part }" is given without { $name }
 diag-is-no-parameter-is-a-list-51d9 = "{ $path }" is no parameter: "{ $name }" is a list, and studies hold its values
 diag-there-is-no-parameter-e472 = there is no parameter "{ $path }"
 
@@ -249,12 +251,12 @@ diag-limited-power-needs-a-torque-and-2f00 = limited power needs a torque and a 
 
 ## laval-model/src/parts/shaft/layer.rs
 
-diag-layer-goes-from-to-e940 = layer { $number } goes from { $from } to { $to }
-diag-it-lies-on-the-shaft-from-d944 = it lies on the shaft, from its lower to its upper end: between 0 and { $length }
 diag-layer-the-inner-diameter-must-be-f017 = layer { $number }: the inner diameter must be less than the outer one
 diag-inner-diameter-is-that-of-the-d9f3 = inner_diameter is that of the shaft under a sleeve
 diag-layer-has-no-material-modulus-shear-103d = layer { $number } has no material: modulus, shear_modulus and density are those of a solid, and stiffness is a share from 0 to 1
 diag-leave-out-what-it-has-in-944a = leave out what it has in common with the shaft; stiffness = 0 is a layer with mass alone
+diag-layer-goes-from-to-e940 = layer { $number } goes from { $from } to { $to }
+diag-it-lies-on-the-shaft-from-d944 = it lies on the shaft, from its lower to its upper end: between 0 and { $length }
 
 ## laval-model/src/parts/shaft/mod.rs
 
@@ -788,12 +790,13 @@ diag-the-same-point-twice-e8b6 = the same point twice
 diag-is-but-no-part-is-named-3d65 = { $who } is { $path }, but no part is named { $block }
 diag-parts-of-this-file-001d = parts of this file: { $all }
 diag-no-such-part-f861 = no such part
+diag-is-but-is-a-list-whose-f379 = { $who } is { $path }, but "{ $name }" is a list, whose rows are numbered from 1
+diag-parameters-of-a-0768 = parameters of a { $kind }: { $all }
+diag-a-list-no-parameter-e77d = a list, no parameter
 diag-is-but-is-a-list-studies-307e = { $who } is { $path }, but "{ $name }" is a list: studies hold its values
 diag-studies-vary-single-numbers-parameters-of-2b8a = studies vary single numbers; parameters of a { $kind }: { $all }
-diag-a-list-no-parameter-e77d = a list, no parameter
 diag-names-the-part-and-none-of-5c03 = { $who } names the part { $block } and none of its parameters
 diag-is-but-a-has-no-parameter-d1e5 = { $who } is { $path }, but a { $kind } has no parameter { $rest }
-diag-parameters-of-a-0768 = parameters of a { $kind }: { $all }
 diag-no-such-parameter-4b6b = no such parameter
 diag-write-0abe = write {"{"} parameter = "part.parameter", from = .., to = .., points = .. {"}"}
 diag-the-range-of-a-parameter-5b06 = the range of a parameter

@@ -20,7 +20,6 @@ pub trait AddedInertia: Parametric {
 
 /// The object-safe face.
 pub mod erased {
-    use super::super::super::params::Family;
     use super::Removed;
 
     /// See the [trait of the author](super::AddedInertia).
@@ -31,7 +30,7 @@ pub mod erased {
 
     impl<T: super::AddedInertia> AddedInertia for T {
         fn removed(&self, p: &[f64]) -> Option<Removed> {
-            super::AddedInertia::removed(self, &T::Family::from_slice(p))
+            super::AddedInertia::removed(self, &self.given(p))
         }
     }
 }

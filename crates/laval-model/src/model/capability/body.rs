@@ -53,7 +53,6 @@ pub trait BodyPart: Parametric {
 /// The object-safe face.
 pub mod erased {
     use super::super::super::erased::Erased;
-    use super::super::super::params::Family;
     use super::BodyParameters;
     use std::sync::Arc;
 
@@ -72,13 +71,13 @@ pub mod erased {
 
     impl<T: super::BodyPart> BodyPart for T {
         fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 6]> {
-            super::BodyPart::shape(self, &T::Family::from_slice(p), position)
+            super::BodyPart::shape(self, &self.given(p), position)
         }
         fn nodes(&self) -> Option<Vec<f64>> {
             super::BodyPart::nodes(self)
         }
         fn profile(&self, p: &[f64]) -> Vec<[f64; 4]> {
-            super::BodyPart::profile(self, &T::Family::from_slice(p))
+            super::BodyPart::profile(self, &self.given(p))
         }
         fn turns(&self) -> bool {
             super::BodyPart::turns(self)
@@ -87,7 +86,7 @@ pub mod erased {
             super::BodyPart::divided(self, positions)
         }
         fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str> {
-            super::BodyPart::lacks_spin_inertia(self, &T::Family::from_slice(p))
+            super::BodyPart::lacks_spin_inertia(self, &self.given(p))
         }
         fn without_tilt(&self) -> Option<&'static str> {
             super::BodyPart::without_tilt(self)

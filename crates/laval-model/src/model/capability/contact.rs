@@ -22,7 +22,6 @@ pub trait Contacts: Parametric {
 /// The object-safe face.
 pub mod erased {
     use super::super::super::context::At;
-    use super::super::super::params::Family;
     use crate::text::Text;
 
     /// See the [trait of the author](super::Contacts).
@@ -35,13 +34,13 @@ pub mod erased {
 
     impl<T: super::Contacts> Contacts for T {
         fn clearance(&self, p: &[f64], at: &At<f64>) -> Option<f64> {
-            super::Contacts::clearance(self, &T::Family::from_slice(p), at)
+            super::Contacts::clearance(self, &self.given(p), at)
         }
         fn refuses_rest(&self, p: &[f64]) -> Option<Text> {
-            super::Contacts::refuses_rest(self, &T::Family::from_slice(p))
+            super::Contacts::refuses_rest(self, &self.given(p))
         }
         fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>) {
-            super::Contacts::switches(self, &T::Family::from_slice(p), at, out);
+            super::Contacts::switches(self, &self.given(p), at, out);
         }
     }
 }

@@ -10,7 +10,6 @@ pub trait SpinDrive: Parametric {
 
 /// The object-safe face.
 pub mod erased {
-    use super::super::super::params::Family;
 
     /// See the [trait of the author](super::SpinDrive).
     #[allow(missing_docs)]
@@ -20,7 +19,7 @@ pub mod erased {
 
     impl<T: super::SpinDrive> SpinDrive for T {
         fn torque(&self, p: &[f64], speed: f64) -> f64 {
-            super::SpinDrive::torque(self, &T::Family::from_slice(p), speed)
+            super::SpinDrive::torque(self, &self.given(p), speed)
         }
     }
 }

@@ -48,7 +48,6 @@ pub trait MovableMasses: Parametric {
 /// The object-safe face.
 pub mod erased {
     use super::super::super::context::At;
-    use super::super::super::params::Family;
     use super::{Correction, Outline};
 
     /// See the [trait of the author](super::MovableMasses).
@@ -62,16 +61,16 @@ pub mod erased {
 
     impl<T: super::MovableMasses> MovableMasses for T {
         fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction> {
-            super::MovableMasses::correction(self, &T::Family::from_slice(p), at)
+            super::MovableMasses::correction(self, &self.given(p), at)
         }
         fn places(&self, p: &[f64]) -> Vec<(usize, f64)> {
-            super::MovableMasses::places(self, &T::Family::from_slice(p))
+            super::MovableMasses::places(self, &self.given(p))
         }
         fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>) {
-            super::MovableMasses::grip(self, &T::Family::from_slice(p), at, out);
+            super::MovableMasses::grip(self, &self.given(p), at, out);
         }
         fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline> {
-            super::MovableMasses::outlines(self, &T::Family::from_slice(p), at)
+            super::MovableMasses::outlines(self, &self.given(p), at)
         }
     }
 }

@@ -59,7 +59,6 @@ pub trait Scope: Parametric {
 
 /// The object-safe face.
 pub mod erased {
-    use super::super::super::params::Family;
     use super::{Axis, Tabulated};
     use crate::text::Text;
 
@@ -77,13 +76,13 @@ pub mod erased {
             super::Scope::tabulated(self)
         }
         fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text> {
-            super::Scope::refuses_axis(self, &T::Family::from_slice(p), axis)
+            super::Scope::refuses_axis(self, &self.given(p), axis)
         }
         fn spin_ratio(&self) -> Option<usize> {
             super::Scope::spin_ratio(self)
         }
         fn refuses_ratio(&self, p: &[f64], ratio: f64) -> Option<Text> {
-            super::Scope::refuses_ratio(self, &T::Family::from_slice(p), ratio)
+            super::Scope::refuses_ratio(self, &self.given(p), ratio)
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::context::{At, Rows};
 use super::super::lanes::{Inertial, InertialArgs};
-use super::super::params::{Family as _, Parametric, Params};
+use super::super::params::{Parametric, Params};
 use laval_num::lanes::Apply;
 use laval_num::scalar::Scalar;
 
@@ -15,7 +15,7 @@ pub trait VaryingInertia: Parametric {
 impl<P: VaryingInertia> Apply<P> for Inertial {
     #[inline(always)]
     fn apply<S: Scalar>(part: &P, args: &mut InertialArgs<'_, S>) {
-        part.inertial(&P::Family::from_slice(args.p), &args.at, &mut args.out, args.mass);
+        part.inertial(&part.given(args.p), &args.at, &mut args.out, args.mass);
     }
 }
 

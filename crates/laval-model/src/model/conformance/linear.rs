@@ -3,7 +3,7 @@
 use super::{Bench, Promise, Pseudo, within};
 use crate::model::blocks::{Axes, Blocks};
 use crate::model::erased::{D1, Evaluate};
-use crate::model::params::Family;
+use crate::model::params::Parametric as _;
 use crate::model::part::{Part, Physics, Rows, TimeForm};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::dense::{Lu, Mat, Singular, max_abs};
@@ -24,7 +24,7 @@ impl<P: Part> Bench<'_, P> {
             {
                 let (force, rest) = own.split_at_mut(self.n);
                 let (rate, spin) = rest.split_at_mut(self.m);
-                let p = P::Family::from_slice(&self.params);
+                let p = self.part.given(&self.params);
                 Part::residual(self.part, &p, &at, &mut Rows { force, rate, spin: &mut spin[0] });
             }
             if own.iter().any(|o| *o != 0.0) {
@@ -63,7 +63,7 @@ impl<P: Part> Bench<'_, P> {
     fn blocks_at(&self, speed: f64) -> Local {
         let mut b = Blocks::default();
         b.reset_band(self.n, self.m - Part::memory(self.part), self.part.extent().map_or(usize::MAX, |e| e.reach()), speed);
-        Part::linear(self.part, &P::Family::from_slice(&self.params), speed, &mut b);
+        Part::linear(self.part, &self.part.given(&self.params), speed, &mut b);
         Local(b)
     }
 

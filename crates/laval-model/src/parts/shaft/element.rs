@@ -100,17 +100,17 @@ impl<S: Scalar> Layers<S> {
     }
     /// With one more, of these diameters (m), of which this share of the stiffness counts.
     #[must_use]
-    pub fn with(self, [inner, outer]: [f64; 2], material: Material<S>, shear: Shear, share: f64) -> Self {
+    pub fn with(self, [inner, outer]: [S; 2], material: Material<S>, shear: Shear, share: S) -> Self {
         let (i, o) = (inner * inner, outer * outer);
-        let (area, second) = ((o - i) * PI / 4.0, (o * o - i * i) * PI / 64.0);
-        let g = shear_factor(shear, material, S::cst((inner / outer).powi(2))).map_or(S::zero(), |k| k * material.shear_modulus);
+        let (area, second) = ((o - i).scale(PI / 4.0), (o * o - i * i).scale(PI / 64.0));
+        let g = shear_factor(shear, material, (inner / outer).square()).map_or(S::zero(), |k| k * material.shear_modulus);
         Layers {
-            bending: self.bending + material.modulus.scale(share * second),
-            shear: self.shear + g.scale(share * area),
-            axial: self.axial + material.modulus.scale(share * area),
-            torsion: self.torsion + material.shear_modulus.scale(2.0 * share * second),
-            mass: self.mass + material.density.scale(area),
-            rotary: self.rotary + material.density.scale(second),
+            bending: self.bending + material.modulus * share * second,
+            shear: self.shear + g * share * area,
+            axial: self.axial + material.modulus * share * area,
+            torsion: self.torsion + material.shear_modulus.scale(2.0) * share * second,
+            mass: self.mass + material.density * area,
+            rotary: self.rotary + material.density * second,
         }
     }
 }

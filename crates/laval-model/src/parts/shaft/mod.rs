@@ -35,7 +35,7 @@ use crate::model::blocks::Blocks;
 use crate::model::capability::{BodyPart, Extent};
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
-use crate::model::params::{RowFamily, WithRows};
+use crate::model::params::{RowCounts, RowFamily, WithRows};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Params, Part, Physics, Validity};
 use crate::params;
 use crate::parts::speed_ratio::SPIN;
@@ -43,8 +43,8 @@ use crate::text;
 use crate::text::Text;
 use element::{Cone, Element, Layers, M4, Material, Plane, Shear};
 use laval_num::scalar::Scalar;
-use layer::LAYER;
-pub use layer::Layer;
+use layer::{LAYER, LayerFamily};
+pub use layer::{Layer, LayerParams};
 use line::Line;
 use mesh::Mesh;
 use places::{Ends, SIGN, add_cross, add_line, add_planes, form, line_form, planes, slip};
@@ -191,7 +191,7 @@ impl Shaft {
     #[inline(always)]
     fn element<S: Scalar>(&self, p: &Params<Self, S>, k: usize) -> Element<S> {
         let piece = self.mesh.pieces[k];
-        let s = &p.rows[piece.section];
+        let s = &p.own.rows[piece.section];
         Element {
             length: piece.length,
             outer: taper(s.outer_diameter, s.end_outer_diameter, (piece.from, piece.to)),
@@ -206,15 +206,16 @@ impl Shaft {
     #[inline(always)]
     fn layers_of<S: Scalar>(&self, p: &Params<Self, S>, k: usize) -> Layers<S> {
         let mut out = Layers::none();
-        let middle = 0.5 * (self.mesh.nodes[k] + self.mesh.nodes[k + 1]);
-        for l in self.layers.iter().filter(|l| l.covers(middle)) {
-            let or = |own: Option<f64>, shaft: S| own.map_or(shaft, S::cst);
+        // 0 times what is not a number is not 0
+        let own = |layer: S, shaft: S| layer.select_pos(layer, shaft + layer.scale(0.0));
+        for (number, _) in self.covering(k) {
+            let l = &p.rows[number];
             let material = Material {
-                modulus: or(l.modulus, p.modulus),
-                shear_modulus: or(l.shear_modulus, p.shear_modulus),
-                density: or(l.density, p.density),
+                modulus: own(l.modulus, p.modulus),
+                shear_modulus: own(l.shear_modulus, p.shear_modulus),
+                density: own(l.density, p.density),
             };
-            out = out.with([l.inner, l.outer], material, self.shear, l.stiffness);
+            out = out.with([l.inner_diameter, l.outer_diameter], material, self.shear, l.stiffness);
         }
         out
     }
@@ -229,8 +230,9 @@ impl Shaft {
         let mut last: Option<(usize, Element<S>, Plane<S>)> = None;
         for k in 0..self.mesh.pieces.len() {
             let piece = self.mesh.pieces[k];
-            let tapers =
-                [p.rows[piece.section].end_outer_diameter, p.rows[piece.section].end_inner_diameter].iter().any(|d| d.value() != 0.0);
+            let tapers = [p.own.rows[piece.section].end_outer_diameter, p.own.rows[piece.section].end_inner_diameter]
+                .iter()
+                .any(|d| d.value() != 0.0);
             let known = last.take().filter(|(j, ..)| {
                 let other = self.mesh.pieces[*j];
                 let alike = self.layers.is_empty() || self.covering(*j).map(|l| l.0).eq(self.covering(k).map(|l| l.0));
@@ -263,7 +265,7 @@ material = "steel"
     const DOC: &'static str = "An elastic shaft of sections: finite elements with bending, shear, rotary inertia and gyroscopic coupling. Other parts attach \
         anywhere along it, at = \"120 mm\" from its lower end, and each gets a node; discs that give on = { body = .., at = .. } sit on it. It holds itself \
         nowhere: bearings do.";
-    type Family = WithRows<ShaftFamily, SectionFamily>;
+    type Family = WithRows<WithRows<ShaftFamily, SectionFamily>, LayerFamily>;
     const FIELDS: &'static [Field] = &[
         Field::required(
             "section",
@@ -388,6 +390,10 @@ material = "steel"
     fn physics(&self) -> Physics {
         Physics::Linear
     }
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [self.lengths.len(), self.layers.len()]
+    }
 
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
@@ -498,7 +504,7 @@ material = "steel"
 
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
         let mut wrong = Vec::new();
-        for (k, s) in p.rows.iter().enumerate() {
+        for (k, s) in p.own.rows.iter().enumerate() {
             let end = |end: f64, start: f64| if end == 0.0 { start } else { end };
             let ends = [
                 (s.inner_diameter, s.outer_diameter),
@@ -508,11 +514,17 @@ material = "steel"
                 wrong.push(("section", text!("section {number}: the inner diameter must be less than the outer one", number = k + 1)));
             }
         }
+        for (k, layer) in p.rows.iter().enumerate() {
+            if let Some((message, _)) = layer.wrong(k + 1) {
+                wrong.push(("layer", message));
+            }
+        }
         for k in 0..self.mesh.pieces.len() {
             let e = self.element(p, k);
-            for (number, layer) in self.covering(k) {
-                let thin = 1e-6 * layer.outer;
-                let overlaps = (0..2).any(|i| layer.inner < e.outer[i] - thin && layer.outer > e.inner[i] + thin);
+            for (number, _) in self.covering(k) {
+                let (inner, outer) = (p.rows[number].inner_diameter, p.rows[number].outer_diameter);
+                let thin = 1e-6 * outer;
+                let overlaps = (0..2).any(|i| inner < e.outer[i] - thin && outer > e.inner[i] + thin);
                 if overlaps && !wrong.iter().any(|w: &(&str, Text)| w.0 == "layer") {
                     wrong.push((
                         "layer",
@@ -520,7 +532,7 @@ material = "steel"
                             "layer {number} overlaps the shaft at {position}: its inner diameter is {inner}, the outer diameter of the shaft there {outer}",
                             number = number + 1,
                             position = text::quantity(self.mesh.nodes[k], "m"),
-                            inner = text::quantity(layer.inner, "m"),
+                            inner = text::quantity(inner, "m"),
                             outer = text::quantity(e.outer[0].max(e.outer[1]), "m")
                         ),
                     ));
@@ -567,9 +579,6 @@ impl Extent for Shaft {
     fn reach(&self) -> usize {
         2 * self.node() - 1
     }
-    fn rows(&self) -> usize {
-        self.lengths.len()
-    }
 }
 
 impl BodyPart for Shaft {
@@ -602,7 +611,7 @@ impl BodyPart for Shaft {
     fn profile(&self, p: &Params<Self, f64>) -> Vec<[f64; 4]> {
         let ends = self.mesh.nodes.windows(2).enumerate();
         let outer = |k: usize| {
-            let layers = self.covering(k).map(|l| l.1.outer).fold(0.0, f64::max);
+            let layers = self.covering(k).map(|l| p.rows[l.0].outer_diameter).fold(0.0, f64::max);
             self.element(p, k).outer.map(|d: f64| d.max(layers))
         };
         ends.map(|(k, z)| (z, outer(k))).map(|(z, d)| [z[0], z[1], d[0], d[1]]).collect()
@@ -625,7 +634,7 @@ crate::conformance! {
         axial_and_torsional: tests::shaft().coordinates(true, true),
             tests::params(ShaftParams { rotating_damping: 2e-5, mass_damping: 3.0, stiffness_damping: 1e-5, ..ShaftParams::new() }),
             Options::default();
-        layered: tests::shaft().coordinates(true, true).layers(tests::layers()), tests::params(ShaftParams { rotating_damping: 2e-5, ..ShaftParams::new() }), Options::default();
+        layered: tests::shaft().coordinates(true, true).layers(tests::layers()), tests::layered(ShaftParams { rotating_damping: 2e-5, ..ShaftParams::new() }), Options::default();
         torsional: tests::shaft().coordinates(false, true).cone(Cone::MidSection), tests::params(ShaftParams::new()), Options::default();
         twisted: tests::shaft().shear(Shear::None), tests::params(ShaftParams { torque: 2e3, ..ShaftParams::new() }), Options { energy: false, ..Options::default() };
     }

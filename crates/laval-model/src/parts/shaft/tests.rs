@@ -120,14 +120,21 @@ pub(super) fn shaft() -> Shaft {
     Shaft::new(&[0.1, 0.2, 0.05], &[0.04, 0.05, 0.06]).elements(1)
 }
 
-pub(super) fn params(own: ShaftParams) -> Listed<ShaftParams, SectionParams> {
+pub(super) type Given = Listed<Listed<ShaftParams, SectionParams>, LayerParams>;
+/// With the parameters of [`layers`].
+pub(super) fn layered(own: ShaftParams) -> Given {
+    let steel = LayerParams::new(0.055, 0.04);
+    let bronze = LayerParams { modulus: 1.1e11, shear_modulus: 4e10, density: 8800.0, stiffness: 0.4, ..LayerParams::new(0.1, 0.08) };
+    Listed { rows: vec![steel, bronze], ..params(own) }
+}
+pub(super) fn params(own: ShaftParams) -> Given {
     let section = SectionParams::new;
     let rows = vec![
         section(0.04),
         SectionParams { inner_diameter: 0.02, end_outer_diameter: 0.07, ..section(0.05) },
         SectionParams { end_outer_diameter: 0.05, inner_diameter: 0.01, end_inner_diameter: 0.02, ..section(0.06) },
     ];
-    Listed { own, rows }
+    Listed { own, rows }.into()
 }
 
 /// Sections are varied by their number and name, lists by their length.
@@ -199,7 +206,7 @@ fn points_between_nodes() {
     let one = Listed { own: ShaftParams::new(), rows: vec![SectionParams::new(0.01)] };
     let cubic =
         |z: f64| [z * z * (3.0 * l - z), 2.0 * z * z * (3.0 * l - z), -2.0 * (6.0 * l * z - 3.0 * z * z), 6.0 * l * z - 3.0 * z * z];
-    let rows = slender.shape(&one, 0.2);
+    let rows = slender.shape(&one.into(), 0.2);
     let ends: Vec<f64> = [0.0, l].into_iter().flat_map(cubic).collect();
     for k in 0..4 {
         let found: f64 = ends.iter().zip(&rows).map(|(q, row)| q * row[k]).sum();
@@ -208,19 +215,7 @@ fn points_between_nodes() {
 }
 
 pub(super) fn layers() -> Vec<Layer> {
-    let steel =
-        Layer { from: 0.02, to: 0.08, inner: 0.04, outer: 0.055, modulus: None, shear_modulus: None, density: None, stiffness: 1.0 };
-    let bronze = Layer {
-        from: 0.05,
-        to: 0.3,
-        inner: 0.08,
-        outer: 0.1,
-        modulus: Some(1.1e11),
-        shear_modulus: Some(4e10),
-        density: Some(8800.0),
-        stiffness: 0.4,
-    };
-    vec![steel, bronze]
+    vec![Layer { from: 0.02, to: 0.08 }, Layer { from: 0.05, to: 0.3 }]
 }
 
 /// A core and a tube of one material are the solid section: E I, mass, rotary inertia, E A and G I to rounding; without shear all matrices.
@@ -283,11 +278,13 @@ fn layers_count_between_their_ends() {
     for z in [0.02, 0.08, 0.05, 0.3] {
         assert!(s.mesh.node(z).is_some(), "{z}");
     }
-    let p = params(ShaftParams::new());
+    let p = layered(ShaftParams::new());
     let mass = |s: &Shaft| (0..s.mesh.pieces.len()).map(|k| s.element(&p, k).inertia().0).sum::<f64>();
-    let ring = |l: &Layer, rho: f64| PI / 4.0 * (l.outer.powi(2) - l.inner.powi(2)) * (l.to - l.from) * rho;
-    let [a, b] = [&layers()[0], &layers()[1]];
-    let more = ring(a, 7850.0) + ring(b, 8800.0);
+    let ring = |k: usize, rho: f64| {
+        let (at, of) = (layers()[k], p.rows[k]);
+        PI / 4.0 * (of.outer_diameter.powi(2) - of.inner_diameter.powi(2)) * (at.to - at.from) * rho
+    };
+    let more = ring(0, 7850.0) + ring(1, 8800.0);
     assert!(((mass(&s) - mass(&shaft())) / more - 1.0).abs() < 1e-12);
     // and through divisions for attached parts
     let divided = s.divide(&[0.06, 0.2]);
@@ -296,14 +293,15 @@ fn layers_count_between_their_ends() {
 
 #[test]
 fn mistakes_of_layers_are_reported() {
-    let p = params(ShaftParams::new());
-    let through = |inner: f64| shaft().layers(vec![Layer { inner, ..layers()[0].clone() }]).check(&p);
+    let of = |from: f64, to: f64, row: LayerParams| {
+        shaft().layers(vec![Layer { from, to }]).check(&Listed { rows: vec![row], ..params(ShaftParams::new()) })
+    };
+    let through = |inner: f64| of(0.02, 0.08, LayerParams::new(0.055, inner));
     assert!(through(0.04).is_empty() && through(0.05).is_empty());
     let wrong = through(0.03);
     assert!(wrong.len() == 1 && wrong[0].0 == "layer" && wrong[0].1.to_string().contains("overlaps the shaft at"), "{wrong:?}");
     // a lining of the bore
-    let lining = Layer { from: 0.1, to: 0.3, inner: 0.01, outer: 0.02, ..layers()[0].clone() };
-    assert!(shaft().layers(vec![lining]).check(&p).is_empty());
+    assert!(of(0.1, 0.3, LayerParams::new(0.02, 0.01)).is_empty());
     use crate::model::field::Value;
     use std::collections::BTreeMap;
     let read = |from: f64, to: f64, inner: f64, stiffness: f64| {

@@ -34,10 +34,6 @@ impl<S: Scalar> Term<S> {
         let size = self.amplitude * gamma(self.exponent) * (-(self.exponent * p.re.norm2(p.im).ln())).exp();
         Complex::cis(-(self.exponent * p.im.atan2(p.re))).scale(size)
     }
-    /// A constant term.
-    pub fn lift(term: &Term) -> Self {
-        Term { amplitude: S::cst(term.amplitude), exponent: S::cst(term.exponent), decay: S::cst(term.decay) }
-    }
 }
 
 impl Term {

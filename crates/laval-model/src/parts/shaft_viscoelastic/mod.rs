@@ -44,6 +44,7 @@ use crate::model::blocks::{Axes, Blocks, Memory};
 use crate::model::capability::FrequencyDomain;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
+use crate::model::params::{RowCounts, RowFamily, WithRows};
 use crate::model::part::{At, Dof, DofKind, Domain, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, TimeForm};
 use crate::params;
 use crate::text;
@@ -66,6 +67,30 @@ params! {
         exponent: scalar, "", Bounds::up_to(0.99), default 0.0, "exponent a of the kernel, above 0";
         decay: scalar, "1/s", Bounds::up_to(1e9), default 0.0, "decay b of the kernel, above 0";
     }
+}
+
+params! {
+    /// One of several terms of the kernel of a [`ShaftViscoelastic`].
+    pub struct TermParams in TermFamily {
+        amplitude: scalar, "", Bounds::up_to(1e9), required, "A of the term, a bare number in 1/s^a";
+        exponent: scalar, "", Bounds::positive(0.99), required, "a of the term";
+        decay: scalar, "1/s", Bounds::positive(1e9), required, "b of the term";
+    }
+}
+
+params! {
+    /// One exponential of the law of a [`ShaftViscoelastic`].
+    pub struct ExponentialParams in ExponentialFamily {
+        share: scalar, "", Bounds::up_to(1.0), required, "share of the stiffness that relaxes";
+        rate: scalar, "1/s", Bounds::positive(1e12), required, "rate at which it relaxes, the inverse of the relaxation time";
+    }
+}
+
+impl RowFamily for TermFamily {
+    const LIST: &'static str = "terms";
+}
+impl RowFamily for ExponentialFamily {
+    const LIST: &'static str = "exponentials";
 }
 
 /// Axes in which the material remembers.
@@ -139,14 +164,18 @@ impl Weak {
         let (ladders, error) = kernel::choose(&[term], accuracy, band)?;
         Some(Weak { terms: vec![term], own: true, ladders, accuracy, band, error })
     }
-    /// Several constant terms.
+    /// Several terms; they are rows of the parameters.
     pub fn several(terms: Vec<Term>, accuracy: f64, band: f64) -> Option<Self> {
         let (ladders, error) = kernel::choose(&terms, accuracy, band).filter(|_| !terms.is_empty())?;
         Some(Weak { terms, own: false, ladders, accuracy, band, error })
     }
     #[inline(always)]
-    fn term<S: Scalar>(&self, j: usize, p: &ShaftViscoelasticParams<S>) -> Term<S> {
-        if self.own { Term { amplitude: p.amplitude, exponent: p.exponent, decay: p.decay } } else { Term::lift(&self.terms[j]) }
+    fn term<S: Scalar>(&self, j: usize, p: &Params<ShaftViscoelastic, S>) -> Term<S> {
+        if self.own {
+            return Term { amplitude: p.amplitude, exponent: p.exponent, decay: p.decay };
+        }
+        let TermParams { amplitude, exponent, decay } = p.own.rows[j];
+        Term { amplitude, exponent, decay }
     }
 }
 
@@ -155,8 +184,8 @@ impl Weak {
 pub enum Law {
     /// Weakly singular kernels.
     Weak(Weak),
-    /// Exponentials: share of the stiffness that relaxes, and rate in 1/s.
-    Exponentials(Vec<[f64; 2]>),
+    /// Exponentials with these rates, 1/s; share and rate of each are rows of the parameters.
+    Exponentials(Vec<f64>),
 }
 
 /// See the [module](self).
@@ -198,9 +227,19 @@ impl ShaftViscoelastic {
             Law::Exponentials(list) => list.len(),
         }
     }
+    /// Rates of the exponentials it was built with, 1/s.
+    fn built(&self) -> Vec<f64> {
+        match &self.law {
+            Law::Weak(w) => {
+                let rates = |(l, term): (&Ladder, &Term)| (0..l.count()).map(|k| l.exponential(term, k).rate).collect::<Vec<_>>();
+                w.ladders.iter().zip(&w.terms).flat_map(rates).collect()
+            }
+            Law::Exponentials(rates) => rates.clone(),
+        }
+    }
     /// delta: the part of the stiffness that is lost at once in the time form, over k.
     #[inline(always)]
-    fn constant<S: Scalar>(&self, p: &ShaftViscoelasticParams<S>) -> S {
+    fn constant<S: Scalar>(&self, p: &Params<Self, S>) -> S {
         let mut constant = S::zero();
         if let Law::Weak(w) = &self.law {
             for (j, ladder) in w.ladders.iter().enumerate() {
@@ -211,7 +250,7 @@ impl ShaftViscoelastic {
     }
     /// Exponential `k` of the time form.
     #[inline(always)]
-    fn exponential<S: Scalar>(&self, p: &ShaftViscoelasticParams<S>, k: usize) -> Exponential<S> {
+    fn exponential<S: Scalar>(&self, p: &Params<Self, S>, k: usize) -> Exponential<S> {
         match &self.law {
             Law::Weak(w) => {
                 let (mut j, mut k) = (0, k);
@@ -221,12 +260,12 @@ impl ShaftViscoelastic {
                 }
                 w.ladders[j].exponential(&w.term(j, p), k)
             }
-            Law::Exponentials(list) => Exponential { strength: S::cst(list[k][0] * list[k][1]), rate: S::cst(list[k][1]) },
+            Law::Exponentials(_) => Exponential { strength: p.rows[k].share * p.rows[k].rate, rate: p.rows[k].rate },
         }
     }
     /// K(s).
     #[inline(always)]
-    fn transform<S: Scalar>(&self, p: &ShaftViscoelasticParams<S>, s: Complex<S>) -> Complex<S> {
+    fn transform<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>) -> Complex<S> {
         let mut sum = Complex::zero();
         match &self.law {
             Law::Weak(w) => {
@@ -234,9 +273,9 @@ impl ShaftViscoelastic {
                     sum += w.term(j, p).transform(s);
                 }
             }
-            Law::Exponentials(list) => {
-                for &[share, rate] in list {
-                    sum += (s + Complex::real(S::cst(rate))).recip().scale(S::cst(share * rate));
+            Law::Exponentials(_) => {
+                for e in &p.rows {
+                    sum += (s + Complex::real(e.rate)).recip().scale(e.share * e.rate);
                 }
             }
         }
@@ -244,7 +283,7 @@ impl ShaftViscoelastic {
     }
     /// Force of the time form on the first point, its opposite: what the rows get.
     #[inline(always)]
-    fn force<S: Scalar>(&self, p: &ShaftViscoelasticParams<S>, at: &At<S>) -> [S; 2] {
+    fn force<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> [S; 2] {
         let k = self.stiffness(p);
         let mut past = [S::zero(); 2];
         for i in 0..self.exponentials() {
@@ -256,11 +295,11 @@ impl ShaftViscoelastic {
         [k * (now * at.q[0] - past[0]), k * (now * at.q[1] - past[1])]
     }
     /// K(0): the share of the stiffness that relaxes, and the field that says it.
-    fn relaxed(&self, p: &ShaftViscoelasticParams) -> (f64, &'static str) {
+    fn relaxed(&self, p: &Params<Self, f64>) -> (f64, &'static str) {
         match &self.law {
             Law::Weak(w) if w.own => (w.term(0, p).relaxed(), "amplitude"),
-            Law::Weak(w) => (w.terms.iter().map(Term::relaxed).sum(), "terms"),
-            Law::Exponentials(list) => (list.iter().map(|e| e[0]).sum(), "exponentials"),
+            Law::Weak(w) => ((0..w.terms.len()).map(|j| w.term(j, p).relaxed()).sum(), "terms"),
+            Law::Exponentials(_) => (p.rows.iter().map(|e| e.share).sum(), "exponentials"),
         }
     }
 }
@@ -314,7 +353,7 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
                 );
             }
         }
-        return Some(Law::Exponentials(share.into_iter().zip(rate).map(|(g, r)| [g, r]).collect()));
+        return Some(Law::Exponentials(rate));
     }
     let (accuracy, band) = (values.number("accuracy").unwrap_or(1e-5), values.number("band").unwrap_or(1e4));
     let terms: Vec<Term> = if lists.is_empty() {
@@ -384,7 +423,7 @@ decay = "0.05 1/s"                  # b
     const DOC: &'static str = "A massless shaft of viscoelastic material, whose force remembers the deflection: weakly singular kernels of Koltunov and \
         Rzhanitsyn, exact in frequency and as a sum of exponentials in time, or given exponentials. The memory of a shaft turns with the rotor and \
         destabilises it above the critical speed of the long-term stiffness; memory in fixed axes, as of a support, always damps.";
-    type Family = ShaftViscoelasticFamily;
+    type Family = WithRows<WithRows<ShaftViscoelasticFamily, TermFamily>, ExponentialFamily>;
     const FIELDS: &'static [Field] = &[
         Field::required("between", FieldKind::Between, "the two points it joins, the carried one first"),
         Field::optional(
@@ -445,12 +484,8 @@ decay = "0.05 1/s"                  # b
     }
     fn layout(&self) -> Layout {
         let mut layout = Layout::point(self.link.clone());
-        let built = match &self.law {
-            Law::Weak(w) if w.own => parameters(&w.terms[0]),
-            _ => ShaftViscoelasticParams::new(),
-        };
-        for k in 0..self.exponentials() {
-            let rate = self.exponential(&built, k).rate;
+        for rate in self.built() {
+            let k = layout.states.len() / 2;
             layout.states.extend(Dof::pair(&format!("memory_{}_", k + 1), DofKind::VectorX, "m s", 1e-3 / rate));
         }
         layout
@@ -463,6 +498,14 @@ decay = "0.05 1/s"                  # b
     }
     fn memory(&self) -> usize {
         2 * self.exponentials()
+    }
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        match &self.law {
+            Law::Weak(w) if w.own => [0, 0],
+            Law::Weak(w) => [w.terms.len(), 0],
+            Law::Exponentials(rates) => [0, rates.len()],
+        }
     }
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
@@ -572,8 +615,7 @@ impl FrequencyDomain for ShaftViscoelastic {
     /// A branch of `(s - i W + decay)^-exponent`, cut to the left, for each term.
     fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
         let Law::Weak(w) = &self.law else { return None };
-        let own = if w.own { p.decay } else { f64::INFINITY };
-        let gap = w.terms.iter().skip(usize::from(w.own)).map(|t| t.decay).fold(own, f64::min);
+        let gap = (0..w.terms.len()).map(|j| w.term(j, p).decay).fold(f64::INFINITY, f64::min);
         let place = if self.frame == Frame::Rotor { speed } else { 0.0 };
         Some(Domain { waves: vec![place], gap, terms: w.terms.len(), ..Domain::passive() })
     }
@@ -583,9 +625,9 @@ crate::conformance! {
     ShaftViscoelastic {
         rotor: tests::weak(Frame::Rotor), tests::params(), Options { states: 6, ..Options::default() };
         fixed: tests::weak(Frame::Fixed), tests::params(), Options { states: 6, ..Options::default() };
-        several: tests::several(), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() }, Options { states: 4, ..Options::default() };
-        exponentials: tests::prony(Frame::Rotor), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() }, Options::default();
-        prony_fixed: tests::prony(Frame::Fixed), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() }, Options::default();
+        several: tests::several(), tests::terms(), Options { states: 4, ..Options::default() };
+        exponentials: tests::prony(Frame::Rotor), tests::shares(), Options::default();
+        prony_fixed: tests::prony(Frame::Fixed), tests::shares(), Options::default();
         geometry: tests::weak(Frame::Rotor).on(Supports::Clamped), tests::round(), Options { states: 4, ..Options::default() };
     }
 }

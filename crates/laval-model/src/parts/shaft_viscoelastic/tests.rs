@@ -3,6 +3,7 @@
 use super::*;
 use crate::model::conformance::local_stiffness;
 use crate::model::field::{Attach, Value};
+use crate::model::params::Listed;
 use laval_num::complex::C64;
 use std::collections::BTreeMap;
 
@@ -26,8 +27,20 @@ pub(super) fn several() -> ShaftViscoelastic {
         Law::Weak(Weak::several(vec![term(0.008, 0.15, 0.05), term(0.5, 0.6, 20.0)], 1e-4, 1e4).unwrap()),
     )
 }
+/// Parameters of [`several`].
+pub(super) fn terms() -> Params<ShaftViscoelastic, f64> {
+    let own = ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() };
+    let rows = vec![TermParams::new(0.008, 0.15, 0.05), TermParams::new(0.5, 0.6, 20.0)];
+    Listed { own: Listed { own, rows }, rows: Vec::new() }
+}
 pub(super) fn prony(frame: Frame) -> ShaftViscoelastic {
-    ShaftViscoelastic::new(link(), frame, Law::Exponentials(vec![[0.1, 3.0], [0.05, 200.0], [0.2, 1e5]]))
+    ShaftViscoelastic::new(link(), frame, Law::Exponentials(vec![3.0, 200.0, 1e5]))
+}
+/// Parameters of [`prony`].
+pub(super) fn shares() -> Params<ShaftViscoelastic, f64> {
+    let own = ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() };
+    let rows = [[0.1, 3.0], [0.05, 200.0], [0.2, 1e5]].map(|[share, rate]| ExponentialParams { share, rate }).to_vec();
+    Listed { rows, ..own.into() }
 }
 
 /// Rotating a fixed-frame law seen from the rotor is the rotor-frame law, and at standstill they are one.
@@ -35,7 +48,7 @@ pub(super) fn prony(frame: Frame) -> ShaftViscoelastic {
 fn memory_in_rotor_axes_is_shifted_by_the_spin() {
     let z = |part: &ShaftViscoelastic, s: C64, w: f64| {
         let mut z = [C64::zero(); 4];
-        part.impedance(&params(), s, w, &mut z);
+        part.impedance(&params().into(), s, w, &mut z);
         z
     };
     let (rotor, fixed) = (weak(Frame::Rotor), weak(Frame::Fixed));
@@ -59,7 +72,7 @@ fn memory_in_rotor_axes_is_shifted_by_the_spin() {
 #[test]
 fn exponentials_are_their_own_time_form() {
     for frame in [Frame::Rotor, Frame::Fixed] {
-        let (part, p) = (prony(frame), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() });
+        let (part, p) = (prony(frame), shares());
         let mut b = Blocks::default();
         b.reset(2, 0, 80.0);
         part.linear(&p, 80.0, &mut b);
@@ -81,12 +94,12 @@ fn the_stated_error_holds_between_its_points() {
         assert!(stated <= accuracy && stated > 0.01 * accuracy);
         let mut b = Blocks::default();
         b.reset(2, 0, 0.0);
-        part.linear(&params(), 0.0, &mut b);
+        part.linear(&params().into(), 0.0, &mut b);
         let mut worst = 0.0f64;
         for k in 0..400 {
             let s = c(0.0, 1e-4 * 10f64.powf(7.0 * f64::from(k) / 399.0));
             let mut z = [C64::zero(); 4];
-            part.impedance(&params(), s, 0.0, &mut z);
+            part.impedance(&params().into(), s, 0.0, &mut z);
             worst = worst.max((local_stiffness(&b, s).unwrap()[(0, 0)] - z[0]).abs() / z[0].abs());
         }
         assert!(worst < 1.1 * stated && worst > 0.01 * stated, "{worst:e} {stated:e}");
@@ -137,14 +150,14 @@ fn mistakes_are_reported() {
 #[test]
 fn parameters_are_held_together() {
     let refused = |part: &ShaftViscoelastic, p: &ShaftViscoelasticParams, field: &str, text: &str| {
-        let found = part.check(p);
+        let found = part.check(&(*p).into());
         assert!(found.len() == 1 && found[0].0 == field && found[0].1.contains(text), "{found:?}");
     };
     let part = weak(Frame::Rotor);
-    assert!(part.check(&params()).is_empty());
+    assert!(part.check(&params().into()).is_empty());
     // a little is within what the exponentials were chosen for, much is not
     for p in [ShaftViscoelasticParams { amplitude: 0.0085, ..params() }, ShaftViscoelasticParams { decay: 0.051, ..params() }] {
-        assert_eq!(part.check(&p), []);
+        assert_eq!(part.check(&p.into()), []);
     }
     refused(&part, &ShaftViscoelasticParams { decay: 1e-9, ..params() }, "amplitude", "creeps without bound");
     refused(&part, &ShaftViscoelasticParams { amplitude: 1e-5, decay: 1e-20, ..params() }, "amplitude", "chosen for another kernel");
@@ -152,8 +165,17 @@ fn parameters_are_held_together() {
     refused(&part, &ShaftViscoelasticParams { stiffness: 0.0, ..params() }, "stiffness", "has no stiffness");
     refused(&part, &ShaftViscoelasticParams { diameter: 0.01, ..params() }, "diameter", "no effect with supports = \"given\"");
     let simple = weak(Frame::Rotor).on(Supports::Simple);
-    assert!(simple.check(&round()).is_empty());
+    assert!(simple.check(&round().into()).is_empty());
     refused(&simple, &ShaftViscoelasticParams { position: 1.0, ..round() }, "position", "not between supports at a distance of 1 m");
     refused(&simple, &ShaftViscoelasticParams { diameter: 0.0, ..round() }, "diameter", "needs the diameter");
-    refused(&prony(Frame::Rotor), &params(), "exponentials", "no effect beside exponentials");
+    let found = prony(Frame::Rotor).check(&Listed { rows: shares().rows, ..params().into() });
+    assert!(found.len() == 1 && found[0].0 == "exponentials" && found[0].1.contains("no effect beside exponentials"), "{found:?}");
+    // the rows are held together as the one term is
+    let mut p = shares();
+    p.rows[0].share = 0.9;
+    assert!(prony(Frame::Rotor).check(&p)[0].1.contains("creeps without bound"));
+    let mut p = terms();
+    assert!(several().check(&p).is_empty());
+    p.own.rows[1].decay = 1e-9;
+    assert!(several().check(&p)[0].1.contains("creeps without bound"));
 }

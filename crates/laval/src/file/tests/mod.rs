@@ -21,7 +21,7 @@ const COLUMNS: &[(&str, &str, bool, &str)] =
 pub(super) fn catalog() -> Catalog {
     let q = |unit, bounds| FieldKind::Quantity { unit, bounds };
     let lateral = |unit, max| FieldKind::Lateral { unit, bounds: Bounds::up_to(max) };
-    let k = |kind, doc, fields| KindInfo { kind, doc, example: "", fields, rows: None };
+    let k = |kind, doc, fields| KindInfo { kind, doc, example: "", fields, lists: Vec::new() };
     let r = Field::required;
     let o = Field::optional;
     Catalog {

@@ -145,7 +145,7 @@ const DECANTER: &[Field] = &[
 
 /// Kinds of `[[cup]]`.
 pub fn cup_kinds() -> Vec<KindInfo> {
-    let k = |kind, doc, example, fields: &[Field]| KindInfo { kind, doc, example, fields: fields.to_vec(), rows: None };
+    let k = |kind, doc, example, fields: &[Field]| KindInfo { kind, doc, example, fields: fields.to_vec(), lists: Vec::new() };
     vec![
         k(
             "swinging",
