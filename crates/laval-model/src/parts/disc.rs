@@ -46,7 +46,7 @@ use std::sync::Arc;
 params! {
     /// Parameters of a [`Disc`].
     pub struct DiscParams in DiscFamily {
-        mass: scalar, "kg", Bounds::closed(1e-9, 1e7), required, "mass m";
+        mass: scalar, "kg", Bounds::up_to(1e7), required, "mass m; 0 is a point without inertia, as between two springs in series";
         eccentricity: scalar, "m", Bounds::up_to(0.5), default 0.0, "distance e of the centre of mass from the shaft centre";
         eccentricity_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the eccentricity from the key mark";
         unbalance: scalar, "kg m", Bounds::up_to(1e4), default 0.0, "additional unbalance in the direction of the eccentricity";
@@ -147,6 +147,12 @@ impl Disc {
     fn centre<S: Scalar>(&self, h: S, d: &[S]) -> Complex<S> {
         if self.tilts { c(d[0] + h * d[3], d[1] - h * d[2]) } else { c(d[0], d[1]) }
     }
+}
+
+/// `|U|^2/m`: the moment of inertia of masses that make an unbalance. The mass of an unbalance without any of its own belongs to what carries it.
+#[inline(always)]
+fn own<S: Scalar>(square: S, mass: S) -> S {
+    mass.select_pos(square / mass.select_pos(mass, S::one()), mass.scale(0.0))
 }
 
 const UNBALANCES: &[(&str, &str, bool, &str)] = &[
@@ -342,8 +348,10 @@ skew = "0.1 mrad"                   # dynamic unbalance
         if self.tilts {
             out.push(Observed { name: Observed::TILT, unit: "rad", value: at.q[2].hypot(at.q[3]) });
         }
-        let centre = self.centre(p.centre_of_mass, at.q) + self.turning(p, at.phase).scale(1.0 / p.mass);
-        out.push(Observed { name: "centre of mass", unit: "m", value: centre.re.hypot(centre.im) });
+        if p.mass > 0.0 {
+            let centre = self.centre(p.centre_of_mass, at.q) + self.turning(p, at.phase).scale(1.0 / p.mass);
+            out.push(Observed { name: "centre of mass", unit: "m", value: centre.re.hypot(centre.im) });
+        }
     }
 
     fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
@@ -403,14 +411,14 @@ impl Disc {
         let skew = if self.tilts { (p.diametral_inertia - p.polar_inertia) * p.skew * p.skew } else { S::zero() };
         if p.rows.is_empty() {
             let u = p.mass * p.eccentricity + p.unbalance;
-            return p.polar_inertia + u * u / p.mass + skew;
+            return p.polar_inertia + own(u * u, p.mass) + skew;
         }
         let mut moment = Complex::zero();
         for u in &p.rows {
             moment += Complex::cis(u.phase).scale((u.at - p.centre_of_mass) * u.unbalance);
         }
         let pair = if self.tilts { moment.norm_sqr() / p.diametral_inertia } else { S::zero() };
-        p.polar_inertia + self.turning(p, S::zero()).norm_sqr() / p.mass + pair + skew
+        p.polar_inertia + own(self.turning(p, S::zero()).norm_sqr(), p.mass) + pair + skew
     }
 }
 
@@ -512,6 +520,7 @@ crate::conformance! {
         axial_and_torsional: Disc::tilting().coordinates(true, true),
             DiscParams { polar_inertia: 0.02, diametral_inertia: 0.013, unbalance: 3e-4, ..DiscParams::new(2.4) },
             Options::default();
+        massless: Disc::planar(), DiscParams { unbalance: 3e-4, polar_inertia: 0.02, ..DiscParams::new(0.0) }, Options::default();
         carried: Disc::planar().on(Attach::on("shaft")), DiscParams { polar_inertia: 0.02, ..DiscParams::new(2.4) }, Options::default();
         planar_unbalances: Disc::planar().unbalanced(2),
             tests::with(

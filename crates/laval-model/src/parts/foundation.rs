@@ -23,7 +23,7 @@ use std::sync::Arc;
 params! {
     /// Parameters of a [`Foundation`].
     pub struct FoundationParams in FoundationFamily {
-        mass: scalar, "kg", Bounds::closed(1e-9, 1e9), required, "mass M";
+        mass: scalar, "kg", Bounds::up_to(1e9), required, "mass M; 0 is a point without inertia on its supports";
         stiffness: lateral, "N/m", Bounds::up_to(1e15), required, "stiffness c2 of all supports together";
         damping: lateral, "N s/m", Bounds::up_to(1e12), default 0.0, "damping chi0 of all supports together";
     }

@@ -35,7 +35,8 @@ pub(super) struct Direct {
     factored: bool,
     /// d rate / d accelerations.
     rate_a: Mat,
-    force: Vec<f64>,
+    /// Residual at zero acceleration.
+    pub force: Vec<f64>,
     z: Vec<f64>,
     state_rate: Vec<f64>,
     plain: Workspace<f64>,
@@ -75,6 +76,11 @@ impl Direct {
     /// The mass matrix depends on nothing but, perhaps, the speed.
     pub fn constant_mass(&self) -> bool {
         !self.varying
+    }
+
+    /// The row and the column of a coordinate in the mass matrix hold nothing.
+    pub fn without_inertia(&self, i: usize) -> bool {
+        (0..self.mass.rows()).all(|j| self.mass[(i, j)] == 0.0 && self.mass[(j, i)] == 0.0)
     }
 
     /// Refuses a mass matrix that is singular to rounding, whatever the units of its coordinates.
@@ -121,16 +127,20 @@ impl Direct {
             *a = -f;
         }
         self.lu.solve(&mut self.accel);
-        for i in 0..system.m() {
-            let row = self.rate_a.row(i);
-            self.rate[i] += (0..rows).map(|j| row[j] * self.accel[j]).sum::<f64>();
-        }
+        self.add_rates_of_acceleration();
         debug_assert!(self.force.len() == rows && self.zero.len() == n);
         Ok(())
     }
 
+    /// What rates read of the accelerations.
+    pub fn add_rates_of_acceleration(&mut self) {
+        for (i, rate) in self.rate.iter_mut().enumerate() {
+            *rate += self.rate_a.row(i).iter().zip(&self.accel).map(|(r, a)| r * a).sum::<f64>();
+        }
+    }
+
     /// Residual, mass, rates and their derivative in the accelerations at zero acceleration.
-    fn evaluate_at_rest(&mut self, system: &System, t: f64, spin: Spin, y: &[f64]) {
+    pub fn evaluate_at_rest(&mut self, system: &System, t: f64, spin: Spin, y: &[f64]) {
         let (n, m, rows) = (system.n(), system.m(), self.accel.len());
         zeroed(&mut self.force, rows);
         zeroed(&mut self.rate, m);
@@ -189,6 +199,15 @@ pub(super) fn singular(system: &System, column: usize, mass: &[f64]) -> Failure 
     format!("{SINGULAR}{}", name(column)).into()
 }
 
+/// Names a coordinate without inertia that nothing determines.
+pub(super) fn unheld(system: &System, column: usize) -> Failure {
+    let name = system.coordinates().get(column).map_or(SPIN_ANGLE.to_string(), |c| format!("\"{}\"", c.name));
+    format!("{UNHELD}{name}").into()
+}
+
+/// What stops a motion where Newton's method finds no places of coordinates without inertia.
+pub(super) const NOT_FOUND: &str = "no places of the coordinates without inertia balance their forces";
+const UNHELD: &str = "without inertia, no damping or stiffness determines ";
 const SPIN_ANGLE: &str = "the spin angle";
 const NOT_FINITE: &str = "the mass matrix has an entry that is not finite (at ";
 const SINGULAR: &str = "the mass matrix is singular: no inertia of its own is left for ";
@@ -198,6 +217,12 @@ pub(super) fn in_words(what: &Failure) -> Arg {
     let place = |name: &str| if name == SPIN_ANGLE { text!("the spin angle").argument() } else { name.argument() };
     if let Some(name) = what.0.strip_prefix(SINGULAR) {
         return text!("the mass matrix is singular: no inertia of its own is left for {place}", place = place(name)).argument();
+    }
+    if what.0 == NOT_FOUND {
+        return text!("no places of the coordinates without inertia balance their forces").argument();
+    }
+    if let Some(name) = what.0.strip_prefix(UNHELD) {
+        return text!("without inertia, no damping or stiffness determines {place}", place = place(name)).argument();
     }
     if let Some(name) = what.0.strip_prefix(NOT_FINITE).and_then(|n| n.strip_suffix(')')) {
         return text!("the mass matrix has an entry that is not finite (at {place})", place = place(name)).argument();

@@ -11,6 +11,8 @@
 //! The energy account appends four integrals from the start: heat, work of the parts' own sources, work of the drive, work of the weight. Stored energy
 //! changes by `-heat + sources + drive + weight`: what is missing is the error of the integration.
 //!
+//! Coordinates without inertia are solved for (`massless`): what has damping is a first-order state, what has neither follows from the others.
+//!
 //! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, column by column (`single`) or, beside memory
 //! states, dense (`compiled`), and only nonlinear parts and memory states are evaluated at every call.
 //!
@@ -20,6 +22,7 @@ pub(super) mod compiled;
 pub(super) mod constant;
 mod direct;
 pub mod envelope;
+mod massless;
 mod seeded;
 mod single;
 mod stiff;
@@ -35,8 +38,12 @@ use direct::Direct;
 use laval_model::text;
 use laval_num::ode::{Failure, Ode};
 use laval_num::refill::refill;
+use massless::Massless;
 use single::Single;
 use stiff::Elimination;
+
+/// Least rate at which what follows from other states is followed, 1/s.
+const LEAST_RATE: f64 = 100.0;
 
 /// Number of integrals in the energy account.
 pub const ACCOUNT: usize = 4;
@@ -57,6 +64,8 @@ pub struct Motion<'a> {
     account: bool,
     direct: Direct,
     steady: Option<Steady<'a>>,
+    /// Of a machine with coordinates without inertia.
+    massless: Option<Massless>,
     elimination: Elimination,
     power: PowerScratch,
 }
@@ -133,7 +142,7 @@ impl<'a> Motion<'a> {
     /// The machine in time. A prescribed law serves any drive; a free one needs [`Drive::Free`] and inertia about the axis.
     ///
     /// # Errors
-    /// A part without a time form; a mass matrix that is singular at the undeflected state.
+    /// A part without a time form; a mass matrix that is singular at the undeflected state beyond coordinates without inertia; one of these that nothing determines.
     pub fn new(system: &'a System, law: SpinLaw) -> Result<Self, Diagnostic> {
         for slot in system.slots() {
             if let Physics::Frequency(TimeForm::None(why)) = slot.physics {
@@ -150,6 +159,7 @@ impl<'a> Motion<'a> {
             system,
             direct: Direct::new(system, free),
             steady: None,
+            massless: None,
             elimination: Elimination::new(system, free),
             law,
             account: false,
@@ -161,8 +171,19 @@ impl<'a> Motion<'a> {
         }
         let fail = |what: Failure| {
             Diagnostic::error("motion.mass", text!("the machine has no equations of motion: {what}", what = direct::in_words(&what)))
-                .help(text!("every coordinate needs inertia: give the part that owns it a mass, and a spin that is free a moment of inertia about the axis"))
+                .help(text!("a coordinate follows from inertia, or without it from a damper or a spring that holds it: give the part that owns it a mass or hold it, and give a spin that is free a moment of inertia about the axis"))
         };
+        let spin = motion.spin(0.0, &y);
+        motion.direct.evaluate_at_rest(system, 0.0, spin, &y);
+        let fastest = match &motion.law {
+            SpinLaw::Programme(p) => p.largest_speed(),
+            SpinLaw::Free => spin.speed.abs(),
+        };
+        let speeds = [spin.speed, 0.5 * (spin.speed + fastest), fastest];
+        motion.massless = Massless::new(system, free, &motion.direct, &speeds, fastest.max(LEAST_RATE)).map_err(fail)?;
+        if motion.massless.is_some() {
+            return Ok(motion);
+        }
         motion.accelerate(0.0, &y).map_err(fail)?;
         motion.direct.check_mass(system).map_err(fail)?;
         if let SpinLaw::Programme(p) = &motion.law
@@ -254,10 +275,11 @@ impl<'a> Motion<'a> {
     }
 
     fn accelerate(&mut self, t: f64, y: &[f64]) -> Result<Spin, Failure> {
-        let spin = self.spin(t, y);
-        match &mut self.steady {
-            Some(s) => s.evaluate(self.system, t, spin, y, &mut self.direct),
-            None => self.direct.evaluate(self.system, t, spin, y)?,
+        let (spin, free) = (self.spin(t, y), self.is_free());
+        match (&mut self.steady, &mut self.massless) {
+            (Some(s), _) => s.evaluate(self.system, t, spin, y, &mut self.direct),
+            (None, Some(m)) => m.evaluate(self.system, free, t, spin, y, &mut self.direct)?,
+            (None, None) => self.direct.evaluate(self.system, t, spin, y)?,
         }
         Ok(Spin { accel: if self.is_free() { self.direct.accel[self.system.n()] } else { spin.accel }, ..spin })
     }
@@ -278,7 +300,7 @@ impl<'a> Motion<'a> {
     /// As [`Motion::accelerations`].
     pub fn with_point<R>(&mut self, t: f64, y: &[f64], f: impl FnOnce(&System, &At<f64>) -> R) -> Result<R, Failure> {
         let spin = self.accelerate(t, y)?;
-        Ok(f(self.system, &point(self.system, t, spin, y, &self.direct.accel)))
+        Ok(f(self.system, &point(self.system, t, spin, completed(&self.massless, y), &self.direct.accel)))
     }
 
     /// Residual of the spin row, N m: the torque the drive must bring when the spin is prescribed, 0 to rounding when it is free.
@@ -287,7 +309,7 @@ impl<'a> Motion<'a> {
     /// As [`Motion::accelerations`].
     pub fn torque(&mut self, t: f64, y: &[f64]) -> Result<f64, Failure> {
         let spin = self.accelerate(t, y)?;
-        let at = point(self.system, t, spin, y, &self.direct.accel);
+        let at = point(self.system, t, spin, completed(&self.massless, y), &self.direct.accel);
         Ok(self.power.torque(self.system, &at))
     }
 
@@ -297,6 +319,8 @@ impl<'a> Motion<'a> {
     /// The name of a part that keeps no account.
     pub fn stored_energy(&mut self, t: f64, y: &[f64]) -> Result<f64, String> {
         let spin = self.spin(t, y);
+        // what nothing determines here stays as it is
+        let y = if self.massless.is_some() && self.accelerate(t, y).is_ok() { completed(&self.massless, y) } else { y };
         // no stored energy reads an acceleration
         let zero = &self.direct.zero;
         let at = point(self.system, t, spin, y, zero);
@@ -314,7 +338,7 @@ impl<'a> Motion<'a> {
 
     fn powers_here(&mut self, t: f64, spin: Spin, y: &[f64]) -> Result<Powers, Failure> {
         let system = self.system;
-        let at = point(system, t, spin, y, &self.direct.accel);
+        let at = point(system, t, spin, completed(&self.massless, y), &self.direct.accel);
         let e = system
             .energy(system.params(), &at, &mut self.power.plain)
             .map_err(|part| Failure::from(format!("\"{part}\" keeps no account of its energy")))?;
@@ -330,6 +354,9 @@ impl<'a> Motion<'a> {
         let spin = self.accelerate(t, y)?;
         dy[..n].copy_from_slice(&y[n..2 * n]);
         dy[n..2 * n].copy_from_slice(&self.direct.accel[..n]);
+        if let Some(massless) = &self.massless {
+            massless.rates(y, &self.direct.accel, dy);
+        }
         dy[2 * n..2 * n + m].copy_from_slice(&self.direct.rate);
         if let Some(k) = self.spin_start() {
             dy[k] = spin.speed;
@@ -350,15 +377,38 @@ impl<'a> Motion<'a> {
         let (n, m) = (self.system.n(), self.system.m());
         self.accelerate(t, y)?;
         let mut jump = vec![0.0; m];
-        self.direct.state_jump(self.system, t, self.spin(t, y), y, change, &mut jump);
+        self.direct.state_jump(self.system, t, self.spin(t, y), completed(&self.massless, y), change, &mut jump);
         for (v, d) in y[n..2 * n].iter_mut().zip(change) {
             *v += d;
         }
         for (z, d) in y[2 * n..2 * n + m].iter_mut().zip(jump) {
             *z += d;
         }
+        self.settle(t, y)
+    }
+
+    /// Writes into a state what follows from the rest of it: places and velocities of coordinates without inertia.
+    ///
+    /// # Errors
+    /// As [`Motion::accelerations`].
+    pub fn settle(&mut self, t: f64, y: &mut [f64]) -> Result<(), Failure> {
+        if self.massless.is_none() {
+            return Ok(());
+        }
+        self.accelerate(t, y)?;
+        if self.direct.accel.iter().any(|a| !a.is_finite()) {
+            return Err(direct::NOT_FOUND.into());
+        }
+        if let Some(m) = &self.massless {
+            m.settle(y);
+        }
         Ok(())
     }
+}
+
+/// A state with what follows from it.
+fn completed<'y>(massless: &'y Option<Massless>, y: &'y [f64]) -> &'y [f64] {
+    massless.as_ref().map_or(y, Massless::completed)
 }
 
 /// The global point of a state.

@@ -289,6 +289,14 @@ impl Motion<'_> {
 
 impl StiffOde for Motion<'_> {
     fn jacobian(&mut self, t: f64, y: &[f64], jac: &mut Mat) -> Result<(), Failure> {
+        if self.massless.is_some() {
+            let (spin, free) = (self.accelerate(t, y)?, self.is_free());
+            if let Some(m) = &mut self.massless {
+                let whole = m.completed().to_vec();
+                m.jacobian(self.system, free, &point(self.system, t, spin, &whole, &self.direct.accel), jac)?;
+            }
+            return Ok(());
+        }
         self.keep_tangent(t, y)?;
         let e = &self.elimination;
         for (r, &i) in e.core.iter().enumerate() {
@@ -312,24 +320,36 @@ impl StiffOde for Motion<'_> {
         Ok(())
     }
 
-    fn linearise(&mut self, t: f64, y: &[f64], _: &mut DenseSolver) -> Result<(), Failure> {
+    fn linearise(&mut self, t: f64, y: &[f64], dense: &mut DenseSolver) -> Result<(), Failure> {
+        if self.massless.is_some() {
+            return dense.set_jacobian(self, t, y);
+        }
         self.keep_tangent(t, y)
     }
 
-    fn factor(&mut self, real: f64, complex: C64, _: &mut DenseSolver) -> Result<(), Singular> {
+    fn factor(&mut self, real: f64, complex: C64, dense: &mut DenseSolver) -> Result<(), Singular> {
+        if self.massless.is_some() {
+            return dense.factor(real, complex);
+        }
         let mut shifted = (std::mem::take(&mut self.elimination.real), std::mem::take(&mut self.elimination.complex));
         let result = self.elimination.factor(real, &mut shifted.0).and_then(|()| self.elimination.factor(complex, &mut shifted.1));
         (self.elimination.real, self.elimination.complex) = shifted;
         result
     }
 
-    fn solve_real(&mut self, b: &mut [f64], _: &DenseSolver) {
+    fn solve_real(&mut self, b: &mut [f64], dense: &DenseSolver) {
+        if self.massless.is_some() {
+            return dense.solve_real(b);
+        }
         let mut shifted = std::mem::take(&mut self.elimination.real);
         self.elimination.solve(b, &mut shifted);
         self.elimination.real = shifted;
     }
 
-    fn solve_complex(&mut self, b: &mut [C64], _: &DenseSolver) {
+    fn solve_complex(&mut self, b: &mut [C64], dense: &DenseSolver) {
+        if self.massless.is_some() {
+            return dense.solve_complex(b);
+        }
         let mut shifted = std::mem::take(&mut self.elimination.complex);
         self.elimination.solve(b, &mut shifted);
         self.elimination.complex = shifted;

@@ -158,12 +158,18 @@ pub fn simulate(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Trajector
     let system = motion.system();
     let mut watch = Watch::new(system, motion.law().clone(), plan, motion.dim());
     let mut state = y.to_vec();
+    motion.settle(0.0, &mut state).map_err(|e| cannot(super::direct::in_words(&e)))?;
     watch.start(&state);
     let run = if stiff {
         legs(&mut Radau::new(), motion, &mut state, plan, (relative, absolute), &mut watch)
     } else {
         legs(&mut Dop853::new(), motion, &mut state, plan, (relative, absolute), &mut watch)
     };
+    // a state of which nothing follows stays as it is
+    let _ = motion.settle(run.t, &mut state);
+    for (t, y) in watch.times.iter().zip(watch.states.chunks_exact_mut(state.len().max(1))) {
+        let _ = motion.settle(*t, y);
+    }
     match run.end {
         End::Failed { t: 0.0, what } => Err(cannot(what.argument())),
         _ => {
@@ -321,6 +327,10 @@ fn legs<'a, M: Method<Motion<'a>>>(
             cut += 1;
         }
         let Some(&to) = cuts.get(cut) else { return total };
+        if let Err(what) = motion.settle(total.t, y) {
+            total.end = End::Failed { t: total.t, what };
+            return total;
+        }
         let given = watch.times.len();
         let last = plan.outputs.partition_point(|&t| t <= to);
         let done = total.work.steps + total.work.rejected;

@@ -3,6 +3,7 @@
 mod basins;
 mod claims;
 mod continued;
+mod massless;
 mod motion_map;
 mod natural;
 mod spin_load;

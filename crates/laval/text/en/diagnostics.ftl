@@ -458,12 +458,14 @@ diag-a-coordinate-has-no-mass-1332 = a coordinate has no mass
 
 diag-the-spin-angle-451f = the spin angle
 diag-the-mass-matrix-is-singular-no-91ea = the mass matrix is singular: no inertia of its own is left for { $place }
+diag-no-places-of-the-coordinates-without-3d01 = no places of the coordinates without inertia balance their forces
+diag-without-inertia-no-damping-or-stiffness-fdb8 = without inertia, no damping or stiffness determines { $place }
 diag-the-mass-matrix-has-an-entry-344a = the mass matrix has an entry that is not finite (at { $place })
 
 ## laval-solve/src/motion/mod.rs
 
 diag-the-machine-has-no-equations-of-754e = the machine has no equations of motion: { $what }
-diag-every-coordinate-needs-inertia-give-the-07ee = every coordinate needs inertia: give the part that owns it a mass, and a spin that is free a moment of inertia about the axis
+diag-a-coordinate-follows-from-inertia-or-9b2d = a coordinate follows from inertia, or without it from a damper or a spring that holds it: give the part that owns it a mass or hold it, and give a spin that is free a moment of inertia about the axis
 
 ## laval-solve/src/motion/trajectory.rs
 

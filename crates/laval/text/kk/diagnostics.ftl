@@ -1400,7 +1400,9 @@ diag-the-mass-matrix-has-an-entry-344a = масса матрицасында а�
 ## laval-solve/src/motion/mod.rs
 
 diag-the-machine-has-no-equations-of-754e = машинаның қозғалыс теңдеулері жоқ: { $what }
-diag-every-coordinate-needs-inertia-give-the-07ee = әр координатаға инерция керек: оған ие бөлшекке масса, ал еркін айналуға оське қатысты инерция моментін беріңіз
+diag-no-places-of-the-coordinates-without-3d01 = инерциясыз координаталардың ешбір орнында күштер теңеспейді
+diag-without-inertia-no-damping-or-stiffness-fdb8 = инерциясыз «{ $place }» координатасын демпфирлеу де, қатаңдық та анықтамайды
+diag-a-coordinate-follows-from-inertia-or-9b2d = координата инерциядан, ал инерциясыз — оны ұстайтын демпферден немесе серіппеден анықталады: оған ие бөлшекке масса беріңіз немесе оны бекітіңіз, ал еркін айналуға оське қатысты инерция моментін беріңіз
 
 ## laval-solve/src/motion/trajectory.rs
 

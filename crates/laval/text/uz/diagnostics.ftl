@@ -1358,7 +1358,9 @@ diag-the-mass-matrix-has-an-entry-344a = massa matritsasida chekli bo‘lmagan e
 ## laval-solve/src/motion/mod.rs
 
 diag-the-machine-has-no-equations-of-754e = mashinaning harakat tenglamalari yo‘q: { $what }
-diag-every-coordinate-needs-inertia-give-the-07ee = har bir koordinataga inersiya kerak: u tegishli bo‘lgan qismga massa, erkin aylanishga esa o‘qqa nisbatan inersiya momenti bering
+diag-no-places-of-the-coordinates-without-3d01 = inersiyasiz koordinatalarning hech bir joyida kuchlar muvozanatlashmaydi
+diag-without-inertia-no-damping-or-stiffness-fdb8 = inersiyasiz { $place } ni na dempferlash, na bikrlik belgilaydi
+diag-a-coordinate-follows-from-inertia-or-9b2d = koordinata inersiyadan, inersiyasiz esa uni ushlab turuvchi dempfer yoki prujinadan aniqlanadi: u tegishli bo‘lgan qismga massa bering yoki uni ushlab turing, erkin aylanishga esa o‘qqa nisbatan inersiya momenti bering
 
 ## laval-solve/src/motion/trajectory.rs
 
