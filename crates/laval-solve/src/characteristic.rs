@@ -8,6 +8,7 @@
 
 pub use super::border::{Border, Test};
 use super::border::{equilibrate, singular_directions};
+pub use super::equilibrium::{Equilibrium, Frame, coordinate_sectors, nonlinear_states, state_sectors};
 use super::sectors::{Sector, Sectors, imaginary};
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
@@ -19,7 +20,6 @@ use laval_num::dense::{Field, Mat};
 use laval_num::dual::Dual;
 use laval_num::factor::{Directed, Factors, LogDet, Pattern, Plan, Selection, Terms};
 use laval_num::work::spend;
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Most steps of Newton's method to a root.
@@ -30,69 +30,6 @@ const SHRUNK: f64 = 1e-4;
 const CONFIRMED: f64 = 1e-12;
 /// Relative step below which Newton's method has converged when its steps stop decreasing.
 const NEAR: f64 = 1e-9;
-
-/// Axes in which a state is at rest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Frame {
-    /// Fixed axes: nothing moves.
-    Fixed,
-    /// Axes that turn with the rotor.
-    Turning,
-}
-
-/// A state the machine is linearised about, with the evidence that it is one.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Equilibrium {
-    /// Axes it rests in.
-    pub frame: Frame,
-    /// Spin speed, rad/s.
-    pub speed: f64,
-    /// Coordinates (at spin angle 0 for [`Frame::Turning`]).
-    pub q: Vec<f64>,
-    /// Internal states of the whole machine; memory states and states of frequency-domain parts are left zero.
-    pub z: Vec<f64>,
-    /// Newton steps taken.
-    pub iterations: usize,
-    /// Length of the last Newton step relative to the typical sizes of the coordinates.
-    pub last_step: f64,
-}
-
-impl Equilibrium {
-    /// The state zero.
-    pub fn zero(system: &System, frame: Frame, speed: f64) -> Self {
-        Equilibrium { frame, speed, q: vec![0.0; system.n()], z: vec![0.0; system.m()], iterations: 0, last_step: 0.0 }
-    }
-    /// Rates of the coordinates.
-    pub fn velocity(&self, sectors: &Sectors) -> Vec<f64> {
-        match self.frame {
-            Frame::Fixed => vec![0.0; self.q.len()],
-            Frame::Turning => sectors.quarter_turn(&self.q).iter().map(|x| x * self.speed).collect(),
-        }
-    }
-    /// Accelerations of the coordinates.
-    pub fn acceleration(&self, sectors: &Sectors) -> Vec<f64> {
-        let v = self.velocity(sectors);
-        match self.frame {
-            Frame::Fixed => v,
-            Frame::Turning => sectors.quarter_turn(&v).iter().map(|x| x * self.speed).collect(),
-        }
-    }
-}
-
-/// Sectors of the machine's coordinates.
-pub fn coordinate_sectors(system: &System) -> Sectors {
-    Sectors::new(system.coordinates().iter().map(|d| d.dof.kind))
-}
-
-/// Sectors of some of the machine's internal states (global indices).
-pub fn state_sectors(system: &System, states: &[usize]) -> Sectors {
-    Sectors::new(states.iter().map(|&i| system.states()[i].dof.kind))
-}
-
-/// Global indices of the internal states of nonlinear parts.
-pub fn nonlinear_states(system: &System) -> Vec<usize> {
-    system.slots().iter().filter(|s| !s.is_linear()).flat_map(|s| s.states.clone()).collect()
-}
 
 /// T(s) about one equilibrium.
 pub struct Characteristic<'a> {
@@ -173,7 +110,8 @@ impl<'a> Characteristic<'a> {
 
     /// The same in x and y, about a state in fixed axes.
     pub fn real_polynomial(&self) -> Option<[Vec<f64>; 3]> {
-        let mut out = (self.frame == Frame::Fixed).then(|| self.model.polynomial().map(|all| all.iter().map(|x| x.re).collect::<Vec<f64>>()))?;
+        let mut out =
+            (self.frame == Frame::Fixed).then(|| self.model.polynomial().map(|all| all.iter().map(|x| x.re).collect::<Vec<f64>>()))?;
         for (all, more) in out.iter_mut().zip(self.nonlinear.iter().flatten()) {
             let mut more = more.clone();
             self.sectors.restore_entries(&self.pattern, &mut more);

@@ -11,6 +11,7 @@ pub mod counted;
 pub mod criticals;
 pub mod cross_coupling;
 pub mod ensemble;
+mod equilibrium;
 pub mod exact;
 pub mod extrema;
 mod extremum;

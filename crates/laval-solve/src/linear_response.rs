@@ -138,12 +138,7 @@ impl<'a> Ahead<'a> {
     }
 }
 
-fn together(
-    system: &System,
-    state: State,
-    speeds: &[f64],
-    factors: &mut LaneFactors<C64>,
-) -> Vec<Result<Option<Response>, Diagnostic>> {
+fn together(system: &System, state: State, speeds: &[f64], factors: &mut LaneFactors<C64>) -> Vec<Result<Option<Response>, Diagnostic>> {
     let single = |&speed: &f64| response(system, state, speed);
     if !plan(system).suits_lanes() || !is_polynomial(system) {
         return speeds.iter().map(single).collect();

@@ -54,10 +54,8 @@ pub fn polish_all(t: &mut Characteristic, starts: &[Near], sector: Option<Sector
     for some in order.chunks(LANES) {
         let size = some.iter().map(|&k| starts[k].value.abs()).fold(0.0, f64::max);
         let Some(scaled) = block.scaled(size) else { continue };
-        let vectors: Vec<Option<(Vec<C64>, Vec<C64>)>> = some
-            .iter()
-            .map(|&k| starts[k].root.map(|r| (taken(&block.of, &r.right), taken(&block.of, &r.left))))
-            .collect();
+        let vectors: Vec<Option<(Vec<C64>, Vec<C64>)>> =
+            some.iter().map(|&k| starts[k].root.map(|r| (taken(&block.of, &r.right), taken(&block.of, &r.left)))).collect();
         let own: Vec<Start> = some
             .iter()
             .zip(&vectors)
@@ -112,6 +110,6 @@ impl Determinants {
     /// At up to as many places as there are lanes; `None` where digits were lost.
     pub fn at(&mut self, places: &[C64]) -> [Option<Sample>; LANES] {
         self.factors.factor(&self.scaled, places);
-        self.factors.turns().map(|t| t.map(|t| Sample { phase: t.phase, rate: t.rate }))
+        self.factors.turns()
     }
 }

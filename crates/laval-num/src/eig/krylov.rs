@@ -348,8 +348,9 @@ mod tests {
 
     #[test]
     fn orthogonal_at_every_level_with_the_same_bits() {
-        let vector =
-            |k: usize| Planes::<2>::from((0..37).map(|i| C64::cis((i * i + 3 * k * i) as f64 + k as f64).scale(1.0 + 0.1 * (i + k) as f64)));
+        let vector = |k: usize| {
+            Planes::<2>::from((0..37).map(|i| C64::cis((i * i + 3 * k * i) as f64 + k as f64).scale(1.0 + 0.1 * (i + k) as f64)))
+        };
         let mut basis = vec![vector(0)];
         basis[0].normalise();
         for k in 1..4 {

@@ -278,11 +278,8 @@ mod tests {
         // with the vectors of another machine nearby
         let (_, beside, moved) = chain(120, 1.01e6, 1e-5, 3.1);
         let beside = Quadratic { plan: &plan, terms: beside.each_ref().map(Vec::as_slice) }.scaled(400.0).unwrap();
-        let starts: Vec<Start> = found
-            .iter()
-            .flatten()
-            .map(|r| Start { value: r.value.scale(1.005), vectors: Some((&r.right, &r.left)) })
-            .collect();
+        let starts: Vec<Start> =
+            found.iter().flatten().map(|r| Start { value: r.value.scale(1.005), vectors: Some((&r.right, &r.left)) }).collect();
         for (root, start) in polish(&beside, &starts, &mut LaneFactors::default()).iter().zip(&starts) {
             let value = root.as_ref().unwrap().value;
             let off = moved.iter().map(|s| (*s - value).abs()).fold(f64::INFINITY, f64::min);

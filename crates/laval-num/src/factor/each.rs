@@ -2,18 +2,14 @@
 //!
 //! Solutions are corrected with residuals whose products and sums have twice the working precision, until they are exact to rounding for the matrices as they are.
 
-use super::forms::Sum;
 use super::lanes::{InLanes, LaneFactors, Pair, Row};
 use super::plan::Target;
+use super::sum::Sum;
+use super::terms::{CORRECTIONS, EXACT};
 use super::{Plan, scales};
 use crate::complex::{C64, c};
 use crate::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
 use crate::work::spend;
-
-/// Most corrections of a solution.
-const CORRECTIONS: usize = 6;
-/// Correction over the solution at which it is exact to rounding.
-const EXACT: f64 = 4.0 * f64::EPSILON;
 
 /// One system.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +40,9 @@ struct Entry {
 
 /// Solves up to as many systems as there are lanes; `None` of a matrix that is singular or not finite. Of a plan that does not suit lanes nothing is solved.
 pub fn solve_each(plan: &Plan, systems: &[Forced], factors: &mut LaneFactors<C64>) -> Vec<Option<Solved>> {
-    let (Some(band), Some(last)) = (plan.band.as_ref().filter(|_| plan.suits_lanes()), systems.last()) else { return systems.iter().map(|_| None).collect() };
+    let (Some(band), Some(last)) = (plan.band.as_ref().filter(|_| plan.suits_lanes()), systems.last()) else {
+        return systems.iter().map(|_| None).collect();
+    };
     let n = plan.n();
     let lane = |l: usize| systems.get(l).unwrap_or(last);
     let frequency: Row = std::array::from_fn(|l| lane(l).frequency);
@@ -187,7 +185,7 @@ mod tests {
                 let mut terms = [(); 3].map(|()| vec![0.0; pattern.entries()]);
                 for i in 0..n {
                     for (e, j) in pattern.row(i) {
-                        let far = i == n - 1 && foundation || j == n - 1 && foundation;
+                        let far = foundation && (i == n - 1 || j == n - 1);
                         terms[0][e] = match i.abs_diff(j) {
                             0 => 2e9 + 1e4 * (i + l) as f64,
                             2 if !far => -1e9,
@@ -195,10 +193,22 @@ mod tests {
                         };
                         terms[1][e] = match i.abs_diff(j) {
                             0 => 10.0,
-                            1 if !far && i / 2 == j / 2 => if i < j { 30.0 + l as f64 } else { -30.0 - l as f64 },
+                            1 if !far && i / 2 == j / 2 => {
+                                if i < j {
+                                    30.0 + l as f64
+                                } else {
+                                    -30.0 - l as f64
+                                }
+                            }
                             _ => 0.0,
                         };
-                        terms[2][e] = if i == j { 3.0 } else if far { 0.01 } else { 0.0 };
+                        terms[2][e] = if i == j {
+                            3.0
+                        } else if far {
+                            0.01
+                        } else {
+                            0.0
+                        };
                     }
                 }
                 let right: Vec<C64> = (0..n).map(|i| C64::cis((i * (l + 1)) as f64)).collect();

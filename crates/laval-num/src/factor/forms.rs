@@ -2,9 +2,9 @@
 
 use super::lanes::{InLanes, Pair};
 use super::quadratic::ScaledQuadratic;
+use super::sum::Sum;
 use crate::complex::{C64, Complex, c};
 use crate::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
-use crate::scalar::Scalar;
 use crate::work::spend;
 
 /// `y^H A_k x` of the three matrices, and the squares of the norms of x and y, in every lane.
@@ -84,56 +84,6 @@ impl Kernel for Plain<'_> {
         nx.store(&mut out.norms[0]);
         ny.store(&mut out.norms[1]);
         out
-    }
-}
-
-/// A sum in every lane that keeps what its rounding loses.
-#[derive(Clone, Copy)]
-pub(super) struct Sum<S> {
-    high: S,
-    low: S,
-}
-
-/// Upper half of the digits of a number.
-#[inline(always)]
-fn upper<S: Scalar>(x: S) -> S {
-    let scaled = x.scale(134_217_729.0);
-    scaled - (scaled - x)
-}
-
-impl<S: Scalar> Sum<S> {
-    #[inline(always)]
-    pub fn of(x: S) -> Self {
-        Sum { high: x, low: S::zero() }
-    }
-    #[inline(always)]
-    pub fn value(self) -> S {
-        self.high + self.low
-    }
-    /// The same of two numbers in lanes.
-    #[inline(always)]
-    pub fn add_product(&mut self, a: S, b: S) {
-        let (a1, b1) = (upper(a), upper(b));
-        let (a2, b2) = (a - a1, b - b1);
-        let product = a * b;
-        let lost = a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2);
-        self.take(product, lost);
-    }
-    #[inline(always)]
-    fn take(&mut self, product: S, lost: S) {
-        let sum = self.high + product;
-        let from = sum - self.high;
-        self.low += (self.high - (sum - from)) + (product - from) + lost;
-        self.high = sum;
-    }
-    /// Adds `a b` exactly, but for the rounding of what is lost.
-    #[inline(always)]
-    fn add(&mut self, a: f64, b: S) {
-        let (a1, b1) = (upper(a), upper(b));
-        let (a2, b2) = (a - a1, b - b1);
-        let product = b.scale(a);
-        let lost = b2.scale(a2) - (((product - b1.scale(a1)) - b1.scale(a2)) - b2.scale(a1));
-        self.take(product, lost);
     }
 }
 

@@ -28,6 +28,7 @@ mod pattern;
 mod plan;
 mod quadratic;
 mod selection;
+mod sum;
 mod terms;
 #[cfg(test)]
 mod tests;
@@ -39,7 +40,7 @@ use crate::work::spend;
 use banded::Banded;
 pub use each::{Forced, Solved, solve_each};
 pub use forms::Forms;
-pub use lanes::{InLanes, LaneFactors, Pair, Row, Turn};
+pub use lanes::{InLanes, LaneFactors, Pair, Row};
 pub use pattern::Pattern;
 pub use plan::Plan;
 use plan::Target;

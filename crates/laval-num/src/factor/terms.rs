@@ -6,15 +6,16 @@
 //!
 //! Source: T. Ogita, S. M. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput. 26 (2005) 1955-1988.
 
+use super::sum::Sum;
 use super::{Factors, Pattern};
 use crate::complex::{C64, c};
 use crate::dense::Field;
 use crate::work::spend;
 
 /// Most corrections of a solution.
-const CORRECTIONS: usize = 6;
+pub(super) const CORRECTIONS: usize = 6;
 /// Correction over the solution at which it is exact to rounding.
-const EXACT: f64 = 4.0 * f64::EPSILON;
+pub(super) const EXACT: f64 = 4.0 * f64::EPSILON;
 
 /// `f_1 V_1 + f_2 V_2 + ..` by the entries of one pattern.
 #[derive(Clone, Copy, Debug)]
@@ -23,36 +24,6 @@ pub struct Terms<'a, V> {
     pub pattern: &'a Pattern,
     /// Factors and entries.
     pub terms: &'a [(C64, &'a [V])],
-}
-
-/// A sum that keeps what its rounding loses.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    high: f64,
-    low: f64,
-}
-
-/// Upper half of the digits of a number.
-fn upper(x: f64) -> f64 {
-    let scaled = 134_217_729.0 * x;
-    scaled - (scaled - x)
-}
-
-impl Sum {
-    /// Adds `a b` exactly, but for the rounding of what is lost.
-    #[inline]
-    fn add(&mut self, a: f64, b: f64) {
-        let product = a * b;
-        let ((a1, b1), sum) = ((upper(a), upper(b)), self.high + product);
-        let (a2, b2) = (a - a1, b - b1);
-        let lost = a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2);
-        let from = sum - self.high;
-        self.low += (self.high - (sum - from)) + (product - from) + lost;
-        self.high = sum;
-    }
-    fn value(self) -> f64 {
-        self.high + self.low
-    }
 }
 
 /// An entry: `f64` or [`C64`].
@@ -98,7 +69,7 @@ impl<V: Entry> Terms<'_, V> {
         let mut products = 0;
         let out = (0..self.pattern.n())
             .map(|i| {
-                let (mut re, mut im) = (Sum { high: b[i].re, low: 0.0 }, Sum { high: b[i].im, low: 0.0 });
+                let (mut re, mut im) = (Sum::of(b[i].re), Sum::of(b[i].im));
                 let (mut to_re, mut to_im) = (|a: f64, b: f64| re.add(-a, b), |a: f64, b: f64| im.add(-a, b));
                 for (e, j) in self.pattern.row(i) {
                     for ((_, values), x) in self.terms.iter().zip(&scaled) {
