@@ -55,11 +55,6 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn uses(&self) -> Uses {
         Uses { velocity: true, acceleration: true, spin: true }
     }
-    /// How many rows the lists with its parameters have ([`WithRows`](super::params::WithRows)), in their order.
-    #[inline(always)]
-    fn rows(&self) -> RowCounts {
-        [0; MOST_LISTS]
-    }
     /// How many of its states, the last ones, are memory states ([`Blocks::memory`]).
     fn memory(&self) -> usize {
         0
@@ -95,7 +90,7 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn body(&self) -> Option<&dyn erased::BodyPart> {
         None
     }
-    /// It has many coordinates: [`Extent`](super::capability::Extent).
+    /// It has many coordinates, or parameters in lists: [`Extent`](super::capability::Extent).
     fn extent(&self) -> Option<&dyn erased::Extent> {
         None
     }
@@ -141,6 +136,6 @@ impl<P: Part> Parametric for P {
     type Family = <P as Part>::Family;
     #[inline(always)]
     fn row_counts(&self) -> RowCounts {
-        Part::rows(self)
+        self.extent().map_or([0; MOST_LISTS], |e| e.rows())
     }
 }

@@ -27,7 +27,7 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
-use crate::model::capability::Scope;
+use crate::model::capability::{Extent, Scope};
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::{Family, Listed, RowCounts, RowFamily, WithRows};
@@ -361,10 +361,6 @@ cyy = "3e4 N s/m"
         Physics::Linear
     }
     #[inline(always)]
-    fn rows(&self) -> RowCounts {
-        [self.table.as_ref().map_or(0, |t| t.speeds.count()), 0]
-    }
-    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, speed: S, b: &mut Blocks<S>) {
         let k = self.coefficients(p, speed).value;
         for i in 0..2 {
@@ -423,6 +419,17 @@ cyy = "3e4 N s/m"
     }
     fn scope(&self) -> Option<&dyn erased::Scope> {
         Some(self)
+    }
+    #[inline(always)]
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for BearingLinear {
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [self.table.as_ref().map_or(0, |t| t.speeds.count()), 0]
     }
 }
 

@@ -30,6 +30,7 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Blocks, rotating};
+use crate::model::capability::Extent;
 use crate::model::capability::body::{BodyParameters, BodyPart};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
@@ -46,7 +47,7 @@ use std::sync::Arc;
 params! {
     /// Parameters of a [`Disc`].
     pub struct DiscParams in DiscFamily {
-        mass: scalar, "kg", Bounds::up_to(1e7), required, "mass m; 0 is a point without inertia, as between two springs in series";
+        mass: scalar, "kg", Bounds::up_to(1e7), required, "mass m";
         eccentricity: scalar, "m", Bounds::up_to(0.5), default 0.0, "distance e of the centre of mass from the shaft centre";
         eccentricity_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the eccentricity from the key mark";
         unbalance: scalar, "kg m", Bounds::up_to(1e4), default 0.0, "additional unbalance in the direction of the eccentricity";
@@ -149,6 +150,15 @@ impl Disc {
     }
 }
 
+/// Least mass of what has one, kg.
+const LIGHTEST: f64 = 1e-9;
+
+/// What is wrong with a mass that is not 0 and less than any body has.
+pub(super) fn too_light(mass: f64) -> Option<Text> {
+    let (mass, least) = (text::quantity(mass, "kg"), (mass > 0.0 && mass < LIGHTEST).then(|| text::quantity(LIGHTEST, "kg"))?);
+    Some(text!("mass is {mass}; it must be 0, for a point without inertia, or at least {least}", mass, least))
+}
+
 /// `|U|^2/m`: the moment of inertia of masses that make an unbalance. The mass of an unbalance without any of its own belongs to what carries it.
 #[inline(always)]
 fn own<S: Scalar>(square: S, mass: S) -> S {
@@ -171,7 +181,7 @@ diametral_inertia = "0.06 kg m^2"   # with it the disc tilts
 skew = "0.1 mrad"                   # dynamic unbalance
 "#;
     const DOC: &'static str = "A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling \
-        and dynamic unbalance. Other parts attach to it.";
+        and dynamic unbalance. Other parts attach to it. With mass = 0 it is a point without inertia, as between two springs in series.";
     type Family = WithRows<DiscFamily, UnbalanceFamily>;
     const FIELDS: &'static [Field] = &[
         Field::optional(
@@ -256,10 +266,6 @@ skew = "0.1 mrad"                   # dynamic unbalance
 
     fn physics(&self) -> Physics {
         Physics::Linear
-    }
-    #[inline(always)]
-    fn rows(&self) -> RowCounts {
-        [self.unbalances, 0]
     }
 
     #[inline(always)]
@@ -372,6 +378,9 @@ skew = "0.1 mrad"                   # dynamic unbalance
             let field = if p.skew != 0.0 { "skew" } else { "centre_of_mass" };
             wrong.push((field, text!("{field} acts on the tilt, and this disc does not tilt: give diametral_inertia as well", field)));
         }
+        if let Some(message) = too_light(p.mass) {
+            wrong.push(("mass", message));
+        }
         if !self.tilts && p.rows.iter().any(|u| u.at != 0.0) {
             wrong.push(("unbalances", text!("the height of an unbalance acts on the tilt, and this disc does not tilt")));
         }
@@ -379,6 +388,17 @@ skew = "0.1 mrad"                   # dynamic unbalance
     }
     fn body(&self) -> Option<&dyn erased::BodyPart> {
         Some(self)
+    }
+    #[inline(always)]
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for Disc {
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [self.unbalances, 0]
     }
 }
 

@@ -17,13 +17,15 @@ use crate::model::erased;
 use crate::model::field::{Bounds, Field, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Params, Part, Physics};
 use crate::params;
+use crate::parts::disc::too_light;
+use crate::text::Text;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
 params! {
     /// Parameters of a [`Foundation`].
     pub struct FoundationParams in FoundationFamily {
-        mass: scalar, "kg", Bounds::up_to(1e9), required, "mass M; 0 is a point without inertia on its supports";
+        mass: scalar, "kg", Bounds::up_to(1e9), required, "mass M";
         stiffness: lateral, "N/m", Bounds::up_to(1e15), required, "stiffness c2 of all supports together";
         damping: lateral, "N s/m", Bounds::up_to(1e12), default 0.0, "damping chi0 of all supports together";
     }
@@ -39,7 +41,8 @@ mass = "60 kg"
 stiffness = { x = "2.4e6 N/m", y = "1.8e6 N/m" }
 damping = "900 N s/m"
 "#;
-    const DOC: &'static str = "A foundation block on elastic supports to the ground, movable in x and y. Other parts attach to it.";
+    const DOC: &'static str = "A foundation block on elastic supports to the ground, movable in x and y. Other parts attach to it. With mass = 0 it is a point without inertia on its \
+        supports.";
     type Family = FoundationFamily;
     const FIELDS: &'static [Field] = &[];
 
@@ -76,6 +79,9 @@ damping = "900 N s/m"
         let force = |i: usize| p.stiffness[i] * at.q[i] + p.damping[i] * at.v[i];
         out.push(Observed { name: Observed::DISPLACEMENT, unit: "m", value: at.q[0].hypot(at.q[1]) });
         out.push(Observed { name: "ground force", unit: "N", value: force(0).hypot(force(1)) });
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, Text)> {
+        too_light(p.mass).map(|message| ("mass", message)).into_iter().collect()
     }
     fn body(&self) -> Option<&dyn erased::BodyPart> {
         Some(self)

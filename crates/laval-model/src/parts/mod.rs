@@ -101,7 +101,7 @@ fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Buil
     let sound = !own.has_errors();
     diagnostics.0.append(&mut own.0);
     let part = built?;
-    let rows = part.rows();
+    let rows = part.row_counts();
     for (list, count) in P::Family::lists().iter().zip(rows) {
         let columns = values.columns(list.name);
         for (k, slot) in (0..count).flat_map(|k| list.slots.iter().map(move |s| (k, s))) {

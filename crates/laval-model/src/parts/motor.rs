@@ -26,7 +26,7 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
-use crate::model::capability::SpinDrive;
+use crate::model::capability::{Extent, SpinDrive};
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::{RowCounts, RowFamily, WithRows};
@@ -214,10 +214,6 @@ inertia = "0.02 kg m^2"
         Physics::Linear
     }
     #[inline(always)]
-    fn rows(&self) -> RowCounts {
-        [if let Curve::Table(f) = &self.curve { f.count() } else { 0 }, 0]
-    }
-    #[inline(always)]
     fn linear<S: Scalar>(&self, _: &Params<Self, S>, _: S, _: &mut Blocks<S>) {}
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
@@ -255,6 +251,17 @@ inertia = "0.02 kg m^2"
     }
     fn spin_drive(&self) -> Option<&dyn erased::SpinDrive> {
         Some(self)
+    }
+    #[inline(always)]
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for Motor {
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [if let Curve::Table(f) = &self.curve { f.count() } else { 0 }, 0]
     }
 }
 

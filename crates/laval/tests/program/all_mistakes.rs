@@ -419,9 +419,12 @@ fn a_part_given_twice_or_missing_or_joined_to_itself() {
 
 #[test]
 fn values_of_no_machine_are_refused_or_reported() {
-    for (from, to) in [("\"2.4 kg\"", "\"1e-300 kg\""), ("\"25 kg\"", "\"1e-300 kg\""), ("\"880 kg/m^3\"", "\"1e-300 kg/m^3\"")] {
-        assert_eq!(codes(&[(from, to)]), ["value.bounds"]);
+    // a body has a mass or none at all
+    for (from, to) in [("\"2.4 kg\"", "\"1e-300 kg\""), ("\"25 kg\"", "\"1e-300 kg\"")] {
+        assert_eq!(codes(&[(from, to)]), ["part.check"]);
     }
+    assert!(codes(&[("\"25 kg\"", "0")]).is_empty());
+    assert_eq!(codes(&[("\"880 kg/m^3\"", "\"1e-300 kg/m^3\"")]), ["value.bounds"]);
     let reported = |cubic: &str| {
         let text = MACHINE.replace("8.7e10 N/m^3", cubic);
         load(&text).unwrap_or_else(|d| panic!("{d:?}")).warnings.0.iter().map(|d| d.code).collect::<Vec<_>>()

@@ -173,6 +173,7 @@ diag-this-damper-was-built-without-tilt-db59 = this damper was built without til
 
 ## laval-model/src/parts/disc.rs
 
+diag-mass-is-it-must-be-0-a8a8 = mass is { $mass }; it must be 0, for a point without inertia, or at least { $least }
 diag-has-no-effect-on-a-disc-44a1 = { $name } has no effect on a disc that another body carries
 diag-it-moves-as-that-body-does-d19c = it moves as that body does: say { $name } of the body
 diag-an-unbalance-of-a669 = an unbalance of { $u }
@@ -1578,7 +1579,7 @@ diag-take-about-gb-of-memory-more-e408 = { $of } take about { $needed } GB of me
 ## laval/src/study/shared/speed_range.rs
 
 diag-this-study-knows-one-spin-and-77ac = this study knows one spin, and the machine has another one, "{ $name }"
-diag-modes-campbell-critical-speeds-stability-map-b6ca = modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static and transient take several spins
+diag-modes-campbell-critical-speeds-stability-map-4ae2 = modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient and run_up take several spins
 diag-the-study-needs-the-coefficients-of-46db = the study needs the coefficients of "{ $name }" at { $from }; its table goes from { $low } to { $high }
 diag-the-study-needs-the-coefficients-of-bb45 = the study needs the coefficients of "{ $name }" from { $from } to { $to }; its table goes from { $low } to { $high }
 diag-keep-to-speeds-of-the-table-c95a = keep to speeds of the table, add rows to it, or write beyond = "hold" or beyond = "linear" in "{ $name }": results beyond are then marked

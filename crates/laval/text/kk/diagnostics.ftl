@@ -1609,4 +1609,4 @@ diag-no-mode-becomes-less-stable-with-f0e4 = қатаңдықпен ешбір �
 diag-give-up-to-2dd8 = up_to беріңіз
 diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" "{ $body }" денесіне бекітілген, ал ол басқа айналумен айналады
 diag-leave-spin-out-it-turns-with-b814 = spin өрісін алып тастаңыз: дене бекітілген денемен бірге айналады; немесе оған өз координаттарын және араларына подшипник беріңіз
-diag-modes-campbell-critical-speeds-stability-map-b6ca = бірнеше айналуға modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static және transient жол береді
+diag-modes-campbell-critical-speeds-stability-map-4ae2 = бірнеше айналуға modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient және run_up жол береді

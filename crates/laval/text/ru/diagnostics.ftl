@@ -1299,4 +1299,4 @@ diag-no-mode-becomes-less-stable-with-f0e4 = ни одна мода не тер�
 diag-give-up-to-2dd8 = задайте up_to
 diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" закреплено на "{ $body }", а то вращается вместе с другим вращением
 diag-leave-spin-out-it-turns-with-b814 = уберите spin: тело вращается вместе с тем, на чём закреплено; или дайте ему свои координаты и подшипник между ними
-diag-modes-campbell-critical-speeds-stability-map-b6ca = несколько вращений допускают modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static и transient
+diag-modes-campbell-critical-speeds-stability-map-4ae2 = несколько вращений допускают modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient и run_up

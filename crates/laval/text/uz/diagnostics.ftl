@@ -1607,4 +1607,4 @@ diag-no-mode-becomes-less-stable-with-f0e4 = bikrlik bilan hech bir moda turg‘
 diag-give-up-to-2dd8 = up_to bering
 diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" "{ $body }" jismiga mahkamlangan, u esa boshqa aylanish bilan aylanadi
 diag-leave-spin-out-it-turns-with-b814 = spin maydonini olib tashlang: jism mahkamlangan jism bilan birga aylanadi; yoki unga o‘z koordinatalarini va orasiga podshipnik bering
-diag-modes-campbell-critical-speeds-stability-map-b6ca = bir necha aylanishga modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static va transient yo‘l qo‘yadi
+diag-modes-campbell-critical-speeds-stability-map-4ae2 = bir necha aylanishga modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient va run_up yo‘l qo‘yadi

@@ -1,24 +1,38 @@
-//! Parts of many coordinates.
+//! Parts of many coordinates, or with parameters in the rows of lists.
 
-use super::super::params::Parametric;
+use super::super::params::{MOST_LISTS, Parametric, RowCounts};
 
-/// A part of many coordinates of which only neighbours are coupled.
+/// A part of many coordinates of which only neighbours are coupled, or with parameters in lists.
 pub trait Extent: Parametric {
     /// Local coordinates farther apart than this in their order are not coupled.
-    fn reach(&self) -> usize;
+    fn reach(&self) -> usize {
+        usize::MAX
+    }
+    /// How many rows the lists with its parameters have ([`WithRows`](super::super::params::WithRows)), in their order.
+    fn rows(&self) -> RowCounts {
+        [0; MOST_LISTS]
+    }
 }
 
 /// The object-safe face.
 pub mod erased {
+    use super::super::super::params::RowCounts;
+
     /// See the [trait of the author](super::Extent).
     #[allow(missing_docs)]
     pub trait Extent {
         fn reach(&self) -> usize;
+        fn rows(&self) -> RowCounts;
     }
 
     impl<T: super::Extent> Extent for T {
+        #[inline(always)]
         fn reach(&self) -> usize {
             super::Extent::reach(self)
+        }
+        #[inline(always)]
+        fn rows(&self) -> RowCounts {
+            super::Extent::rows(self)
         }
     }
 }

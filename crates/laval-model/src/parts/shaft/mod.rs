@@ -390,10 +390,6 @@ material = "steel"
     fn physics(&self) -> Physics {
         Physics::Linear
     }
-    #[inline(always)]
-    fn rows(&self) -> RowCounts {
-        [self.lengths.len(), self.layers.len()]
-    }
 
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
@@ -578,6 +574,10 @@ material = "steel"
 impl Extent for Shaft {
     fn reach(&self) -> usize {
         2 * self.node() - 1
+    }
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        [self.lengths.len(), self.layers.len()]
     }
 }
 

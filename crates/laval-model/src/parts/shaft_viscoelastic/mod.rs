@@ -41,7 +41,7 @@ mod tests;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Axes, Blocks, Memory};
-use crate::model::capability::FrequencyDomain;
+use crate::model::capability::{Extent, FrequencyDomain};
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
 use crate::model::params::{RowCounts, RowFamily, WithRows};
@@ -500,14 +500,6 @@ decay = "0.05 1/s"                  # b
         2 * self.exponentials()
     }
     #[inline(always)]
-    fn rows(&self) -> RowCounts {
-        match &self.law {
-            Law::Weak(w) if w.own => [0, 0],
-            Law::Weak(w) => [w.terms.len(), 0],
-            Law::Exponentials(rates) => [0, rates.len()],
-        }
-    }
-    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let k = self.stiffness(p);
         for j in 0..self.exponentials() {
@@ -596,6 +588,21 @@ decay = "0.05 1/s"                  # b
     }
     fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
         Some(self)
+    }
+    #[inline(always)]
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for ShaftViscoelastic {
+    #[inline(always)]
+    fn rows(&self) -> RowCounts {
+        match &self.law {
+            Law::Weak(w) if w.own => [0, 0],
+            Law::Weak(w) => [w.terms.len(), 0],
+            Law::Exponentials(rates) => [0, rates.len()],
+        }
     }
 }
 
