@@ -336,6 +336,84 @@ fn motions_in_time_are_the_sum_of_both_responses() {
     }
 }
 
+/// A run-up of both spins: the core, which touches nothing else, moves as in the run-up of its own machine, seen in a mirror as it turns the other way, and its
+/// passage is at the speed of the machine that brings its own spin there.
+#[test]
+fn run_ups_take_several_spins() {
+    use crate::common::files::{findings, run_all};
+    let study = |from: f64, to: f64| {
+        format!("[[study]]\nkind = \"run_up\"\nfrom = {from}\nto = {to}\nduration = 2.0\npoints = 300\nrelative_tolerance = 1e-9\n")
+    };
+    let (from, to) = (100.0, 700.0);
+    let both = run_all(&(coaxial(300.0, "") + &study(from, to))).swap_remove(0);
+    let mirrored = core(300.0).replace("eccentricity_phase = 0.4", "eccentricity_phase = -0.4");
+    let alone = run_all(&(mirrored + &study(-RATIO * from, -RATIO * to))).swap_remove(0);
+    let column = |o: &laval::outcome::Outcome, table: &str, name: &str| -> Vec<f64> {
+        let c = o.find_table(table).unwrap().column(name).unwrap_or_else(|| panic!("{name}"));
+        (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+    };
+    let near = |a: &[f64], b: &[f64], sign: f64, tolerance: f64| {
+        let size = b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        assert!(size > 1e-6 && a.len() == b.len());
+        a.iter().zip(b).all(|(a, b)| (a - sign * b).abs() < tolerance * size)
+    };
+    for (name, sign) in [("core.x", 1.0), ("core.y", -1.0)] {
+        assert!(near(&column(&both, "motion", name), &column(&alone, "motion", name), sign, 1e-5), "{name}");
+    }
+    // the linear response beside the envelope is that of the core's own spin
+    assert!(near(&column(&both, "envelope", "core linear"), &column(&alone, "envelope", "core linear"), 1.0, 1e-9));
+    assert!(near(&column(&both, "envelope", "inner speed"), &column(&alone, "envelope", "speed"), -1.0, 1e-12));
+    let speeds = |o: &laval::outcome::Outcome| -> Vec<f64> {
+        findings(o, "peak").into_iter().filter(|f| f.subject == "core").filter_map(|f| f.value).collect()
+    };
+    let (a, b) = (speeds(&both), speeds(&alone));
+    assert!(!a.is_empty() && a.len() == b.len() && near(&a, &b, -1.0 / RATIO, 1e-2), "{a:?} {b:?}");
+}
+
+/// With a bearing between them: the motion is that of an integration of the same programme by the implicit method.
+#[test]
+fn run_ups_of_several_spins_are_motions_of_the_programme() {
+    use crate::common::files::run_all;
+    use laval::solve::programme::{Programme, Shape};
+    let text = coaxial(300.0, BETWEEN);
+    let outcome = run_all(
+        &(text.clone() + "[[study]]\nkind = \"run_up\"\nfrom = 100\nto = 600\nduration = 0.5\npoints = 100\nrelative_tolerance = 1e-9\n"),
+    )
+    .swap_remove(0);
+    let table = outcome.find_table("motion").unwrap();
+    let column = |name: &str| -> Vec<f64> {
+        let c = table.column(name).unwrap();
+        (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+    };
+    let (times, found) = (column("t"), ["case.x", "core.x"].map(column));
+    let system = load(&text).system;
+    let law = SpinLaw::Programme(Programme::ramp(100.0, 600.0, 0.5, Shape::Linear, 0.0).unwrap());
+    let mut motion = Motion::new(&system, law).unwrap();
+    let plan = Plan {
+        t_end: 0.5,
+        choice: Choice::Stiff,
+        relative: 1e-9,
+        absolute: 1e-10,
+        outputs: &times,
+        windows: 1,
+        rest: &[],
+        bound: 1.0,
+        kick: None,
+        max_steps: 1_000_000,
+        cancel: &|| false,
+        progress: &|_| (),
+    };
+    let y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
+    let own = simulate(&mut motion, &y, &plan).unwrap();
+    for (name, found) in ["case.x", "core.x"].into_iter().zip(&found) {
+        let k = system.coordinates().iter().position(|c| c.name == name).unwrap();
+        let expected: Vec<f64> = own.states.chunks_exact(y.len()).map(|y| y[k]).collect();
+        let size = expected.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        assert!(size > 1e-6 && expected.len() == found.len());
+        assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-5 * size), "{name}");
+    }
+}
+
 fn mistake(text: &str) -> String {
     let found = laval::file::load(text).err().unwrap_or_else(|| panic!("accepted:\n{text}"));
     assert!(found.0.iter().all(|d| d.span.is_some()), "{found:?}");

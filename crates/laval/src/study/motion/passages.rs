@@ -3,21 +3,33 @@
 //! After a resonance the free vibration it left beats against the forced one. Beats come once per turn of the forced motion against the free one; a
 //! passage is a peak that the envelope of the beats, too, falls away from.
 
+use crate::model::system::System;
 use crate::solve::motion::envelope::{Peak, Window};
 use crate::solve::programme::Spin;
 use std::f64::consts::PI;
 
+/// Most turns of the machine that forced motions take to come back.
+const LONGEST: f64 = 20.0;
 /// A peak stands out when the envelope falls to this fraction of it on both sides.
 pub(in crate::study) const PROMINENT: f64 = 0.7;
 /// Half of a little more than one beat, as an angle of the forced motion against the free one.
 const BEAT: f64 = 1.25 * PI;
 
-/// The envelope at every window: the largest displacement in it and within half a turn of the rotor, so that the ripple of an orbit that is no circle
-/// does not show. Ends where the motion ends.
-pub(in crate::study) fn envelope(windows: &[Window], spin: &dyn Fn(f64) -> Spin) -> Vec<Peak> {
+/// The envelope at every window: the largest displacement in it and within `reach` of the angle of the rotor, so that what comes back within it does not show.
+/// Ends where the motion ends.
+pub(in crate::study) fn envelope(windows: &[Window], spin: &dyn Fn(f64) -> Spin, reach: f64) -> Vec<Peak> {
     let peaks: Vec<Peak> = windows.iter().map(|w| w.peak).take_while(|p| p.amplitude.is_finite()).collect();
     let angles: Vec<f64> = peaks.iter().map(|p| spin(p.t).phase).collect();
-    widened(&peaks, &angles, PI, 0)
+    widened(&peaks, &angles, reach, 0)
+}
+
+/// Half of the longest of the angles after which forced motions come back: the turns of orbits that are no circles, and the beats of the motions that two spins
+/// force. Beats longer than [`LONGEST`] turns are seen as such.
+pub(in crate::study) fn reach(system: &System) -> f64 {
+    let ratios: Vec<f64> = std::iter::once(1.0).chain(system.spins().iter().map(|s| s.ratio.abs())).filter(|r| *r > 0.0).collect();
+    let turns = ratios.iter().map(|r| 1.0 / r);
+    let beats = ratios.iter().enumerate().flat_map(|(k, a)| ratios[..k].iter().map(move |b| 1.0 / (a - b).abs()));
+    PI * turns.chain(beats).filter(|x| *x <= LONGEST).fold(1.0, f64::max)
 }
 
 /// The largest of the neighbours whose angle differs by at most `reach`, and of so many on either side in any case.
@@ -145,7 +157,7 @@ mod tests {
                 Window { peak: Peak { amplitude, t }, angle: 0.0, last: t }
             })
             .collect();
-        let flat = envelope(&windows, &spin);
+        let flat = envelope(&windows, &spin, PI);
         assert!(flat.iter().all(|p| p.amplitude > 1.4));
         assert!(passages(&flat, &spin).is_empty());
     }

@@ -21,7 +21,7 @@ pub(in crate::study) struct Rate {
     speed: f64,
     /// Largest growth rate, 1/s.
     growth: f64,
-    /// The speed is within [`NEAR`] of a natural frequency.
+    /// The speed of the machine or of another of its spins is within [`NEAR`] of a natural frequency.
     near: bool,
 }
 
@@ -110,7 +110,8 @@ impl Rate {
     /// At one speed; `None` where the machine has no rest to be linearised at.
     pub fn at(system: &System, t: f64, speed: f64) -> Option<Rate> {
         let spectrum = modes_about(system, &rest(system, speed).ok()?, false).ok()?;
-        let near = spectrum.modes.iter().any(|m| m.frequency() > 0.0 && (m.frequency() - speed.abs()).abs() <= NEAR * speed.abs());
+        let spins: Vec<f64> = std::iter::once(1.0).chain(system.spins().iter().map(|s| s.ratio)).map(|r| (r * speed).abs()).collect();
+        let near = spectrum.modes.iter().any(|m| m.frequency() > 0.0 && spins.iter().any(|w| (m.frequency() - w).abs() <= NEAR * w));
         Some(Rate { t, speed, growth: spectrum.least_stable()?.growth(), near })
     }
 }

@@ -56,7 +56,7 @@ pub(in crate::study) fn able<T: Study>(study: &T, system: &System) -> Result<(),
     {
         let message = text!("this study knows one spin, and the machine has another one, \"{name}\"", name);
         let help = text!(
-            "modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static and transient take several spins"
+            "modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient and run_up take several spins"
         );
         return Err(Diagnostic::error("study.spins", message).help(help));
     }

@@ -6,7 +6,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Line, Outcome, OutcomeError, Panel, Table};
 use crate::solve::motion::SpinLaw;
 use crate::solve::motion::envelope::Window;
-use crate::study::motion::passages::envelope;
+use crate::study::motion::passages::{envelope, reach};
 use crate::study::motion::record::{MotionRecord, Series};
 use crate::study::motion::turns;
 
@@ -87,7 +87,7 @@ fn motion_figures(
         return Ok(outcome);
     }
     let coarse = turns::coarse(&record.spin);
-    let seen = drawn_envelope.map(|law| sizes(record, law));
+    let seen = drawn_envelope.map(|law| sizes(system, record, law));
     let decays =
         |sizes: &[f64]| sizes.last().is_some_and(|last| *last > 0.0 && most(sizes.iter().copied()) > DECAYS * last) && sizes.len() > 2;
     if let Some(seen) = &seen
@@ -133,10 +133,10 @@ fn motion_figures(
 }
 
 /// The largest displacements of each body in successive windows.
-fn sizes(record: &MotionRecord, law: &SpinLaw) -> Vec<Vec<f64>> {
+fn sizes(system: &System, record: &MotionRecord, law: &SpinLaw) -> Vec<Vec<f64>> {
     let of = |windows: &Vec<Window>| -> Vec<f64> {
         let seen = match law {
-            SpinLaw::Programme(p) => envelope(windows, &|t| p.at(t)),
+            SpinLaw::Programme(p) => envelope(windows, &|t| p.at(t), reach(system)),
             SpinLaw::Free => windows.iter().map(|w| w.peak).take_while(|p| p.amplitude.is_finite()).collect(),
         };
         seen.iter().map(|p| p.amplitude).collect()

@@ -1,4 +1,4 @@
-//! The steady linear response at the speeds of a run-up.
+//! The steady linear response at the speeds of a run-up: of several spins the sum of what each forces, which their motions reach together once a beat.
 
 use crate::model::blocks::Grid;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
@@ -42,18 +42,35 @@ impl<'a> LinearResponse<'a> {
         let (n, zero) = (system.n(), vec![0.0; system.n().max(system.m())]);
         let (q, z) = (&zero[..n], &zero[..system.m()]);
         system.linear(system.params(), speed, Form::Frequency, &mut self.model, &mut self.scratch);
-        let s = c(0.0, speed);
-        system.dynamic_stiffness(system.params(), &self.model, Form::Frequency, s, &mut self.stiffness, &mut self.scratch);
+        let loads = &self.model.loads;
+        let others = loads.others.iter().map(|o| (o.ratio, o.force.clone()));
+        let turning: Vec<(f64, [Vec<f64>; 2])> =
+            std::iter::once((1.0, [loads.force_cos.clone(), loads.force_sin.clone()])).chain(others).collect();
         let at = At { q, v: q, a: q, z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         system.tangent(&at, false, &mut self.tangent, &mut self.tangent_scratch, |slot| !slot.is_linear());
+        let mut sum = vec![0.0; system.stations().len()];
+        for (ratio, load) in turning {
+            let own = self.forced(speed, ratio, &load);
+            sum.iter_mut().zip(own).for_each(|(s, x)| *s += x);
+        }
+        sum
+    }
+
+    /// The same of loads that turn with a spin of this ratio to the speed.
+    fn forced(&mut self, speed: f64, ratio: f64, [cos, sin]: &[Vec<f64>; 2]) -> Vec<f64> {
+        let (system, n) = (self.system, self.system.n());
+        let count = system.stations().len();
+        if ratio != 1.0 && cos.iter().chain(sin).all(|f| *f == 0.0) {
+            return vec![0.0; count];
+        }
+        let s = c(0.0, ratio * speed);
+        system.dynamic_stiffness(system.params(), &self.model, Form::Frequency, s, &mut self.stiffness, &mut self.scratch);
         let t = &self.tangent;
         let matrix = Mat::from_fn(self.stiffness.rows(), self.stiffness.cols(), |i, j| {
             let own = self.stiffness[(i, j)];
             if i < n && j < n { own + c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]) } else { own }
         });
-        let b = &self.model.loads;
-        let mut x: Vec<C64> = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { c(0.0, 0.0) }).collect();
-        let count = system.stations().len();
+        let mut x: Vec<C64> = (0..matrix.rows()).map(|i| if i < n { c(cos[i], -sin[i]) } else { c(0.0, 0.0) }).collect();
         let Ok(lu) = Lu::new(&matrix) else { return vec![f64::NAN; count] };
         lu.solve(&mut x);
         // forward and backward parts turn against each other: their radii add up once a turn

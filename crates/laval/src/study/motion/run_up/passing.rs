@@ -6,7 +6,7 @@ use crate::solve::motion::envelope::Peak;
 use crate::solve::motion::trajectory::Trajectory;
 use crate::study::motion::balance;
 use crate::study::motion::history;
-use crate::study::motion::passages::{PROMINENT, envelope, passages};
+use crate::study::motion::passages::{PROMINENT, envelope, passages, reach};
 use crate::study::motion::record::MotionRecord;
 use crate::study::motion::unstable::{Range, Rate, Rates};
 use serde::{Deserialize, Serialize};
@@ -77,7 +77,7 @@ impl RunUp {
             if own.peak.amplitude <= own.still {
                 continue;
             }
-            let seen = envelope(own.windows, &spin);
+            let seen = envelope(own.windows, &spin, reach(system));
             let mut found = BodyPassages { body: own.body.clone(), tilt: own.tilt, passages: Vec::new(), swings: None };
             let mut round: Vec<(f64, f64)> = Vec::new();
             let passed = passages(&seen, &spin);

@@ -6,7 +6,7 @@ use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, SpecialPoint, Status};
 use crate::study::Study;
 use crate::study::motion::history::{self, Columns, ProbeMotion};
-use crate::study::motion::passages::envelope;
+use crate::study::motion::passages::{envelope, reach};
 use crate::study::motion::unstable::Range;
 use crate::study::motion::{balance, drive, start};
 use crate::study::shared::support::place;
@@ -121,12 +121,16 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
     if bodies.is_empty() {
         return Ok(outcome);
     }
-    let seen: Vec<_> = record.windows.iter().map(|w| envelope(w, &|t| study.programme.at(t))).collect();
+    let seen: Vec<_> = record.windows.iter().map(|w| envelope(w, &|t| study.programme.at(t), reach(system))).collect();
     let middle = study.middles(record);
     let count = middle.len();
     let speeds: Vec<f64> = middle.iter().map(|&t| study.programme.at(t).speed).collect();
     let mut columns = Columns::default();
     columns.add("t", "s", "middle of the window", middle);
+    for spin in system.spins().iter().filter(|s| s.name.is_some()) {
+        let own = speeds.iter().map(|w| spin.ratio * w).collect();
+        columns.add(format!("{} speed", spin.name.as_deref().unwrap_or_default()), "rad/s", "speed of this spin there", own);
+    }
     columns.add("speed", "rad/s", "spin speed there", speeds);
     let mut figure = Figure::new("envelope", "Envelope against speed", "run-up-alt-envelope").x(Axis::new("speed", "rad/s"));
     let natures = result.passages.iter().flat_map(|p| &p.passages).map(|p| p.nature);
