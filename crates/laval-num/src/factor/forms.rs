@@ -130,3 +130,43 @@ impl Kernel for Exact<'_> {
         out
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Pattern, Plan};
+    use super::*;
+    use std::sync::Arc;
+
+    /// Both forms are the products of complex numbers, lane by lane, also of entries that are not real.
+    #[test]
+    fn forms_are_products_of_the_matrices() {
+        let n = 60;
+        let pattern = Arc::new(Pattern::new(n, (0..n).flat_map(|i| [(i, (i + 1).min(n - 1)), (i, (i + 3).min(n - 1))])));
+        let own = |k: usize| (0..pattern.entries()).map(|e| C64::cis((3 * e + 7 * k) as f64).scale(1.0 + k as f64)).collect::<Vec<_>>();
+        let terms = [own(0), own(1), own(2)];
+        let t = ScaledQuadratic::new(&Plan::new(&pattern), terms.each_ref().map(Vec::as_slice), 1.0).unwrap();
+        let vector = |seed: usize| -> Vec<Pair> {
+            let of = |i: usize, l: usize| C64::cis((seed * i + 5 * l) as f64 + 0.3 * (i * l) as f64);
+            (0..n).map(|i| [std::array::from_fn(|l| of(i, l).re), std::array::from_fn(|l| of(i, l).im)]).collect()
+        };
+        let (x, y) = (vector(3), vector(11));
+        let s: Pair = [std::array::from_fn(|l| 0.1 * l as f64 - 0.5), std::array::from_fn(|l| 1.0 + 0.2 * l as f64)];
+        let (forms, exact) = (t.forms(&y, &x), t.exact_form(&s, &y, &x));
+        for l in 0..LANES {
+            let (at, get) = (c(s[0][l], s[1][l]), |v: &[Pair], i: usize| c(v[i][0][l], v[i][1][l]));
+            let (mut value, mut slope) = (C64::zero(), C64::zero());
+            for i in 0..n {
+                for (e, j) in pattern.row(i) {
+                    let [a0, a1, a2] = terms.each_ref().map(|all| all[e].scale(t.rows()[i] * t.columns()[j]));
+                    let outer = get(&y, i).conj() * get(&x, j);
+                    value += outer * (a0 + at * (a1 + at * a2));
+                    slope += outer * (a1 + (at * a2).scale(2.0));
+                }
+            }
+            let (plain, by_s) = forms.at(l, at);
+            for (found, expected) in [(plain, value), (c(exact[0][l], exact[1][l]), value), (by_s, slope)] {
+                assert!((found - expected).abs() <= 1e-12 * (1.0 + expected.abs()) * n as f64, "{l}: {found:?} {expected:?}");
+            }
+        }
+    }
+}
