@@ -144,9 +144,14 @@ struct Determinant<'a, 'b> {
 }
 
 impl<'a, 'b> Determinant<'a, 'b> {
-    fn new(t: &'a mut Characteristic<'b>, sector: Option<Sector>, frequency: f64, cancel: Option<&'a AtomicBool>) -> Self {
+    fn new(
+        t: &'a mut Characteristic<'b>,
+        sector: Option<Sector>,
+        (frequency, counts): (f64, bool),
+        cancel: Option<&'a AtomicBool>,
+    ) -> Self {
         let of = t.selection(&t.members(sector));
-        let together = Block::new(t, sector).and_then(|block| Determinants::new(&block, frequency));
+        let together = counts.then(|| Block::new(t, sector)).flatten().and_then(|block| Determinants::new(&block, frequency));
         Determinant { t, sector, of, factors: Factors::default(), bare: false, together, cancel }
     }
 
@@ -350,7 +355,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     let mut out =
         Roots { spectrum: Spectrum::default(), areas: Vec::new(), counted: Vec::new(), evaluations: 0, margin: request.margin, frequency };
     for &sector in sectors {
-        let mut f = Determinant::new(&mut counting, sector, frequency, request.cancel);
+        let mut f = Determinant::new(&mut counting, sector, (frequency, budget > 0), request.cancel);
         if f.of.members.is_empty() {
             continue;
         }
