@@ -37,7 +37,7 @@ def disc(
     Args:
         name: by which others refer to it.
         mass: mass m (required).
-            a mass (kg, g, t), between 0.001 mg and 1e7 kg
+            a mass (kg, g, t), between 0 and 1e7 kg
         on: the point of a shaft or of another body that it is fixed to and moves with; without it the disc has coordinates of its own (optional).
             a point: "drum" or { body = "drum", at = "40 mm" }
         spin: the part of kind "speed_ratio" with which it turns; without it, it turns with the body that carries it or else at the speed of the machine (optional).
@@ -46,7 +46,7 @@ def disc(
             true or false
         torsional: a disc with coordinates of its own also twists: twist is its rotation relative to the spin (default false).
             true or false
-        unbalances: several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights; a study that varies parameters leaves them as they are (optional).
+        unbalances: several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights (optional).
             columns of equal length { unbalance: size [an unbalance]; phase: direction from the key mark [an angle], optional; at: height of its plane above the reference point, for a disc that tilts [a length], optional }, or a list of rows { unbalance = .., .. }
         eccentricity: distance e of the centre of mass from the shaft centre (default 0.0 m).
             a length (mm, m, µm), between 0 and 500 mm
@@ -89,7 +89,7 @@ def foundation(
     Args:
         name: by which others refer to it.
         mass: mass M (required).
-            a mass (kg, g, t), between 0.001 mg and 1e9 kg
+            a mass (kg, g, t), between 0 and 1e9 kg
         stiffness: stiffness c2 of all supports together (required).
             a stiffness (N/m, N/mm, MN/m), between 0 and 1e15 N/m; one value, or { x = .., y = .. }
         damping: damping chi0 of all supports together (default 0.0 N s/m).
@@ -431,7 +431,7 @@ def shaft(
         spin: the part of kind "speed_ratio" with which it turns; without it, it turns with the body that carries it or else at the speed of the machine (optional).
             a text
         layer: cylindrical layers on the shaft or in its bore, such as sleeves: as many entries in each list; stiffnesses and masses of layers and shaft add up, with one slope and one shear angle (optional).
-            columns of equal length { from: position of its lower end [a length]; to: position of its upper end [a length]; outer_diameter: outer diameter [a length]; inner_diameter: inner diameter: of a sleeve that of the shaft under it [a length]; modulus: Young's modulus; that of the shaft unless given [a pressure], optional; shear_modulus: shear modulus; that of the shaft unless given [a pressure], optional; density: density; that of the shaft unless given [a density], optional; stiffness: share of its stiffness that counts, 1 unless given; 0 is a layer with mass alone [a pure number], optional }, or a list of rows { from = .., .. }
+            columns of equal length { from: position of its lower end [a length]; to: position of its upper end [a length]; outer_diameter: outer diameter [a length]; inner_diameter: inner diameter: of a sleeve that of the shaft under it [a length]; modulus: Young's modulus; 0 where it is that of the shaft [a pressure], optional; shear_modulus: shear modulus; 0 where it is that of the shaft [a pressure], optional; density: density; 0 where it is that of the shaft [a density], optional; stiffness: share of its stiffness that counts, 1 unless given; 0 is a layer with mass alone [a pure number], optional }, or a list of rows { from = .., .. }
         material: material; modulus, shear_modulus and density are its values unless given (default steel).
             "steel" (E 210 GPa, G 80.8 GPa, 7850 kg/m^3) or "stainless_steel" (austenitic: E 193 GPa, G 75 GPa, 7950 kg/m^3) or "aluminium" (wrought alloys: E 70 GPa, G 26.3 GPa, 2700 kg/m^3) or "titanium" (Ti-6Al-4V: E 114 GPa, G 43 GPa, 4430 kg/m^3) or "cast_iron" (with spheroidal graphite: E 169 GPa, G 66 GPa, 7100 kg/m^3)
         elements: number of elements of every section; auto makes them half as long as thick, 60 for the whole shaft at most (default auto).
