@@ -205,7 +205,7 @@ impl Knots {
                 let (left, right, h) = (self.mean(y, k - 1), self.mean(y, k), [self.width(k - 1), self.width(k)]);
                 let (p, r) = (2.0 * h[1] + h[0], h[1] + 2.0 * h[0]);
                 let both = left * right;
-                // 0 times what is not a number is not 0
+                // 0 times NaN is NaN
                 let sum = both.select_pos(right.scale(p) + left.scale(r), S::one());
                 both.select_pos(both.scale(p + r) / sum, both.scale(0.0))
             }

@@ -34,10 +34,6 @@ pub struct Located {
     pub step: f64,
 }
 
-fn members(t: &Characteristic, sector: Option<Sector>) -> Vec<usize> {
-    (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect()
-}
-
 /// What the derivative of T over the speed takes besides T: the tangents of nonlinear parts, which have no poles, at speeds beside.
 pub(super) struct Beside<'a>(Vec<(f64, Characteristic<'a>)>);
 
@@ -106,7 +102,7 @@ pub(super) fn carried(system: &System, state: State, from: (f64, C64), to: f64, 
 pub fn crossing(system: &System, state: State, order: f64, speed: f64, growth: f64, sector: Option<Sector>) -> Option<Located> {
     let (mut w, mut growth) = (speed, growth);
     let mut t = at_speed(system, state, w)?;
-    let border = t.border(c(growth, order * w), &members(&t, sector))?;
+    let border = t.border(c(growth, order * w), &t.members(sector))?;
     let mut last = f64::INFINITY;
     for _ in 0..30 {
         let s = c(growth, order * w);
@@ -134,7 +130,7 @@ pub fn crossing(system: &System, state: State, order: f64, speed: f64, growth: f
 pub fn double_root(system: &System, state: State, speed: f64, start: C64, sector: Option<Sector>) -> Option<Located> {
     let (mut s, mut w) = (start, speed);
     let mut t = at_speed(system, state, w)?;
-    let members = members(&t, sector);
+    let members = t.members(sector);
     let mut border = t.border(s, &members)?;
     let evaluate = |s: C64, w: f64, border: &Border| -> Option<Test> { at_speed(system, state, w)?.test(s, border) };
     let mut last = f64::INFINITY;

@@ -46,6 +46,9 @@ pub fn polish_all(t: &mut Characteristic, starts: &[Near], sector: Option<Sector
         Some(root) => t.polish_with(s.value, root.border.clone()),
         None => t.polish(s.value, sector),
     };
+    if starts.is_empty() {
+        return Vec::new();
+    }
     let Some(block) = Block::new(t, sector) else { return starts.iter().map(|s| single(t, s)).collect() };
     let mut order: Vec<usize> = (0..starts.len()).collect();
     order.sort_by(|&a, &b| starts[a].value.abs().total_cmp(&starts[b].value.abs()));

@@ -147,8 +147,7 @@ pub fn divergence(system: &System, about: &Equilibrium) -> Option<f64> {
 fn blocks(t: &Characteristic, sectors: &[Option<Sector>]) -> Vec<Block> {
     let terms = t.polynomial();
     let block = |&sector: &Option<Sector>| {
-        let members: Vec<usize> = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
-        let of = t.selection(&members);
+        let of = t.selection(&t.members(sector));
         let real = sector.is_none().then(|| t.real_polynomial()).flatten().map(|all| all.map(|all| of.taken(&all)));
         let terms = terms.each_ref().map(|all| of.taken(all));
         Block { sector, of, terms, real }

@@ -206,7 +206,7 @@ impl Shaft {
     #[inline(always)]
     fn layers_of<S: Scalar>(&self, p: &Params<Self, S>, k: usize) -> Layers<S> {
         let mut out = Layers::none();
-        // 0 times what is not a number is not 0
+        // 0 times NaN is NaN
         let own = |layer: S, shaft: S| layer.select_pos(layer, shaft + layer.scale(0.0));
         for (number, _) in self.covering(k) {
             let l = &p.rows[number];
