@@ -629,3 +629,5 @@ term-inner-diameter-of-a-sleeve-that-of-the-shaft-under-it = ішкі диаме
 term-outer-diameter = сыртқы диаметр
 term-position-of-its-lower-end = төменгі ұшының орны
 term-position-of-its-upper-end = жоғарғы ұшының орны
+term-neither-bending-moment-nor-shear-force-at-the-couplings-as-of-a-train-with-two-bearings-on-each-shaft = муфталарда июші момент те, көлденең күш те жоқ: әр білігінде екі мойынтірегі бар біліктер тізбегіндегідей
+term-no-bending-moment-at-the-couplings-as-where-a-shaft-has-one-bearing-and-hangs-on-its-coupling = муфталарда июші момент жоқ: бір мойынтірегі бар, муфтаға сүйенген біліктегідей

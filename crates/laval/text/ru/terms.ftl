@@ -505,3 +505,5 @@ term-inner-diameter-of-a-sleeve-that-of-the-shaft-under-it = внутренни�
 term-outer-diameter = наружный диаметр
 term-position-of-its-lower-end = положение нижнего конца
 term-position-of-its-upper-end = положение верхнего конца
+term-neither-bending-moment-nor-shear-force-at-the-couplings-as-of-a-train-with-two-bearings-on-each-shaft = нет ни изгибающего момента, ни поперечной силы в муфтах, как у валопровода с двумя подшипниками на каждом валу
+term-no-bending-moment-at-the-couplings-as-where-a-shaft-has-one-bearing-and-hangs-on-its-coupling = нет изгибающего момента в муфтах, как у вала с одним подшипником, опёртого на муфту

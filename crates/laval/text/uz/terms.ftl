@@ -505,3 +505,5 @@ term-inner-diameter-of-a-sleeve-that-of-the-shaft-under-it = ichki diametr: vtul
 term-outer-diameter = tashqi diametr
 term-position-of-its-lower-end = pastki uchining o‘rni
 term-position-of-its-upper-end = yuqori uchining o‘rni
+term-neither-bending-moment-nor-shear-force-at-the-couplings-as-of-a-train-with-two-bearings-on-each-shaft = muftalarda eguvchi moment ham, ko‘ndalang kuch ham yo‘q: har bir valida ikkita podshipnigi bor vallar qatoridagidek
+term-no-bending-moment-at-the-couplings-as-where-a-shaft-has-one-bearing-and-hangs-on-its-coupling = muftalarda eguvchi moment yo‘q: bitta podshipnikli, muftaga tayangan valdagidek
