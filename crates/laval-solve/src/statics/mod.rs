@@ -18,6 +18,7 @@ pub mod influence;
 pub mod masses;
 pub mod offsets;
 pub mod supports;
+pub mod unbalance;
 
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;

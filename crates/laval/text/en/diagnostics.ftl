@@ -1573,6 +1573,7 @@ diag-add-speed-8e93 = add speed
 ## laval/src/study/shared/operation.rs
 
 diag-run-up-time-needs-an-operating-a26f = run_up_time needs an operating speed, which neither [operation] nor [machine] gives
+diag-needs-an-operating-speed-which-neither-3164 = { $field } needs an operating speed, which neither [operation] nor [machine] gives
 diag-operating-speeds-begin-above-standstill-and-7f11 = operating speeds begin above standstill and have one direction of rotation
 diag-write-the-speed-at-which-the-49ba = write the speed at which the machine runs, as in speed = "3000 rpm"; leave speed out where [machine] gives it
 diag-write-the-lowest-speed-at-which-520c = write the lowest speed at which the machine runs in place of 0: the run-up from standstill is not part of this range

@@ -1622,3 +1622,4 @@ diag-loads-of-couplings-vanish-only-with-76f3 = муфталардың { $needed
 diag-name-fewer-couplings-keep-fewer-supports-5374 = азырақ муфта атаңыз, азырақ тіректі қалдырыңыз немесе aligned_for = "moment" таңдаңыз
 diag-and-support-the-same-place-with-773a = "{ $a }" және "{ $b }" бір орынды әртүрлі ығысумен ұстайды
 diag-give-them-the-same-offsets-or-ca7d = оларға бірдей ығысу беріңіз немесе біреуін supports өрісінде атаңыз
+diag-needs-an-operating-speed-which-neither-3164 = { $field } үшін жұмыс айналу жиілігі керек, ал ол [operation] ішінде де, [machine] ішінде де жоқ

@@ -1312,3 +1312,4 @@ diag-loads-of-couplings-vanish-only-with-76f3 = { $needed } нагрузки м�
 diag-name-fewer-couplings-keep-fewer-supports-5374 = назовите меньше муфт, закрепите меньше опор или выберите aligned_for = "moment"
 diag-and-support-the-same-place-with-773a = "{ $a }" и "{ $b }" поддерживают одно место с разными смещениями
 diag-give-them-the-same-offsets-or-ca7d = дайте им одинаковые смещения или назовите одну из них в supports
+diag-needs-an-operating-speed-which-neither-3164 = для { $field } нужна рабочая частота вращения, а её нет ни в [operation], ни в [machine]

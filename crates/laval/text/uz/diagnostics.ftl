@@ -1620,3 +1620,4 @@ diag-loads-of-couplings-vanish-only-with-76f3 = muftalarning { $needed } ta yukl
 diag-name-fewer-couplings-keep-fewer-supports-5374 = kamroq mufta nomlang, kamroq tayanchni qoldiring yoki aligned_for = "moment" ni tanlang
 diag-and-support-the-same-place-with-773a = "{ $a }" va "{ $b }" bitta joyni turli siljish bilan tutib turadi
 diag-give-them-the-same-offsets-or-ca7d = ularga bir xil siljish bering yoki bittasini supports maydonida nomlang
+diag-needs-an-operating-speed-which-neither-3164 = { $field } uchun ish tezligi kerak, u esa na [operation] da, na [machine] da berilgan
