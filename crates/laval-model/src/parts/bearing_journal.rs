@@ -13,8 +13,8 @@
 //! Under a load the journal rests where the film carries it; what is linear about that state are its eight coefficients, at every speed. Without a load it rests in
 //! the middle, where the film has cross stiffness alone and drives whirl.
 //!
-//! Validity: length up to half of the diameter (up to the whole: forces too large by some tens of percent); laminar film, constant viscosity; the journal stays
-//! parallel to the bearing; eccentricity up to 0.95 of the clearance.
+//! Validity: length up to half of the diameter (forces too large by 8, 28, 94 % at L/D = 0.25, 0.5, 1 and e = 0.6); laminar film, constant viscosity; the journal
+//! stays parallel to the bearing; eccentricity up to 0.95 of the clearance.
 //!
 //! Theory: `docs/theory/oil-films.md`.
 //!

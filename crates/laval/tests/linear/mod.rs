@@ -2,6 +2,7 @@
 
 mod claims;
 mod criticals;
+mod finite_film;
 mod first_page;
 mod first_page_dangers;
 mod harmonic_force;
