@@ -52,6 +52,8 @@ const BESIDE: f64 = 1e-6;
 const FAR: f64 = 1e60;
 /// Size of a new direction, over that before it was made orthogonal, that is rounding.
 const ROUNDING: f64 = 1e-13;
+/// The same from which on it is orthogonal enough: to rounding over this.
+const AGAIN: f64 = 1e-2;
 
 impl Quadratic<'_> {
     /// Scaled for s of some size; `None` of a plan that does not suit lanes.
@@ -66,11 +68,16 @@ impl<T: Number + super::Number> Quadratic<'_, T> {
         a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| a0 + s * (a1 + s * a2)).collect()
     }
 
-    /// Entries of A1 and A2 that are not both zero: row, column, values.
-    fn rates(&self) -> Vec<(usize, usize, T, T)> {
+    /// Entries of A1 and A2 that are not both zero.
+    fn rates(&self) -> Rates<T> {
         let [_, a1, a2] = self.terms;
-        let row = |i: usize| self.plan.pattern().row(i).map(move |(e, j)| (i, j, a1[e], a2[e]));
-        (0..self.plan.n()).flat_map(row).filter(|x| x.2 != T::ZERO || x.3 != T::ZERO).collect()
+        let mut out = Rates { ends: Vec::with_capacity(self.plan.n()), entries: Vec::with_capacity(self.plan.pattern().entries()) };
+        for i in 0..self.plan.n() {
+            let row = self.plan.pattern().row(i).map(|(e, j)| (j, a1[e], a2[e]));
+            out.entries.extend(row.filter(|x| x.1 != T::ZERO || x.2 != T::ZERO));
+            out.ends.push(out.entries.len());
+        }
+        out
     }
 
     /// Square roots of the diagonal of |A0| + |p| |A1| + |p|^2 |A2|: unknowns of different units count alike.
@@ -81,6 +88,27 @@ impl<T: Number + super::Number> Quadratic<'_, T> {
             if size > 0.0 && size.is_finite() { size.sqrt() } else { 1.0 }
         };
         (0..self.plan.n()).map(weight).collect()
+    }
+}
+
+/// Rows of A1 and A2: column and both values, and where each row ends.
+struct Rates<T> {
+    ends: Vec<usize>,
+    entries: Vec<(usize, T, T)>,
+}
+
+impl<T: Number> Rates<T> {
+    /// `A1 x + A2 y`.
+    fn apply(&self, x: &[T], y: &[T], out: &mut [T]) {
+        let mut from = 0;
+        for (out, &end) in out.iter_mut().zip(&self.ends) {
+            let (mut of_x, mut of_y) = (T::ZERO, T::ZERO);
+            for &(j, a1, a2) in &self.entries[from..end] {
+                of_x += a1 * x[j];
+                of_y += a2 * y[j];
+            }
+            (*out, from) = (of_x + of_y, end);
+        }
     }
 }
 
@@ -130,6 +158,8 @@ struct Orthogonalise<'a, const P: usize> {
     basis: &'a [Planes<P>],
     next: &'a mut Planes<P>,
     column: &'a mut [[f64; P]],
+    /// Norm of the vector.
+    before: f64,
 }
 
 impl<const P: usize> Kernel for Orthogonalise<'_, P> {
@@ -138,8 +168,11 @@ impl<const P: usize> Kernel for Orthogonalise<'_, P> {
     fn run<S: LaneScalar>(self) {
         let mut parts = vec![[0.0; P]; self.basis.len()];
         let rows = self.next.0[0].len() / LANES;
-        // twice: what the first pass leaves is rounding of what it takes
-        for _ in 0..2 {
+        for pass in 0..2 {
+            // what the first pass leaves of the others is rounding of what it takes
+            if pass == 1 && self.next.norm() > AGAIN * self.before {
+                break;
+            }
             for (b, part) in self.basis.iter().zip(&mut parts) {
                 let mut sums = [S::zero(); P];
                 for k in 0..rows {
@@ -238,8 +271,7 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
             x[i] = Number::times(u, over[i]);
             y[i] = Number::times(Number::times(w, size) + shift * u, over[i]);
         }
-        image.fill(T::ZERO);
-        rates.iter().for_each(|&(i, j, a1, a2)| image[i] += a1 * x[j] + a2 * y[j]);
+        rates.apply(&x, &y, &mut image);
         factors.solve(&mut image);
         image.iter_mut().zip(&weights).for_each(|(v, &d)| *v = Number::times(*v, -d));
         let second = |i: usize| Number::times(b.at::<T>(i) + shift * image[i], 1.0 / size);
@@ -249,7 +281,7 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
             return Err(EigError::NotFinite);
         }
         let mut parts = vec![[0.0; P]; k + 2];
-        dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut parts });
+        dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut parts, before });
         let rest = next.normalise();
         let ended = rest <= ROUNDING * before;
         let mut column: Vec<T> = parts.iter().map(|x| T::read(x)).collect();
@@ -355,7 +387,8 @@ mod tests {
         basis[0].normalise();
         for k in 1..4 {
             let mut next = vector(k);
-            dispatch(Level::best(), Orthogonalise { basis: &basis, next: &mut next, column: &mut [[0.0; 2]; 4] });
+            let before = next.norm();
+            dispatch(Level::best(), Orthogonalise { basis: &basis, next: &mut next, column: &mut [[0.0; 2]; 4], before });
             next.normalise();
             basis.push(next);
         }
@@ -363,7 +396,8 @@ mod tests {
         let all: Vec<(Planes<2>, [[f64; 2]; 4])> = Level::supported()
             .map(|level| {
                 let (mut next, mut column) = (vector(7), [[0.0; 2]; 4]);
-                dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column });
+                let before = next.norm();
+                dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column, before });
                 (next, column)
             })
             .collect();
