@@ -50,6 +50,8 @@ const SHIFTS: i32 = 4;
 const BESIDE: f64 = 1e-6;
 /// Square of the norm of a vector, over that of its last component, beside which that is nothing.
 const FAR: f64 = 1e60;
+/// Squares of a norm that are exact to rounding.
+const SQUARES: std::ops::Range<f64> = 1e-200..1e280;
 /// Size of a new direction, over that before it was made orthogonal, that is rounding.
 const ROUNDING: f64 = 1e-13;
 /// The same from which on it is orthogonal enough: to rounding over this.
@@ -135,6 +137,15 @@ impl<const P: usize> Planes<P> {
         self.0.iter_mut().flatten()
     }
     fn norm(&self) -> f64 {
+        let mut sums = [0.0; LANES];
+        for chunk in self.0.iter().flat_map(|all| all.as_chunks::<LANES>().0) {
+            sums.iter_mut().zip(chunk).for_each(|(sum, x)| *sum += x * x);
+        }
+        let square: f64 = sums.iter().sum();
+        if SQUARES.contains(&square) {
+            return square.sqrt();
+        }
+        // squares that overflow or vanish, and what is not finite
         let m = self.0.iter().flatten().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
         if m == 0.0 || !m.is_finite() {
             return m;
@@ -306,9 +317,13 @@ fn resolved<T: Number + super::Number>(columns: &[Vec<T>], shift: C64) -> Result
     let mut out = Nearest { values: Vec::new(), radius: f64::INFINITY };
     let all = T::of_hessenberg(&h)?;
     let largest = all.iter().map(|m| m.abs()).fold(0.0, f64::max);
+    let mut before = (C64::ZERO, f64::NAN);
     for &value in all.iter().filter(|m| m.abs() > INFINITE * largest) {
         let size = value.abs();
-        if beyond * last_component(&h, value) <= RESOLVED * size {
+        // of a real matrix conjugate values have conjugate vectors
+        let last = if T::REAL && value == before.0.conj() { before.1 } else { last_component(&h, value) };
+        before = (value, last);
+        if beyond * last <= RESOLVED * size {
             out.values.push(shift + value.recip());
         } else {
             out.radius = out.radius.min(1.0 / size);
