@@ -86,6 +86,26 @@ fn growth_converges_with_the_mass_of_a_damped_node() {
     }
 }
 
+/// A part whose internal states read the place of a node, damped or not: growth with it and with a small mass.
+#[test]
+fn internal_states_that_read_a_node_are_differentiated_through_it() {
+    for damping in [0.0, 2000.0] {
+        let of = |mass: &str| {
+            let support = format!("stiffness = 4e6\ndamping = {damping}");
+            let more = "[[part]]\nkind = \"shaft_viscoelastic\"\nname = \"shaft\"\nbetween = [\"node\", \"ground\"]\nstiffness = 5e6\n\
+                        exponentials = { share = [0.3], rate = [900] }\n";
+            states(&system(&chain("isotropic", mass, &support, more)), (1400.0, 1800.0), 1600.0)
+        };
+        let none = of("0");
+        assert!(!none.is_empty());
+        for (k, s) in none.iter().enumerate() {
+            let away = |mass: &str| (of(mass)[k].growth - s.growth).abs();
+            let (coarse, fine) = (away("2e-3"), away("2e-4"));
+            assert!(coarse < 0.05 * s.growth.abs() && fine < 0.2 * coarse && coarse > 0.0, "{damping}: {} {coarse} {fine}", s.growth);
+        }
+    }
+}
+
 /// Two halves of a pair of which one alone is damped cannot be turned together.
 #[test]
 fn a_pair_of_unlike_halves_is_not_assessed() {
