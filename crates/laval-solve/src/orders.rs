@@ -160,13 +160,13 @@ impl Orders {
         let mut h = Mat::default();
         self.index_matrix(t, &mut h);
         let lu = Lu::new(&h).ok()?;
-        let whole = self.first_order(t, &lu).rates;
+        let whole = self.first_order(t, &lu)?.rates;
         let kept = self.states(t.rate_z.rows());
         Some(Mat::from_fn(kept.len(), kept.len(), |i, j| whole[(kept[i], kept[j])]))
     }
 
-    /// Over (q, v, z [, angle, speed]) from the tangents and the factors of H.
-    pub fn first_order(&self, t: &Tangent, lu: &Lu) -> FirstOrder {
+    /// Over (q, v, z [, angle, speed]) from the tangents and the factors of H; `None` where the rates of internal states are not determined.
+    pub fn first_order(&self, t: &Tangent, lu: &Lu) -> Option<FirstOrder> {
         let (n, m, rows) = (self.highest.len(), t.rate_z.rows(), self.rows());
         let spin = 2 * n + m;
         let states = spin + if self.free { 2 } else { 0 };
@@ -191,7 +191,7 @@ impl Orders {
             Highest::Rate => t.rate_v[(k, i)],
             Highest::Place => t.rate_q[(k, i)],
         };
-        let rates = Mat::from_fn(states, states, |i, j| match i {
+        let mut rates = Mat::from_fn(states, states, |i, j| match i {
             i if i < n => match self.highest[i] {
                 Highest::Acceleration => f64::from(u8::from(j == n + i)),
                 Highest::Rate => highest[(i, j)],
@@ -208,6 +208,23 @@ impl Orders {
             i if i == spin => f64::from(u8::from(j == spin + 1)),
             _ => highest[(n, j)],
         });
-        FirstOrder { highest, rates }
+        let places: Vec<usize> = (0..n).filter(|&i| self.highest[i] == Highest::Place).collect();
+        if !self.reads_rates_of_places(t) {
+            return Some(FirstOrder { highest, rates });
+        }
+        // (1 - B D) y' = .. with D y' the rates of places and B what internal states make of them
+        let coupled = Mat::from_fn(states, states, |i, j| {
+            let own = f64::from(u8::from(i == j));
+            let of_place = |&p: &usize| t.rate_v[(i - 2 * n, p)] * highest[(p, j)];
+            if (2 * n..spin).contains(&i) { own - places.iter().map(of_place).sum::<f64>() } else { own }
+        });
+        Lu::new(&coupled).ok()?.solve_mat(&mut rates);
+        Some(FirstOrder { highest, rates })
+    }
+
+    /// The rate of some internal state depends on the velocity of a coordinate whose place follows from others.
+    pub fn reads_rates_of_places(&self, t: &Tangent) -> bool {
+        let of = |i: usize| (0..t.rate_v.rows()).any(|k| t.rate_v[(k, i)] != 0.0);
+        self.highest.iter().enumerate().any(|(i, h)| *h == Highest::Place && of(i))
     }
 }

@@ -381,7 +381,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let keep = |p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
             // also where the axes turn, whose rounding is that of the speed
-            if mirrored && p.value.im.abs() <= 4.0 * (f64::EPSILON * p.value.re.abs() + p.step) {
+            if mirrored && p.value.im.abs() <= 4.0 * (f64::EPSILON * p.value.re.abs().max(speed.abs()) + p.step) {
                 p.value.im = 0.0;
             }
             // of a real function the upper half is enough

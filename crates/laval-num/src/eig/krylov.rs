@@ -54,8 +54,6 @@ const FAR: f64 = 1e60;
 const SQUARES: std::ops::Range<f64> = 1e-200..1e280;
 /// Size of a new direction, over that before it was made orthogonal, that is rounding.
 const ROUNDING: f64 = 1e-13;
-/// The same from which on it is orthogonal enough: to rounding over this.
-const AGAIN: f64 = 1e-2;
 
 impl Quadratic<'_> {
     /// Scaled for s of some size; `None` of a plan that does not suit lanes.
@@ -169,8 +167,6 @@ struct Orthogonalise<'a, const P: usize> {
     basis: &'a [Planes<P>],
     next: &'a mut Planes<P>,
     column: &'a mut [[f64; P]],
-    /// Norm of the vector.
-    before: f64,
 }
 
 impl<const P: usize> Kernel for Orthogonalise<'_, P> {
@@ -179,11 +175,8 @@ impl<const P: usize> Kernel for Orthogonalise<'_, P> {
     fn run<S: LaneScalar>(self) {
         let mut parts = vec![[0.0; P]; self.basis.len()];
         let rows = self.next.0[0].len() / LANES;
-        for pass in 0..2 {
-            // what the first pass leaves of the others is rounding of what it takes
-            if pass == 1 && self.next.norm() > AGAIN * self.before {
-                break;
-            }
+        // twice: what the first pass leaves is rounding of what it takes
+        for _ in 0..2 {
             for (b, part) in self.basis.iter().zip(&mut parts) {
                 let mut sums = [S::zero(); P];
                 for k in 0..rows {
@@ -292,7 +285,7 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
             return Err(EigError::NotFinite);
         }
         let mut parts = vec![[0.0; P]; k + 2];
-        dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut parts, before });
+        dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut parts });
         let rest = next.normalise();
         let ended = rest <= ROUNDING * before;
         let mut column: Vec<T> = parts.iter().map(|x| T::read(x)).collect();
@@ -402,8 +395,7 @@ mod tests {
         basis[0].normalise();
         for k in 1..4 {
             let mut next = vector(k);
-            let before = next.norm();
-            dispatch(Level::best(), Orthogonalise { basis: &basis, next: &mut next, column: &mut [[0.0; 2]; 4], before });
+            dispatch(Level::best(), Orthogonalise { basis: &basis, next: &mut next, column: &mut [[0.0; 2]; 4] });
             next.normalise();
             basis.push(next);
         }
@@ -411,8 +403,7 @@ mod tests {
         let all: Vec<(Planes<2>, [[f64; 2]; 4])> = Level::supported()
             .map(|level| {
                 let (mut next, mut column) = (vector(7), [[0.0; 2]; 4]);
-                let before = next.norm();
-                dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column, before });
+                dispatch(level, Orthogonalise { basis: &basis, next: &mut next, column: &mut column });
                 (next, column)
             })
             .collect();

@@ -12,7 +12,7 @@
 //!
 //! Sources: K. E. Brenan, S. L. Campbell, L. R. Petzold, Numerical Solution of Initial-Value Problems in Differential-Algebraic Equations (1996), section 2.4.
 
-use super::direct::{Direct, unheld};
+use super::direct::{Direct, NOT_FOUND, unheld};
 use super::point;
 use crate::model::erased::D1;
 use crate::model::part::{At, Rows};
@@ -37,6 +37,8 @@ pub(super) struct Massless {
     orders: Orders,
     /// H depends on the speed and its rate alone: rows are linear in h.
     affine: bool,
+    /// Rates of internal states depend on velocities of places.
+    reads_rates: bool,
     /// The rate g.
     follow: f64,
     /// The state with the places and velocities that follow.
@@ -73,14 +75,20 @@ impl Massless {
             })
         };
         let size = (0..2 * n).map(|k| system.coordinates()[k % n].dof.typical * if k < n { 1.0 } else { follow }).collect();
+        let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
+        let zero = vec![0.0; n.max(system.m())];
+        let (q, z) = (&zero[..n], &zero[..system.m()]);
+        let still = At { q, v: q, a: q, z, phase: 0.0, speed: speeds.last().copied().unwrap_or(0.0), spin_accel: 0.0, t: 0.0 };
+        system.tangent(&still, free, &mut tangent, &mut scratch, |_| true);
         Ok(Some(Massless {
             affine: constant && !free && !system.slots().iter().any(|s| !s.is_linear() && bends(s)),
+            reads_rates: system.m() > 0 && orders.reads_rates_of_places(&tangent),
             orders,
             follow,
             y: Vec::new(),
             size,
-            tangent: Tangent::default(),
-            scratch: TangentScratch::default(),
+            tangent,
+            scratch,
             h: Mat::default(),
             lu: Lu::default(),
             key: None,
@@ -164,7 +172,32 @@ impl Massless {
         }
         out.add_rates_of_acceleration();
         self.differentiate(system, free, t, spin, out);
+        if self.reads_rates && !self.settle_rates(system, free, t, spin, out) {
+            out.accel.fill(f64::NAN);
+        }
         Ok(())
+    }
+
+    /// Velocities of places and rates of internal states that read them: of passive parts each step leaves the share of the stiffness that relaxes. `false` where they do not settle.
+    fn settle_rates(&mut self, system: &System, free: bool, t: f64, spin: Spin, out: &mut Direct) -> bool {
+        let n = system.n();
+        let places: Vec<usize> = (0..n).filter(|&i| self.orders.order(i) == Highest::Place).collect();
+        let accel = out.accel.clone();
+        for _ in 0..STEPS {
+            let before: Vec<f64> = places.iter().map(|&i| self.y[n + i]).collect();
+            out.evaluate_at_rest(system, t, spin, &self.y);
+            // velocities of damped nodes are among the unknowns, and their rates stand in their places
+            for (i, (to, a)) in out.accel.iter_mut().zip(&accel).enumerate() {
+                *to = if self.orders.order(i) == Highest::Acceleration { *a } else { 0.0 };
+            }
+            out.add_rates_of_acceleration();
+            self.differentiate(system, free, t, spin, out);
+            let moved = |(&i, b): (&usize, &f64)| (self.y[n + i] - b).abs() <= CONVERGED * (self.y[n + i].abs() + FLOOR * self.size[n + i]);
+            if places.iter().zip(&before).all(moved) {
+                return true;
+            }
+        }
+        false
     }
 
     /// The rates of the highest derivatives of coordinates without inertia: accelerations of those with damping, velocities of the others.
@@ -242,7 +275,7 @@ impl Massless {
         self.key = None;
         self.orders.index_matrix(&self.tangent, &mut self.h);
         self.lu.factor(&self.h).map_err(|s| unheld(system, s.column))?;
-        let FirstOrder { highest, rates } = self.orders.first_order(&self.tangent, &self.lu);
+        let Some(FirstOrder { highest, rates }) = self.orders.first_order(&self.tangent, &self.lu) else { return Err(NOT_FOUND.into()) };
         let core = rates.rows();
         for i in 0..core {
             for j in 0..core {
