@@ -73,8 +73,8 @@ fn beam(system: &System, at: &Statics, ties: &[Row], k: usize) -> Option<Beam> {
     }
     let own = linear(system, slot, &*slot.part, n);
     let mut force = vec![0.0; system.n()];
-    for (other, _) in system.slots().iter().zip(&at.left_out).filter(|(s, out)| s.name != slot.name && !**out) {
-        let share = share(system, other, at.speed, &at.q, &at.z);
+    for (i, other) in system.slots().iter().enumerate().filter(|x| x.0 != k && !at.left_out[x.0]) {
+        let share = share(system, other, at.speed, &at.seen_by(i), &at.z);
         let all: Vec<f64> = share.elastic.iter().zip(&share.weight).map(|(a, b)| -(a + b)).collect();
         scatter(&other.map, &all, &mut force);
     }

@@ -72,6 +72,21 @@ pub(super) fn each_stiffness(system: &System, slot: &Slot, speed: f64, f: impl F
     spread(slot, &stiffness(system, slot, speed), f);
 }
 
+/// Calls `f` with every derivative of a rate of an internal state that is no memory of a linear part: state, coordinate, value.
+pub(super) fn each_rate(system: &System, slot: &Slot, speed: f64, mut f: impl FnMut(usize, usize, f64)) {
+    if !matches!(slot.physics, Physics::Linear) {
+        return;
+    }
+    let own = slot.states.start..slot.states.end - slot.memory;
+    let b = blocks(system, slot, speed);
+    for (k, state) in own.enumerate() {
+        for (j, row) in slot.map.iter().enumerate() {
+            let x = b.state_q[(k, j)];
+            row.iter().filter(|_| x != 0.0).for_each(|&(g, a)| f(state, g, a * x));
+        }
+    }
+}
+
 /// Static stiffness of a linear part over its local coordinates, row by row.
 pub(super) fn stiffness(system: &System, slot: &Slot, speed: f64) -> Vec<f64> {
     let n = slot.map.len();

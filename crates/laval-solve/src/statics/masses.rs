@@ -24,12 +24,13 @@ pub struct MassProperties {
 }
 
 /// Motions of a body as a rigid one, over the coordinates of the machine: along x, tilted about y, tilted about x.
-struct Rigid {
-    along: Vec<f64>,
-    about_y: Option<[Vec<f64>; 2]>,
+pub(super) struct Rigid {
+    pub along: Vec<f64>,
+    /// Tilted about y, and about x.
+    pub about_y: Option<[Vec<f64>; 2]>,
 }
 
-fn rigid(system: &System, body: usize) -> Option<Rigid> {
+pub(super) fn rigid(system: &System, body: usize) -> Option<Rigid> {
     let slot = &system.slots()[body];
     let nodes = slot.part.body()?.nodes().unwrap_or_else(|| vec![0.0]);
     let (mut along, mut y, mut x) = (vec![0.0; system.n()], vec![0.0; system.n()], vec![0.0; system.n()]);

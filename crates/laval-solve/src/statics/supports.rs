@@ -55,7 +55,8 @@ fn stands(system: &System, own: usize) -> bool {
 
 /// The part has a gap that is open at a state of rest.
 pub(crate) fn is_open(system: &System, slot: &Slot, at: &Statics) -> bool {
-    let about = Equilibrium { q: at.q.clone(), z: at.z.clone(), ..Equilibrium::zero(system, Frame::Fixed, at.speed) };
+    let seen = system.slots().iter().position(|s| s.name == slot.name).map_or_else(|| at.q.clone(), |k| at.seen_by(k).into_owned());
+    let about = Equilibrium { q: seen, z: at.z.clone(), ..Equilibrium::zero(system, Frame::Fixed, at.speed) };
     clearance(system, slot, &about).is_some_and(|gap| gap > 0.0)
 }
 
@@ -91,6 +92,13 @@ fn between(system: &System, slot: usize, admitted: impl Fn(usize, Option<(usize,
         Link::Between(a, b) => one(a, b).or_else(|| one(b, a)),
         Link::On(_) => None,
     })
+}
+
+/// The force of a part on its first point is that on the turning body, or on the first of two that turn.
+pub fn turning_first(system: &System, slot: usize) -> bool {
+    let Some(Link::Between(a, _)) = system.slots()[slot].layout.ports.first().map(|p| &p.link) else { return true };
+    let first = slot_of(system, a);
+    first.is_some_and(|(_, s)| turns(s)) || named(system, slot).is_none_or(|s| first.is_some_and(|(k, _)| k == s.body))
 }
 
 /// A part as support, whatever it joins a turning body to; `None` of one that joins none to anything.

@@ -26,6 +26,7 @@ mod several_unbalances;
 mod shapes;
 mod stability;
 mod stability_threshold;
+mod standards;
 mod tilt;
 mod uncertainty;
 mod viscoelastic;

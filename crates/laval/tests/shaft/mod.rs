@@ -1,5 +1,6 @@
 //! Shafts of finite elements: matrices, modes, critical speeds, responses and sag against published rotors and closed forms.
 
+mod alignment;
 mod axis;
 mod closed_forms;
 mod definition;

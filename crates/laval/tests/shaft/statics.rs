@@ -10,15 +10,15 @@ use laval::study::statics::{Static, StaticResult};
 use laval::study::{Context, Study};
 
 fn solved(system: &System, speed: f64) -> StaticResult {
-    Static { speed, supports: vec![] }.compute(system, &Context::quiet("static")).unwrap()
+    Static { speed, ..Static::default() }.compute(system, &Context::quiet("static")).unwrap()
 }
 
-fn near(a: f64, b: f64, tolerance: f64, size: f64, what: &str) {
+pub(super) fn near(a: f64, b: f64, tolerance: f64, size: f64, what: &str) {
     assert!((a - b).abs() <= tolerance * size.abs(), "{what}: {a} {b}");
 }
 
 /// Nothing is left over of forces and moments.
-fn balanced(result: &StaticResult, tolerance: f64, what: &str) {
+pub(super) fn balanced(result: &StaticResult, tolerance: f64, what: &str) {
     for kind in std::iter::once(&result.own).chain(&result.rigid) {
         assert!(kind.defect < tolerance, "{what}: {:e}", kind.defect);
         for b in &kind.beams {
@@ -76,14 +76,14 @@ fn published_rotors() {
 
 const MATERIAL: &str = "modulus = 2e11\nshear_modulus = 8e10\ndensity = 8000.0\n";
 
-fn bearing(name: &str, at: f64, k: f64) -> String {
+pub(super) fn bearing(name: &str, at: f64, k: f64) -> String {
     format!(
         "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at:?} }}, \"ground\"]\nkxx = {k:?}\nkyy = {k:?}\n"
     )
 }
 
 /// A lying shaft of these lengths and diameter 50 mm on bearings.
-fn beam(lengths: &[f64], shear: &str, more: &str) -> System {
+pub(super) fn beam(lengths: &[f64], shear: &str, more: &str) -> System {
     let diameters = vec!["0.05"; lengths.len()].join(", ");
     let lengths = lengths.iter().map(|l| format!("{l:?}")).collect::<Vec<_>>().join(", ");
     let text = format!(
@@ -92,9 +92,9 @@ fn beam(lengths: &[f64], shear: &str, more: &str) -> System {
     load(&text).system
 }
 
-const AREA: f64 = std::f64::consts::PI * 0.05 * 0.05 / 4.0;
-const BENDING: f64 = 2e11 * std::f64::consts::PI * 0.05 * 0.05 * 0.05 * 0.05 / 64.0;
-const LINE: f64 = 8000.0 * AREA * GRAVITY;
+pub(super) const AREA: f64 = std::f64::consts::PI * 0.05 * 0.05 / 4.0;
+pub(super) const BENDING: f64 = 2e11 * std::f64::consts::PI * 0.05 * 0.05 * 0.05 * 0.05 / 64.0;
+pub(super) const LINE: f64 = 8000.0 * AREA * GRAVITY;
 
 /// `5 w L^4/(384 E I) + w L^2/(8 kappa G A)`, `w L^2/8`, `w L/2`.
 #[test]
@@ -268,7 +268,7 @@ fn supports_named() {
 #[test]
 fn stored() {
     let system = beam(&[1.0], "cowper", &(bearing("a", 0.0, 1e6) + &bearing("b", 1.0, 1e6)));
-    let study = Static { speed: 0.0, supports: vec![] };
+    let study = Static::default();
     let result = study.compute(&system, &Context::quiet("static")).unwrap();
     let again: StaticResult = serde_json::from_str(&serde_json::to_string(&result).unwrap()).unwrap();
     assert_eq!(study.outcome(&system, &result, "static").unwrap(), study.outcome(&system, &again, "static").unwrap());

@@ -1295,6 +1295,21 @@ diag-roots-to-follow-61c7 = roots to follow
 diag-no-mode-becomes-less-stable-with-f0e4 = no mode becomes less stable with the stiffness, so that there is no largest one to propose
 diag-give-up-to-2dd8 = give up_to
 
+## laval/src/study/linear/static/aligned.rs
+
+diag-says-how-couplings-are-aligned-and-e84a = { $field } says how couplings are aligned, and couplings names none
+diag-name-couplings-or-remove-fddd = name couplings, or remove { $field }
+diag-joins-no-shaft-that-bends-to-a48c = "{ $name }" joins no shaft that bends to another body
+diag-name-a-coupling-between-two-shafts-cfbb = name a coupling between two shafts, or a place as "shaft at 1200 mm"
+diag-couplings-names-which-is-neither-a-b851 = couplings names "{ $name }", which is neither a part nor a place of a shaft
+diag-a-place-of-a-shaft-is-497d = a place of a shaft is written as "shaft at 1200 mm"
+diag-is-no-node-of-the-shaft-5235 = { $name } is no node of the shaft: the nearest is at { $near }
+diag-end-a-section-of-the-shaft-39cd = end a section of the shaft there
+diag-loads-of-couplings-vanish-only-with-76f3 = { $needed } loads of couplings vanish only with as many supports that may move, and there are { $free }
+diag-name-fewer-couplings-keep-fewer-supports-5374 = name fewer couplings, keep fewer supports, or choose aligned_for = "moment"
+diag-and-support-the-same-place-with-773a = "{ $a }" and "{ $b }" support the same place with different offsets
+diag-give-them-the-same-offsets-or-ca7d = give them the same offsets, or name one of them in supports
+
 ## laval/src/study/linear/support_stiffness_map/mod.rs
 
 diag-the-machine-has-no-support-that-86fb = the machine has no support that could be replaced
@@ -1558,6 +1573,7 @@ diag-add-speed-8e93 = add speed
 ## laval/src/study/shared/operation.rs
 
 diag-run-up-time-needs-an-operating-a26f = run_up_time needs an operating speed, which neither [operation] nor [machine] gives
+diag-needs-an-operating-speed-which-neither-3164 = { $field } needs an operating speed, which neither [operation] nor [machine] gives
 diag-operating-speeds-begin-above-standstill-and-7f11 = operating speeds begin above standstill and have one direction of rotation
 diag-write-the-speed-at-which-the-49ba = write the speed at which the machine runs, as in speed = "3000 rpm"; leave speed out where [machine] gives it
 diag-write-the-lowest-speed-at-which-520c = write the lowest speed at which the machine runs in place of 0: the run-up from standstill is not part of this range

@@ -49,3 +49,19 @@ forced-response-margin-none = No resonance in this range requires a separation m
 forced-response-margin-unknown = Separation margins are not decided (API 684, SP6.8.2.10): the half-power points of a resonance lie outside the range, or the study was stopped. Extend the range.
 forced-response-spin = The unbalance of what turns with "{ $spin }" acts here, and speeds are those of this spin.
 forced-response-other-spins = The unbalance of what turns with { $spins } acts at another frequency and is left out here: give spin in a study of its own.
+
+forced-response-shaft-vibration = { $part } vibrates { $value } peak to peak at { $speed }: { $standard ->
+        [api_617] within the limit of { $limit } (API 617)
+       *[iso_7919_3] zone { $zone } of ISO 7919-3, which reaches up to { $limit } for unrestricted operation
+    }.
+forced-response-shaft-vibration-broken = { $part } vibrates { $value } peak to peak at { $speed }, above { $limit } ({ $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3, zone { $zone }
+    }). Balance the rotor finer, add damping, or move the resonance.
+forced-response-shaft-vibration-outside = The standard of shaft vibration does not cover { $speed }.
+forced-response-boundary = { $line ->
+        [zone_ab] zones A/B
+        [zone_bc] zones B/C
+        [zone_cd] zones C/D
+       *[api_limit] API 617
+    }

@@ -75,6 +75,8 @@ check-instability = Nearest instability
 check-resonance = Nearest resonance
 check-jump = Nearest jump or bifurcation
 check-vibration = Vibration
+check-shaft-vibration = Shaft vibration in bearings
+check-balance = Balance quality
 check-velocity = Vibration velocity
 check-forces = Forces
 check-validity = Validity
@@ -91,6 +93,7 @@ required-decay = { $margin ->
     }
 required-below = ≤ { $limit }
 required-above = ≥ { $limit }
+required-balance = { $grade }: ≤ { $limit }
 required-validity = inside
 required-less-unbalance = less than without
 
@@ -319,3 +322,28 @@ page-reset = Reset zoom
 page-yes = yes
 page-no = no
 vibration-unstable = no steady vibration: the machine is unstable
+
+balance-planes = { $rotor }: { $sizes }
+item-balance = { $name } { $value } of { $share }
+balance-detail = ISO 21940-11:2016, { $planes ->
+        [two] 6.2 and 7.2, in the planes of the bearings
+       *[one] 6.2, the resultant alone: the rotor has no two bearing planes
+    }. Resultant { $resultant }{ $tilts ->
+        [yes] , couple { $couple }
+       *[no] {""}
+    }; balanced as a rigid rotor
+shaft-vibration-sizes = { $sizes }
+item-shaft-vibration = { $name } { $value } peak to peak{ $zone ->
+        [none] {""}
+       *[other] , zone { $zone }
+    }
+shaft-vibration-detail = { $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3:2009, annex A, boundary of zones B and C
+    }; limit at { $speed }. Unbalance alone, relative to the bearings{ $nonlinear ->
+        [yes] ; largest stable response of the nonlinear machine
+       *[no] {""}
+    }
+shaft-vibration-no-bearing = no support between what turns and what does not
+shaft-vibration-unknown = no response relative to the bearings is known
+shaft-vibration-speed = the standard does not cover these operating speeds

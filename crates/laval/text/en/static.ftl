@@ -4,6 +4,8 @@ static-sag = { $place ->
        *[body] { $body }
     } sags by { $value } on the stiffness of its supports at { $speed }.{ $load ->
         [force] {" "}Constant forces deflect it; the weight acts along the axis.
+        [offsets] {" "}Offsets of the supports are included.
+        [raised] {" "}Offsets of the supports deflect it; the weight acts along the axis.
        *[weight] {""}
     }
 static-rigid-sag = On rigid supports { $place ->
@@ -19,12 +21,28 @@ static-mass = { $body } with all it carries: mass { $value }{ $tilts ->
         [yes] , centre of mass at { $centre }, moment of inertia { $polar } about the axis and { $diametral } across it
        *[no] {""}
     }.
+static-unloaded = At these offsets { $part } pulls the shaft down with { $value }: a real bearing loses its load. Raise it, or lower its neighbours.
+static-offset-load = The offsets change the load of { $part } from { $before } to { $value }, the largest change of a support.
+static-offsets-free = The offsets change no load of a support: the machine is statically determinate.
+static-determinate = Offsets of the supports change none of their loads: the machine is statically determinate.
+static-influence = { $part } is the support whose load depends most on its height: { $value }.
+static-coupling = { $place } carries a bending moment of { $value } and a shear force of { $shear }.
+static-aligned = { $part } at a height of { $value }{ $aside ->
+        [yes] {" "}and { $sideways } sideways
+       *[no] {""}
+    } frees the couplings of load. It then carries { $load }.
+static-not-aligned = No heights of the supports free the couplings of load. Name other couplings, or keep other supports.
+static-spare = { $spare ->
+        [one] One more height is free
+       *[other] { $spare } more heights are free
+    } than the couplings determine: the smallest changes are given.
 
 static-line = { $plane ->
         [x] x
        *[y] y
     }, { $supports ->
         [rigid] rigid supports
+        [aligned] couplings free of load
        *[own] own stiffness of the supports
     }
 static-alt = Deflection, shear force and bending moment at rest along { $shafts ->

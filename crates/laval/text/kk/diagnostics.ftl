@@ -1610,3 +1610,16 @@ diag-give-up-to-2dd8 = up_to беріңіз
 diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" "{ $body }" денесіне бекітілген, ал ол басқа айналумен айналады
 diag-leave-spin-out-it-turns-with-b814 = spin өрісін алып тастаңыз: дене бекітілген денемен бірге айналады; немесе оған өз координаттарын және араларына подшипник беріңіз
 diag-modes-campbell-critical-speeds-stability-map-4ae2 = бірнеше айналуға modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient және run_up жол береді
+diag-says-how-couplings-are-aligned-and-e84a = { $field } муфталарды ортаға келтіруге қатысты, ал couplings өрісінде ешбірі аталмаған
+diag-name-couplings-or-remove-fddd = couplings өрісінде муфталарды атаңыз немесе { $field } өрісін алып тастаңыз
+diag-joins-no-shaft-that-bends-to-a48c = "{ $name }" иілетін білікті басқа денемен қоспайды
+diag-name-a-coupling-between-two-shafts-cfbb = екі білік арасындағы муфтаны немесе орынды атаңыз, мысалы "shaft at 1200 mm"
+diag-couplings-names-which-is-neither-a-b851 = couplings өрісі "{ $name }" атауын береді, ал бұл бөлік те, біліктің орны да емес
+diag-a-place-of-a-shaft-is-497d = біліктің орны "shaft at 1200 mm" түрінде жазылады
+diag-is-no-node-of-the-shaft-5235 = { $name } біліктің түйіні емес: ең жақыны { $near } жерінде
+diag-end-a-section-of-the-shaft-39cd = біліктің бөлігін сол жерде аяқтаңыз
+diag-loads-of-couplings-vanish-only-with-76f3 = муфталардың { $needed } жүктемесі сонша жылжымалы тірек болғанда ғана жойылады, ал олар { $free }
+diag-name-fewer-couplings-keep-fewer-supports-5374 = азырақ муфта атаңыз, азырақ тіректі қалдырыңыз немесе aligned_for = "moment" таңдаңыз
+diag-and-support-the-same-place-with-773a = "{ $a }" және "{ $b }" бір орынды әртүрлі ығысумен ұстайды
+diag-give-them-the-same-offsets-or-ca7d = оларға бірдей ығысу беріңіз немесе біреуін supports өрісінде атаңыз
+diag-needs-an-operating-speed-which-neither-3164 = { $field } үшін жұмыс айналу жиілігі керек, ал ол [operation] ішінде де, [machine] ішінде де жоқ

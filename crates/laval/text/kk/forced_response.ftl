@@ -49,3 +49,19 @@ forced-response-margin-none = Бұл диапазонда ешбір резон�
 forced-response-margin-unknown = Жиілік қорлары анықталмады (API 684, SP6.8.2.10): резонанстың жартылай қуат нүктелері диапазоннан тыс, немесе есептеу тоқтатылды. Диапазонды кеңейтіңіз.
 forced-response-spin = Мұнда "{ $spin }" айналуымен айналатын бөлшектердің теңгерімсіздігі әсер етеді; айналу жиіліктері осы айналуға қатысты.
 forced-response-other-spins = { $spins } айналуымен айналатын бөлшектердің теңгерімсіздігі басқа жиілікте әсер етеді және мұнда ескерілмеген: spin өрісін жеке есепте беріңіз.
+
+forced-response-shaft-vibration = { $part }: { $speed } кезінде діріл құлашы { $value }: { $standard ->
+        [api_617] { $limit } шегінде (API 617)
+       *[iso_7919_3] ISO 7919-3 бойынша { $zone } аймағы; шектеусіз ұзақ жұмыс { $limit } дейін
+    }.
+forced-response-shaft-vibration-broken = { $part }: { $speed } кезінде діріл құлашы { $value }, бұл { $limit } шегінен жоғары ({ $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3, { $zone } аймағы
+    }). Роторды дәлірек теңгеріңіз, демпферлеу қосыңыз немесе резонансты жылжытыңыз.
+forced-response-shaft-vibration-outside = Білік дірілінің стандарты { $speed } жиілігін қамтымайды.
+forced-response-boundary = { $line ->
+        [zone_ab] A/B аймақтары
+        [zone_bc] B/C аймақтары
+        [zone_cd] C/D аймақтары
+       *[api_limit] API 617
+    }

@@ -83,6 +83,7 @@ required-decay = { $margin ->
        *[other] өшу ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-balance = { $grade }: ≤ { $limit }
 required-validity = шек ішінде
 required-less-unbalance = шариксіз мәннен аз
 
@@ -286,6 +287,8 @@ limits-left-out = бұл бетте бағаланбаған: { $names }
 run-up-grows = орнықсыз аралықтарда ауытқу { $factor } есеге дейін өседі
 run-up-diverges = қозғалыс шексіз өседі
 axis-operating-range = жұмыстық айналу жиіліктері
+check-shaft-vibration = Мойынтіректердегі білік дірілі
+check-balance = Теңгеру сапасы
 check-velocity = Тербеліс жылдамдығы
 velocity-is = ең үлкені { $value } (шың мәні)
 validity-studies-inside = файлдағы зерттеулерде шектен тыс ештеңе табылмады
@@ -311,3 +314,28 @@ page-evidence-finding = тұжырым
 page-evidence-value = мәні
 page-evidence-checked = тексерілген шама
 page-evidence-number = нәтижесі
+
+balance-planes = { $rotor }: { $sizes }
+item-balance = { $name } { $value }, шегі { $share }
+balance-detail = ISO 21940-11:2016, { $planes ->
+        [two] 6.2 және 7.2, мойынтіректер жазықтықтарында
+       *[one] 6.2, тек бас вектор: роторда мойынтіректердің екі жазықтығы жоқ
+    }. Бас вектор { $resultant }{ $tilts ->
+        [yes] , бас момент { $couple }
+       *[no] {""}
+    }; қатты ротор ретінде теңгерілген
+shaft-vibration-sizes = { $sizes }
+item-shaft-vibration = { $name } { $value } құлаш{ $zone ->
+        [none] {""}
+       *[other] , { $zone } аймағы
+    }
+shaft-vibration-detail = { $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3:2009, A қосымшасы, B және C аймақтарының шекарасы
+    }; шек { $speed } кезінде. Тек теңгерімсіздік, мойынтіректерге қатысты{ $nonlinear ->
+        [yes] ; сызықты емес машинаның ең үлкен орнықты жауабы
+       *[no] {""}
+    }
+shaft-vibration-no-bearing = айналатын мен айналмайтын арасында тірек жоқ
+shaft-vibration-unknown = мойынтіректерге қатысты жауап белгісіз
+shaft-vibration-speed = стандарт бұл жұмыс айналу жиіліктерін қамтымайды

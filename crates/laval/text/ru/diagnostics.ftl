@@ -1300,3 +1300,16 @@ diag-give-up-to-2dd8 = задайте up_to
 diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" закреплено на "{ $body }", а то вращается вместе с другим вращением
 diag-leave-spin-out-it-turns-with-b814 = уберите spin: тело вращается вместе с тем, на чём закреплено; или дайте ему свои координаты и подшипник между ними
 diag-modes-campbell-critical-speeds-stability-map-4ae2 = несколько вращений допускают modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient и run_up
+diag-says-how-couplings-are-aligned-and-e84a = { $field } относится к центровке муфт, а в couplings не названо ни одной
+diag-name-couplings-or-remove-fddd = назовите муфты в couplings или уберите { $field }
+diag-joins-no-shaft-that-bends-to-a48c = "{ $name }" не соединяет изгибаемый вал с другим телом
+diag-name-a-coupling-between-two-shafts-cfbb = назовите муфту между двумя валами или место, например "shaft at 1200 mm"
+diag-couplings-names-which-is-neither-a-b851 = couplings называет "{ $name }", а это ни часть, ни место вала
+diag-a-place-of-a-shaft-is-497d = место вала записывают как "shaft at 1200 mm"
+diag-is-no-node-of-the-shaft-5235 = { $name } не узел вала: ближайший на { $near }
+diag-end-a-section-of-the-shaft-39cd = закончите там участок вала
+diag-loads-of-couplings-vanish-only-with-76f3 = { $needed } нагрузки муфт исчезают только при стольких же подвижных опорах, а их { $free }
+diag-name-fewer-couplings-keep-fewer-supports-5374 = назовите меньше муфт, закрепите меньше опор или выберите aligned_for = "moment"
+diag-and-support-the-same-place-with-773a = "{ $a }" и "{ $b }" поддерживают одно место с разными смещениями
+diag-give-them-the-same-offsets-or-ca7d = дайте им одинаковые смещения или назовите одну из них в supports
+diag-needs-an-operating-speed-which-neither-3164 = для { $field } нужна рабочая частота вращения, а её нет ни в [operation], ни в [machine]

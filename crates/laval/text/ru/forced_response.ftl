@@ -52,3 +52,19 @@ forced-response-margin-none = Ни один резонанс в этом диа�
 forced-response-margin-unknown = Запасы по частоте не определены (API 684, SP6.8.2.10): точки половинной мощности резонанса лежат вне диапазона, или расчёт остановлен. Расширьте диапазон.
 forced-response-spin = Здесь действует дисбаланс того, что вращается вместе с "{ $spin }"; частоты вращения относятся к этому вращению.
 forced-response-other-spins = Дисбаланс того, что вращается вместе с { $spins }, действует с другой частотой и здесь не учтён: задайте spin в отдельном расчёте.
+
+forced-response-shaft-vibration = { $part }: размах вибрации { $value } при { $speed }: { $standard ->
+        [api_617] в пределах { $limit } (API 617)
+       *[iso_7919_3] зона { $zone } ISO 7919-3; длительная работа без ограничений до { $limit }
+    }.
+forced-response-shaft-vibration-broken = { $part }: размах вибрации { $value } при { $speed } выше { $limit } ({ $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3, зона { $zone }
+    }). Отбалансируйте ротор точнее, добавьте демпфирование или сместите резонанс.
+forced-response-shaft-vibration-outside = Стандарт на вибрацию вала не распространяется на { $speed }.
+forced-response-boundary = { $line ->
+        [zone_ab] зоны A/B
+        [zone_bc] зоны B/C
+        [zone_cd] зоны C/D
+       *[api_limit] API 617
+    }

@@ -74,6 +74,8 @@ check-instability = Ближайшая неустойчивость
 check-resonance = Ближайший резонанс
 check-jump = Ближайший скачок или бифуркация
 check-vibration = Вибрация
+check-shaft-vibration = Вибрация вала в подшипниках
+check-balance = Качество балансировки
 check-velocity = Виброскорость
 check-forces = Силы
 check-validity = Применимость
@@ -90,6 +92,7 @@ required-decay = { $margin ->
     }
 required-below = ≤ { $limit }
 required-above = ≥ { $limit }
+required-balance = { $grade }: ≤ { $limit }
 required-validity = в пределах
 required-less-unbalance = меньше, чем без шариков
 
@@ -322,3 +325,28 @@ page-hint = Наведите указатель на кривую, чтобы п
 page-reset = Сбросить масштаб
 page-yes = да
 page-no = нет
+
+balance-planes = { $rotor }: { $sizes }
+item-balance = { $name } { $value } из { $share }
+balance-detail = ISO 21940-11:2016, { $planes ->
+        [two] 6.2 и 7.2, в плоскостях подшипников
+       *[one] 6.2, только главный вектор: у ротора нет двух плоскостей подшипников
+    }. Главный вектор { $resultant }{ $tilts ->
+        [yes] , главный момент { $couple }
+       *[no] {""}
+    }; балансировка как жёсткого ротора
+shaft-vibration-sizes = { $sizes }
+item-shaft-vibration = { $name } { $value } размах{ $zone ->
+        [none] {""}
+       *[other] , зона { $zone }
+    }
+shaft-vibration-detail = { $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3:2009, приложение A, граница зон B и C
+    }; предел при { $speed }. Только дисбаланс, относительно подшипников{ $nonlinear ->
+        [yes] ; наибольший устойчивый отклик нелинейной машины
+       *[no] {""}
+    }
+shaft-vibration-no-bearing = нет опоры между вращающимся и невращающимся
+shaft-vibration-unknown = отклик относительно подшипников неизвестен
+shaft-vibration-speed = стандарт не распространяется на эти рабочие частоты вращения

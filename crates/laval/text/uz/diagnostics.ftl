@@ -1608,3 +1608,16 @@ diag-give-up-to-2dd8 = up_to bering
 diag-is-fixed-to-which-turns-with-7c07 = "{ $slot }" "{ $body }" jismiga mahkamlangan, u esa boshqa aylanish bilan aylanadi
 diag-leave-spin-out-it-turns-with-b814 = spin maydonini olib tashlang: jism mahkamlangan jism bilan birga aylanadi; yoki unga o‘z koordinatalarini va orasiga podshipnik bering
 diag-modes-campbell-critical-speeds-stability-map-4ae2 = bir necha aylanishga modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient va run_up yo‘l qo‘yadi
+diag-says-how-couplings-are-aligned-and-e84a = { $field } muftalarni markazlashga tegishli, couplings maydonida esa birortasi nomlanmagan
+diag-name-couplings-or-remove-fddd = couplings maydonida muftalarni nomlang yoki { $field } maydonini olib tashlang
+diag-joins-no-shaft-that-bends-to-a48c = "{ $name }" egiladigan valni boshqa jism bilan ulamaydi
+diag-name-a-coupling-between-two-shafts-cfbb = ikki val orasidagi muftani yoki joyni nomlang, masalan "shaft at 1200 mm"
+diag-couplings-names-which-is-neither-a-b851 = couplings maydoni "{ $name }" nomini beradi, bu esa na qism, na valning joyi
+diag-a-place-of-a-shaft-is-497d = valning joyi "shaft at 1200 mm" ko‘rinishida yoziladi
+diag-is-no-node-of-the-shaft-5235 = { $name } valning tuguni emas: eng yaqini { $near } joyida
+diag-end-a-section-of-the-shaft-39cd = val bo‘lagini shu joyda tugating
+diag-loads-of-couplings-vanish-only-with-76f3 = muftalarning { $needed } ta yuklamasi shuncha siljiydigan tayanch bo‘lgandagina yo‘qoladi, ular esa { $free } ta
+diag-name-fewer-couplings-keep-fewer-supports-5374 = kamroq mufta nomlang, kamroq tayanchni qoldiring yoki aligned_for = "moment" ni tanlang
+diag-and-support-the-same-place-with-773a = "{ $a }" va "{ $b }" bitta joyni turli siljish bilan tutib turadi
+diag-give-them-the-same-offsets-or-ca7d = ularga bir xil siljish bering yoki bittasini supports maydonida nomlang
+diag-needs-an-operating-speed-which-neither-3164 = { $field } uchun ish tezligi kerak, u esa na [operation] da, na [machine] da berilgan

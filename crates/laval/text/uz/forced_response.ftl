@@ -49,3 +49,19 @@ forced-response-margin-none = Bu diapazonda hech bir rezonans chastota zaxirasin
 forced-response-margin-unknown = Chastota zaxiralari aniqlanmadi (API 684, SP6.8.2.10): rezonansning yarim quvvat nuqtalari diapazondan tashqarida yoki hisoblash to‘xtatildi. Diapazonni kengaytiring.
 forced-response-spin = Bu yerda "{ $spin }" aylanishi bilan aylanadigan qismlarning muvozanatsizligi ta’sir qiladi; aylanish chastotalari shu aylanishga tegishli.
 forced-response-other-spins = { $spins } aylanishi bilan aylanadigan qismlarning muvozanatsizligi boshqa chastotada ta’sir qiladi va bu yerda hisobga olinmagan: spin maydonini alohida hisobda bering.
+
+forced-response-shaft-vibration = { $part }: { $speed } da tebranish qulochi { $value }: { $standard ->
+        [api_617] { $limit } chegarada (API 617)
+       *[iso_7919_3] ISO 7919-3 bo‘yicha { $zone } zona; cheklovsiz uzoq ish { $limit } gacha
+    }.
+forced-response-shaft-vibration-broken = { $part }: { $speed } da tebranish qulochi { $value }, bu { $limit } chegaradan yuqori ({ $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3, { $zone } zona
+    }). Rotorni aniqroq muvozanatlang, so‘ndirish qo‘shing yoki rezonansni siljiting.
+forced-response-shaft-vibration-outside = Val tebranishi standarti { $speed } ni qamrab olmaydi.
+forced-response-boundary = { $line ->
+        [zone_ab] A/B zonalar
+        [zone_bc] B/C zonalar
+        [zone_cd] C/D zonalar
+       *[api_limit] API 617
+    }

@@ -83,6 +83,7 @@ required-decay = { $margin ->
        *[other] so‘nish ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-balance = { $grade }: ≤ { $limit }
 required-validity = ichida
 required-less-unbalance = sharchalarsizdan kam
 
@@ -286,6 +287,8 @@ limits-left-out = bu sahifada baholanmagan: { $names }
 run-up-grows = noturg‘un oraliqlarda g‘alayon { $factor } martagacha o‘sadi
 run-up-diverges = harakat cheksiz uzoqlashadi
 axis-operating-range = ish tezliklari
+check-shaft-vibration = Podshipniklardagi val tebranishi
+check-balance = Muvozanatlash sifati
 check-velocity = Tebranish tezligi
 velocity-is = eng kattasi { $value } (amplituda)
 validity-studies-inside = fayldagi birorta ham hisob sohadan tashqari natija topmadi
@@ -308,3 +311,28 @@ page-evidence-finding = xulosa
 page-evidence-value = qiymat
 page-evidence-checked = nima bilan tekshirilgan
 page-evidence-number = natija
+
+balance-planes = { $rotor }: { $sizes }
+item-balance = { $name } { $value }, chegarasi { $share }
+balance-detail = ISO 21940-11:2016, { $planes ->
+        [two] 6.2 va 7.2, podshipniklar tekisliklarida
+       *[one] 6.2, faqat bosh vektor: rotorda podshipniklarning ikki tekisligi yo‘q
+    }. Bosh vektor { $resultant }{ $tilts ->
+        [yes] , bosh moment { $couple }
+       *[no] {""}
+    }; qattiq rotor sifatida muvozanatlangan
+shaft-vibration-sizes = { $sizes }
+item-shaft-vibration = { $name } { $value } qulochli{ $zone ->
+        [none] {""}
+       *[other] , { $zone } zona
+    }
+shaft-vibration-detail = { $standard ->
+        [api_617] API 617
+       *[iso_7919_3] ISO 7919-3:2009, A ilova, B va C zonalar chegarasi
+    }; chegara { $speed } da. Faqat nomuvozanat, podshipniklarga nisbatan{ $nonlinear ->
+        [yes] ; nochiziqli mashinaning eng katta turg‘un javobi
+       *[no] {""}
+    }
+shaft-vibration-no-bearing = aylanuvchi va aylanmaydigan orasida tayanch yo‘q
+shaft-vibration-unknown = podshipniklarga nisbatan javob noma’lum
+shaft-vibration-speed = standart bu ish tezliklarini qamrab olmaydi

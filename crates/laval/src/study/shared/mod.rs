@@ -2,6 +2,7 @@
 
 pub(in crate::study) mod half_power;
 pub(in crate::study) mod headings;
+pub(in crate::study) mod journals;
 pub mod limits;
 pub(in crate::study) mod margins;
 pub mod operation;
@@ -11,6 +12,7 @@ pub(in crate::study) mod probes;
 pub(in crate::study) mod region;
 pub(in crate::study) mod size;
 pub mod speed_range;
+pub(in crate::study) mod standards;
 pub mod stations;
 pub mod support;
 pub(in crate::study) mod supporting;

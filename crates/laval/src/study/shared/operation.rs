@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Extra, Field, FieldKind};
 use crate::model::system::System;
+use crate::study::shared::standards::{self, ShaftVibration};
 use crate::text;
 
 /// Lines of a typical block.
@@ -50,6 +51,8 @@ pub const FIELDS: &[Field] = &[
         "",
         "least logarithmic decrement of every natural mode at the operating speed",
     ),
+    standards::BALANCE_GRADE,
+    standards::SHAFT_VIBRATION,
 ];
 
 /// How the machine is run.
@@ -65,6 +68,10 @@ pub struct Operation {
     pub instability_margin: Option<f64>,
     /// Least logarithmic decrement.
     pub decrement: Option<f64>,
+    /// Balance quality grade, m/s.
+    pub balance_grade: Option<f64>,
+    /// Standard whose limits of shaft vibration are assessed.
+    pub shaft_vibration: Option<ShaftVibration>,
 }
 
 fn read(extra: &Extra) -> Operation {
@@ -75,6 +82,8 @@ fn read(extra: &Extra) -> Operation {
         resonance_margin: v.number("resonance_margin"),
         instability_margin: v.number("instability_margin"),
         decrement: v.number("decrement"),
+        balance_grade: v.choice("balance_grade").and_then(standards::grade),
+        shaft_vibration: v.choice("shaft_vibration").and_then(ShaftVibration::of),
     }
 }
 
@@ -96,6 +105,12 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
         if operation.run_up_time.is_some() && system.machine.speed.is_none_or(|w| w == 0.0) {
             let message = text!("run_up_time needs an operating speed, which neither [operation] nor [machine] gives");
             out.push(Diagnostic::error("operation.speed", message).at(extra.values.span_of("run_up_time")).help(text!("add speed")));
+        }
+        let standing = system.machine.speed.is_none_or(|w| w == 0.0);
+        let standards = [("balance_grade", operation.balance_grade.is_some()), ("shaft_vibration", operation.shaft_vibration.is_some())];
+        for (field, _) in standards.into_iter().filter(|f| f.1 && standing) {
+            let message = text!("{field} needs an operating speed, which neither [operation] nor [machine] gives", field);
+            out.push(Diagnostic::error("operation.speed", message).at(extra.values.span_of(field)).help(text!("add speed")));
         }
         return;
     };

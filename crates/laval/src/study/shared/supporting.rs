@@ -20,27 +20,33 @@ pub fn read(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> 
     let mut out = Vec::new();
     let mut complete = true;
     for name in values.text("supports").unwrap_or_default().split(',').map(str::trim).filter(|n| !n.is_empty()) {
-        let known = system.slots().iter().position(|s| s.name == name);
-        match known.filter(|&k| named(system, k).is_some()) {
+        match slot(name, "supports", values, system, diagnostics) {
             Some(k) => out.push(k),
-            None => {
-                let candidates: Vec<&str> =
-                    (0..system.slots().len()).filter(|&k| named(system, k).is_some()).map(|k| system.slots()[k].name.as_str()).collect();
-                let message = match known {
-                    None => text!("there is no part \"{name}\"", name),
-                    Some(_) => text!("\"{name}\" does not join a turning body to anything", name),
-                };
-                diagnostics.push(
-                    Diagnostic::error("study.supports", message)
-                        .at(values.span_of("supports"))
-                        .about(name)
-                        .help(text!("parts that join a turning body to something: {names}", names = candidates.join(", "))),
-                );
-                complete = false;
-            }
+            None => complete = false,
         }
     }
     complete.then_some(out)
+}
+
+/// The slot of a part that joins a turning body to something, which a field names.
+pub fn slot(name: &str, field: &str, values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<usize> {
+    let known = system.slots().iter().position(|s| s.name == name);
+    let found = known.filter(|&k| named(system, k).is_some());
+    if found.is_none() {
+        let candidates: Vec<&str> =
+            (0..system.slots().len()).filter(|&k| named(system, k).is_some()).map(|k| system.slots()[k].name.as_str()).collect();
+        let message = match known {
+            None => text!("there is no part \"{name}\"", name),
+            Some(_) => text!("\"{name}\" does not join a turning body to anything", name),
+        };
+        diagnostics.push(
+            Diagnostic::error("study.supports", message)
+                .at(values.span_of(field))
+                .about(name)
+                .help(text!("parts that join a turning body to something: {names}", names = candidates.join(", "))),
+        );
+    }
+    found
 }
 
 /// The supports named, or all that hold the machine at rest.
@@ -62,6 +68,7 @@ pub fn state(system: &System, speed: f64) -> Result<Statics, Diagnostic> {
         z: vec![0.0; system.m()],
         holding: Vec::new(),
         left_out: vec![false; system.slots().len()],
+        raised: Vec::new(),
         iterations: 0,
         last_step: 0.0,
     })

@@ -10,6 +10,7 @@
 //! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
 
 mod beside;
+mod limits;
 pub(in crate::study::linear) mod observed;
 mod orbits;
 mod polar;
@@ -28,7 +29,9 @@ use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum};
 use crate::study::shared::half_power::sides;
+use crate::study::shared::journals::{Vibration, journals, vibrations};
 use crate::study::shared::margins::{STANDARD, Speeds};
+use crate::study::shared::operation;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
@@ -176,8 +179,9 @@ impl Study for ForcedResponse {
         let half_power = half_power(system, &state, &found);
         let orbits = orbits::orbits(self, system, &state, &found)?;
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
+        let journals = self.journals(system, &found)?;
         let end = context.end(found.complete);
-        Ok(ForcedResponseResult { curve: found, half_power, strongest, observed, directions, orbits, states, end })
+        Ok(ForcedResponseResult { curve: found, half_power, strongest, observed, directions, orbits, states, journals, end })
     }
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -194,6 +198,12 @@ impl ForcedResponse {
     /// Over these speeds, without a standard.
     pub fn over(speed: RangeValue) -> Self {
         ForcedResponse { speed, margins: false, spin: None }
+    }
+    /// Vibration of the shaft in its bearings, where `[operation]` names a standard and operating speeds are computed.
+    fn journals(&self, system: &System, found: &Curve) -> Result<Vec<Vibration>, Diagnostic> {
+        let standard = operation::among(&system.machine.extras).shaft_vibration;
+        let Some((standard, speeds)) = standard.zip(Speeds::of(system)).filter(|_| self.spin.is_none()) else { return Ok(Vec::new()) };
+        Ok(vibrations(&journals(system, speeds.high)?, found, standard, (speeds.low, speeds.high)))
     }
     /// The machine at the spin whose unbalance acts, where that is not its own.
     fn seen(&self, system: &System) -> Result<Option<System>, Diagnostic> {
@@ -223,6 +233,9 @@ pub struct ForcedResponseResult {
     pub orbits: Orbits,
     /// States at the ends of the range.
     pub states: EndStates,
+    /// Vibration of the shaft in its bearings over the operating speeds, where a standard is to be kept.
+    #[serde(default)]
+    pub journals: Vec<Vibration>,
     /// How the study ended.
     pub end: End,
 }

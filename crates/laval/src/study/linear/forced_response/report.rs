@@ -31,9 +31,9 @@ const COLUMNS: [[&str; 7]; 2] = [
 ];
 
 pub(super) struct Shown<'a> {
-    study: &'a ForcedResponse,
-    system: &'a System,
-    result: &'a ForcedResponseResult,
+    pub(super) study: &'a ForcedResponse,
+    pub(super) system: &'a System,
+    pub(super) result: &'a ForcedResponseResult,
     /// Largest residual of the linear systems.
     residual: f64,
     /// The largest resonance of a displacement, and of a tilt.
@@ -52,8 +52,12 @@ impl<'a> Shown<'a> {
         let one = self.study.speed.is_one();
         let mut out = Outcome::new(ForcedResponse::KIND, name).over("speed", "rad/s").end(self.result.end).work("solutions", found.solved);
         let unstable = unstable(self.system, &self.result.strongest, &Follows::Response);
-        let findings =
-            unstable.into_iter().chain(if one { self.amplitudes() } else { Vec::new() }).chain(self.resonances()).chain(self.margins());
+        let findings = unstable
+            .into_iter()
+            .chain(if one { self.amplitudes() } else { Vec::new() })
+            .chain(self.resonances())
+            .chain(self.margins())
+            .chain(self.shaft_vibration());
         out = self.spins().into_iter().fold(out, Outcome::finding);
         out = findings.chain(self.doubts()).chain(self.result.states.remarks(self.system)).fold(out, Outcome::finding);
         out = self.special_points().into_iter().fold(out, Outcome::special_point);
@@ -66,6 +70,9 @@ impl<'a> Shown<'a> {
             if let Some(polar) = Polar::of(self.system, self.result) {
                 out = out.table(polar.table().build().map_err(inconsistent)?).figure(polar.figure());
             }
+        }
+        if let Some(table) = self.journals_table()? {
+            out = out.table(table);
         }
         let orbits = &self.result.orbits;
         if !orbits.at.is_empty() {
@@ -259,6 +266,9 @@ impl<'a> Shown<'a> {
             let name = format!("{}.{}", shows.what, shows.part);
             table = table.float(name, shows.unit, reported("largest value over a turn"), shows.values.clone());
         }
+        for (name, meaning, values) in self.boundaries() {
+            table = table.float_if_any(name, "m", meaning, values);
+        }
         let validity = self.result.observed.validity.clone();
         let table = table.float("validity", "", reported("largest use of a part's validity over a turn; above 1 is outside"), validity);
         table.build().map_err(inconsistent)
@@ -399,6 +409,7 @@ impl<'a> Shown<'a> {
                     .mark(Line::new("response", "speed", format!("phase.{name}")).name(probes::label(p)).cyclic(std::f64::consts::TAU));
             }
         }
+        amplitude = self.boundary_lines().into_iter().fold(amplitude, Panel::mark);
         amplitude = self.peaks().into_iter().fold(amplitude, |p, (speed, label)| p.mark(Rule::x(speed, label)));
         let extrema =
             |y: &str| Points::new("extrema", "speed", y).classes("kind", &["resonance", "antiresonance"]).muted(&["antiresonance"]);

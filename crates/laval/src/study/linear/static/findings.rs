@@ -21,13 +21,21 @@ impl Shown<'_> {
             let finding = Finding::info("not_loaded", sentence);
             out.push(finding.arg("weight", Arg::quantity(self.result.weight(), "N")));
         }
+        out.extend(self.alignment_findings());
         if self.result.not_held {
             out.push(Finding::warning("not_held", "static-not-held"));
         }
         out.extend(self.masses());
         let state = &own.state;
-        let about = Equilibrium { q: state.q.clone(), z: state.z.clone(), ..Equilibrium::zero(self.system, Frame::Fixed, state.speed) };
-        out.extend(state_remarks(self.system, &about));
+        let remarks = |q: Vec<f64>| {
+            state_remarks(self.system, &Equilibrium { q, z: state.z.clone(), ..Equilibrium::zero(self.system, Frame::Fixed, state.speed) })
+        };
+        // a part that is raised has its own displacement
+        let raised: Vec<String> = state.raised.iter().map(|r| self.name(r.slot)).collect();
+        out.extend(remarks(state.q.clone()).into_iter().filter(|f| !raised.contains(&f.subject)));
+        for (r, name) in state.raised.iter().zip(&raised) {
+            out.extend(remarks(r.seen(&state.q)).into_iter().filter(|f| f.subject == *name));
+        }
         out
     }
 
@@ -46,8 +54,19 @@ impl Shown<'_> {
             .arg("place", Arg::word(if position.is_some() { "along" } else { "body" }))
             .arg("position", Arg::quantity(position.unwrap_or(0.0), "m"))
             .arg("speed", Arg::speed(kind.state.speed))
-            .arg("load", Arg::word(if self.result.horizontal { "weight" } else { "force" }));
+            .arg("load", Arg::word(self.load_word(kind)));
         Some(self.evidence(finding, kind).evidence("last Newton step over typical size", kind.state.last_step, ""))
+    }
+
+    /// What deflects the machine beside, or instead of, its weight.
+    fn load_word(&self, kind: &Kind) -> &'static str {
+        let raised = !kind.state.raised.is_empty();
+        match (self.result.horizontal, raised) {
+            (true, false) => "weight",
+            (true, true) => "offsets",
+            (false, false) => "force",
+            (false, true) => "raised",
+        }
     }
 
     /// What supports the forces of a kind.

@@ -1,16 +1,19 @@
 //! The machine at rest under its weight and constant forces: deflection, slope, shear force and bending moment along its shafts, loads of its bearings, mass properties.
 //!
-//! Equations: `K q + n(q) = f0` with the bearings' coefficients at a speed; `B' q = 0` in their places on rigid supports. Shear and moment from cuts.
+//! Equations: `K q + n(q) = f0` with the bearings' coefficients at a speed; `B' q = d` in their places on rigid supports. Shear and moment from cuts. A support that is raised by d
+//! sees its turning end lower by d; `dR/dd` is the influence of offsets on loads; in the aligned train moment and shear force vanish at the couplings.
 //!
-//! Symbols: K stiffness without circulatory terms, n nonlinear parts, f0 weight and constant forces, B places of the supports.
+//! Symbols: K stiffness without circulatory terms, n nonlinear parts, f0 weight and constant forces, B places of the supports, d their offsets, R their loads.
 //!
 //! Validity: small deflections; nothing turns; circulatory terms of the rotor are left out, cross stiffness of bearings is not.
 //!
 //! Theory: `docs/theory/shafts.md#sag`.
 //!
-//! Sources: S. P. Timoshenko, Strength of Materials, Van Nostrand 1955 (beams, three moments).
+//! Sources: S. P. Timoshenko, Strength of Materials, Van Nostrand 1955 (beams, three moments, supports at different levels, reciprocal theorem).
 
+mod aligned;
 mod findings;
+mod heights;
 mod tables;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -24,20 +27,25 @@ use crate::outcome::{End, Kept, Outcome};
 use crate::solve::statics::beam::{Beam, beams};
 use crate::solve::statics::forces::share;
 use crate::solve::statics::masses::{MassProperties, mass_properties};
-use crate::solve::statics::{Statics, held, own};
+use crate::solve::statics::supports::{Support, turning_first};
+use crate::solve::statics::{Statics, held, own, raised};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, inconsistent};
 use crate::study::shared::supporting;
 use crate::study::{Context, Study};
 use serde::{Deserialize, Serialize};
 
+pub use aligned::{Alignment, CouplingLoads, Influence, Request, Train};
+
 /// See the [module](self).
-#[derive(Clone)]
+#[derive(Clone, Debug, Default)]
 pub struct Static {
     /// Speed whose coefficients the bearings have, rad/s.
     pub speed: f64,
     /// Slots of the supports; all of the machine where it is empty.
     pub supports: Vec<usize>,
+    /// Offsets of supports, and couplings to align.
+    pub alignment: Request,
 }
 
 impl Study for Static {
@@ -47,16 +55,23 @@ impl Study for Static {
 "#;
     const DOC: &'static str = "The machine at rest under its weight (axis = \"horizontal\" in [machine]) and constant forces: deflection, slope, shear force and \
         bending moment along its shafts, loads of its bearings, mass and moments of inertia. Twice: with the stiffness that the bearings have at a speed, and on \
-        rigid supports in their places.";
+        rigid supports in their places. With offsets of its supports, their influence on the loads, and the heights at which couplings carry nothing.";
     const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::optional("speed", SPEED, "", "speed whose coefficients the bearings have; the machine's when left out, or 0 without one"),
         supporting::SUPPORTS,
+        aligned::OFFSET_X,
+        aligned::OFFSET_Y,
+        aligned::COUPLINGS,
+        aligned::ALIGNED_FOR,
+        aligned::KEPT,
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = values.number("speed").or(system.machine.speed).unwrap_or(0.0);
-        Some(Static { speed, supports: supporting::read(values, system, diagnostics)? })
+        let supports = supporting::read(values, system, diagnostics);
+        let alignment = aligned::read(values, system, diagnostics);
+        Some(Static { speed, supports: supports?, alignment: alignment? })
     }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
@@ -64,26 +79,36 @@ impl Study for Static {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        own(system, self.speed).map(drop)
+        let at = own(system, self.speed)?;
+        let supports = supporting::of(system, &self.supports, &at);
+        self.ties(system, &supports, &held_places(&supports))?;
+        self.admit_alignment(&supports)
     }
 
     fn compute(&self, system: &System, context: &Context) -> Result<StaticResult, Diagnostic> {
         let at = own(system, self.speed)?;
         let supports = supporting::of(system, &self.supports, &at);
-        let places = Place::of(supports.iter().filter(|s| s.flexible).map(|s| (s.slot, &s.place.0)));
+        self.admit_alignment(&supports)?;
+        let places = held_places(&supports);
+        let offsets = self.ties(system, &supports, &places)?;
+        let state = if self.alignment.offsets.is_empty() { at.clone() } else { raised(system, &at, &self.alignment.offsets)? };
         let rigid = (!places.is_empty()).then(|| {
             let mut left_out = vec![false; system.slots().len()];
             supports.iter().filter(|s| s.flexible).for_each(|s| left_out[s.slot] = true);
             let ties: Vec<Row> = places.iter().flat_map(|p| p.rows.clone()).collect();
-            held(system, &at, &ties, &left_out).ok().map(|state| Kind::new(system, state, &places))
+            held(system, &state, &ties, &offsets, &left_out).ok().map(|state| Kind::new(system, state, &places))
         });
+        let own = Kind::new(system, state, &[]);
+        let not_held = rigid.as_ref().is_some_and(Option::is_none);
+        let rigid = rigid.flatten();
         Ok(StaticResult {
             horizontal: system.machine.axis == Axis::Horizontal,
             masses: mass_properties(system),
             supports: supports.iter().map(|s| s.slot).collect(),
-            not_held: rigid.as_ref().is_some_and(Option::is_none),
-            own: Kind::new(system, at, &[]),
-            rigid: rigid.flatten(),
+            not_held,
+            alignment: self.alignment(system, (&at, &own), &supports, rigid.as_ref().map(|k| (k, &places[..])))?,
+            own,
+            rigid,
             end: context.end(true),
         })
     }
@@ -92,7 +117,9 @@ impl Study for Static {
         let shown = Shown { system, result };
         let mut outcome = Outcome::new(Self::KIND, name).end(result.end);
         outcome = shown.findings().into_iter().fold(outcome, Outcome::finding);
-        for table in [shown.reactions()?, shown.stations()?, shown.shafts()?, shown.mass_properties()?] {
+        let first = [shown.reactions()?, shown.stations()?];
+        let last = [shown.shafts()?, shown.mass_properties()?];
+        for table in first.into_iter().chain(shown.alignment_tables()?).chain(last) {
             if table.rows() > 0 {
                 outcome = outcome.table(table);
             }
@@ -106,6 +133,11 @@ impl Study for Static {
     fn keep(&self, result: Self::Result) -> Kept {
         Kept::of(self.clone(), result)
     }
+}
+
+/// Places of a body that bends that are held on rigid supports.
+fn held_places(supports: &[Support]) -> Vec<Place> {
+    Place::of(supports.iter().filter(|s| s.flexible).map(|s| (s.slot, &s.place.0)))
 }
 
 /// A place that is held, x and y, and the part in whose place it is.
@@ -160,7 +192,7 @@ impl Kind {
             |first: DofKind| -> Vec<f64> { system.coordinates().iter().map(|c| if c.dof.kind == first { 1.0 } else { 0.0 }).collect() };
         let fields = [along(DofKind::VectorX), along(DofKind::VectorY)];
         for (k, slot) in system.slots().iter().enumerate().filter(|x| !state.left_out[x.0]) {
-            let share = share(system, slot, state.speed, &state.q, &state.z);
+            let share = share(system, slot, state.speed, &state.seen_by(k), &state.z);
             let bends = slot.part.body().is_some_and(|b| b.nodes().is_some());
             for (p, field) in fields.iter().enumerate() {
                 let mut local = Vec::new();
@@ -198,15 +230,8 @@ fn reaction(system: &System, k: usize, elastic: &[f64]) -> Option<Reaction> {
         return body.nodes().is_none().then(|| Reaction { slot: k, force: [of(DofKind::VectorX), of(DofKind::VectorY)], moment: None });
     }
     let port = slot.layout.ports.first()?;
-    let Link::Between(a, _) = &port.link else { return None };
-    let turns = |name: &Option<String>| {
-        let slot = system.slots().iter().find(|s| Some(&s.name) == name.as_ref());
-        slot.and_then(|s| s.part.body()).is_some_and(|b| b.turns())
-    };
-    let support = crate::solve::statics::supports::named(system, k);
-    // the force is that on the turning body, or on the first
-    let first = support.is_none_or(|s| Some(&system.slots()[s.body].name) == a.body.as_ref()) || turns(&a.body);
-    let sign = if first { -1.0 } else { 1.0 };
+    let Link::Between(..) = &port.link else { return None };
+    let sign = if turning_first(system, k) { -1.0 } else { 1.0 };
     let of = |i: usize| sign * elastic[i];
     Some(Reaction { slot: k, force: [of(0), of(1)], moment: (elastic.len() >= 4 && port.kind.size() == 4).then(|| [of(2), of(3)]) })
 }
@@ -224,6 +249,9 @@ pub struct StaticResult {
     pub own: Kind,
     /// With the places of the supports on a body that bends held; none without such a body.
     pub rigid: Option<Kind>,
+    /// Offsets of supports, their influence, couplings; none where the loads do not depend on offsets and none is given.
+    #[serde(default)]
+    pub alignment: Option<Alignment>,
     /// Rigid supports in these places do not hold the machine.
     pub not_held: bool,
     /// How the study ended.
@@ -243,6 +271,17 @@ impl StaticResult {
     fn weight(&self) -> f64 {
         GRAVITY * self.mass()
     }
+}
+
+/// On which supports, or at which heights, the machine rests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Basis {
+    /// On the stiffness of the supports, at the offsets given.
+    Own,
+    /// On rigid ones.
+    Rigid,
+    /// On their stiffness, at the offsets that free the couplings.
+    Aligned,
 }
 
 struct Shown<'a> {

@@ -1,6 +1,6 @@
 //! Tables and the figure of a machine at rest.
 
-use super::{Kind, Shown};
+use super::{Basis, Kind, Shown};
 use crate::diagnostic::Diagnostic;
 use crate::model::station::Station;
 use crate::model::system::GRAVITY;
@@ -12,6 +12,16 @@ use crate::study::shared::support::{beyond_rounding, inconsistent, largest};
 const NAMES: [&str; 8] = ["x", "y", "slope_x", "slope_y", "shear_x", "shear_y", "moment_x", "moment_y"];
 const RIGID: [&str; 8] =
     ["rigid_x", "rigid_y", "rigid_slope_x", "rigid_slope_y", "rigid_shear_x", "rigid_shear_y", "rigid_moment_x", "rigid_moment_y"];
+const ALIGNED: [&str; 8] = [
+    "aligned_x",
+    "aligned_y",
+    "aligned_slope_x",
+    "aligned_slope_y",
+    "aligned_shear_x",
+    "aligned_shear_y",
+    "aligned_moment_x",
+    "aligned_moment_y",
+];
 const UNITS: [&str; 8] = ["m", "m", "rad", "rad", "N", "N", "N m", "N m"];
 const MEANINGS: [&str; 8] = [
     "deflection in x",
@@ -26,6 +36,7 @@ const MEANINGS: [&str; 8] = [
 /// Columns of reactions, likewise.
 const FORCES: [&str; 4] = ["x", "y", "about_x", "about_y"];
 const RIGID_FORCES: [&str; 4] = ["rigid_x", "rigid_y", "rigid_about_x", "rigid_about_y"];
+const ALIGNED_FORCES: [&str; 4] = ["aligned_x", "aligned_y", "aligned_about_x", "aligned_about_y"];
 const FORCE_MEANINGS: [&str; 4] = [
     "force on the turning body, else on the first, in x; NaN of a part that is left out",
     "force on the turning body, else on the first, in y; NaN of a part that is left out",
@@ -44,9 +55,41 @@ fn value(c: &Cut, column: usize, side: usize) -> f64 {
     }
 }
 
-/// What a column means, on which supports.
-fn meaning(what: &'static str, rigid: bool) -> Arg {
-    if rigid { Arg::noted(what, "on rigid supports") } else { what.into() }
+impl Basis {
+    /// What a column means.
+    fn meaning(self, what: &'static str) -> Arg {
+        match self {
+            Basis::Own => what.into(),
+            Basis::Rigid => Arg::noted(what, "on rigid supports"),
+            Basis::Aligned => Arg::noted(what, "with the couplings free of load"),
+        }
+    }
+
+    /// Columns along a shaft.
+    fn names(self) -> [&'static str; 8] {
+        match self {
+            Basis::Own => NAMES,
+            Basis::Rigid => RIGID,
+            Basis::Aligned => ALIGNED,
+        }
+    }
+
+    /// Columns of reactions.
+    fn forces(self) -> [&'static str; 4] {
+        match self {
+            Basis::Own => FORCES,
+            Basis::Rigid => RIGID_FORCES,
+            Basis::Aligned => ALIGNED_FORCES,
+        }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Basis::Own => "own",
+            Basis::Rigid => "rigid",
+            Basis::Aligned => "aligned",
+        }
+    }
 }
 
 impl Shown<'_> {
@@ -62,7 +105,7 @@ impl Shown<'_> {
         for (b, beam) in self.result.own.beams.iter().enumerate() {
             for i in 0..beam.cuts.len() {
                 out.push((b, i, 0));
-                if jumps(Some(&self.result.own), b, i) || jumps(self.result.rigid.as_ref(), b, i) {
+                if self.kinds().into_iter().any(|(_, k)| jumps(Some(k), b, i)) {
                     out.push((b, i, 1));
                 }
             }
@@ -84,19 +127,21 @@ impl Shown<'_> {
         let mut table = Table::new("shafts", "Along the shafts, just below and just above every node where a force acts")
             .names("body", "body that bends", rows.iter().map(|r| self.name(beam(r.0).slot)).collect())
             .float("position", "m", "position along the shaft", rows.iter().map(|r| beam(r.0).cuts[r.1].position).collect());
-        for (rigid, kind) in self.kinds() {
+        for (basis, kind) in self.kinds() {
             for (k, unit) in UNITS.into_iter().enumerate() {
                 let size = self.size(kind, k);
                 let values = rows.iter().map(|r| beyond_rounding(value(&kind.beams[r.0].cuts[r.1], k, r.2), size)).collect();
-                table = table.float(if rigid { RIGID } else { NAMES }[k], unit, meaning(MEANINGS[k], rigid), values);
+                table = table.float(basis.names()[k], unit, basis.meaning(MEANINGS[k]), values);
             }
         }
         table.build().map_err(inconsistent)
     }
 
-    /// On own stiffness, and on rigid supports.
-    pub(super) fn kinds(&self) -> Vec<(bool, &Kind)> {
-        std::iter::once((false, &self.result.own)).chain(self.result.rigid.iter().map(|k| (true, k))).collect()
+    /// On own stiffness, on rigid supports, and at the heights that free the couplings.
+    pub(super) fn kinds(&self) -> Vec<(Basis, &Kind)> {
+        let train = self.result.alignment.as_ref().and_then(|a| a.train.as_ref());
+        let rigid = self.result.rigid.iter().map(|k| (Basis::Rigid, k));
+        std::iter::once((Basis::Own, &self.result.own)).chain(rigid).chain(train.map(|t| (Basis::Aligned, &t.kind))).collect()
     }
 
     pub(super) fn name(&self, slot: usize) -> String {
@@ -124,15 +169,15 @@ impl Shown<'_> {
             "body, or place of a shaft",
             all.iter().map(|s| s.name.clone()).collect(),
         );
-        for (rigid, kind) in self.kinds() {
+        for (basis, kind) in self.kinds() {
             let size = largest(all.iter().map(|s| s.lateral.length(&kind.state.q)));
             let at = |s: &Station, k: usize| match k {
                 0 | 1 => beyond_rounding(s.lateral.of(&kind.state.q)[k], size),
                 _ => self.slope(s, kind)[k - 2],
             };
             for k in 0..4 {
-                let name = if rigid { RIGID } else { NAMES }[k];
-                table = table.float_if_any(name, UNITS[k], meaning(MEANINGS[k], rigid), column(&|s| at(s, k)));
+                let name = basis.names()[k];
+                table = table.float_if_any(name, UNITS[k], basis.meaning(MEANINGS[k]), column(&|s| at(s, k)));
             }
         }
         table.build().map_err(inconsistent)
@@ -148,7 +193,7 @@ impl Shown<'_> {
             "part",
             slots.iter().map(|&s| self.name(s)).collect(),
         );
-        for (rigid, kind) in self.kinds() {
+        for (basis, kind) in self.kinds() {
             let size = largest(kind.reactions.iter().flat_map(|r| r.force).map(f64::abs));
             let of = |s: usize, k: usize| {
                 let reaction = kind.reactions.iter().find(|r| r.slot == s);
@@ -158,9 +203,9 @@ impl Shown<'_> {
                 }
             };
             for k in 0..4 {
-                let name = if rigid { RIGID_FORCES } else { FORCES }[k];
+                let name = basis.forces()[k];
                 let values = slots.iter().map(|&s| of(s, k)).collect();
-                table = table.float_if_any(name, if k < 2 { "N" } else { "N m" }, meaning(FORCE_MEANINGS[k], rigid), values);
+                table = table.float_if_any(name, if k < 2 { "N" } else { "N m" }, basis.meaning(FORCE_MEANINGS[k]), values);
             }
         }
         table.build().map_err(inconsistent)
@@ -200,17 +245,15 @@ impl Shown<'_> {
         let moved = cuts(&|c| c.deflection[0].hypot(c.deflection[1]));
         let lines = |mut panel: Panel, first: usize| {
             for (plane, p) in [("y", 1), ("x", 0)] {
-                for (rigid, kind) in self.kinds() {
+                for (basis, kind) in self.kinds() {
                     let k = first + p;
                     // a direction in which nothing pushes is left out
                     let own = largest(kind.beams.iter().flat_map(|b| &b.cuts).map(|c| value(c, k, 0).abs().max(value(c, k, 1).abs())));
                     if p == 0 && !(own > 1e-9 * self.size(kind, k)) {
                         continue;
                     }
-                    let label = Message::new("static-line")
-                        .arg("plane", Arg::word(plane))
-                        .arg("supports", Arg::word(if rigid { "rigid" } else { "own" }));
-                    let line = Line::new("shafts", "position", if rigid { RIGID } else { NAMES }[k]).name(label);
+                    let label = Message::new("static-line").arg("plane", Arg::word(plane)).arg("supports", Arg::word(basis.word()));
+                    let line = Line::new("shafts", "position", basis.names()[k]).name(label);
                     panel = panel.mark(if several { line.group("body") } else { line });
                 }
             }
@@ -223,6 +266,8 @@ impl Shown<'_> {
                 deflection = deflection.mark(Rule::x(position, Arg::name(self.name(s.slot))));
             }
         }
+        let couplings = self.result.alignment.iter().flat_map(|a| &a.couplings).filter(|_| !several);
+        deflection = couplings.fold(deflection, |panel, c| panel.mark(Rule::x(c.position, Arg::name(&c.name))));
         let shear = lines(Panel::new(Axis::new("shear force", "N")), 4);
         let moment = lines(Panel::new(Axis::new("bending moment", "N m")), 6);
         let alt = Message::new("static-alt").arg("shafts", Arg::count(self.result.own.beams.len()));

@@ -5,6 +5,7 @@ mod distance;
 mod response;
 mod run_up;
 mod stability;
+mod standards;
 
 pub(super) use balls::{harm, ranges};
 pub(super) use distance::open;
@@ -33,8 +34,15 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
         let vibration = balls::vibration(facts, speed);
         let assessed = vibration.as_ref().is_some_and(|c| c.verdict != Verdict::NotComputed);
         out.extend(vibration);
+        out.extend(
+            facts
+                .operation
+                .shaft_vibration
+                .map(|_| Check::new("check-shaft-vibration", Message::new("shaft-vibration-unknown"), Verdict::NotComputed)),
+        );
         out.push(validity(facts));
         out.extend(balls::balls(facts));
+        out.extend(standards::balance(facts, speed));
         out.extend(run_up(facts, over, speed, Vec::new()));
         out.extend(window(facts, speed));
         out.extend(highest(facts, speed));
@@ -56,10 +64,14 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     if unstable {
         // the response exists, and no machine stays on it
         out.push(Check::new("check-vibration", Message::new("vibration-unstable"), Verdict::NotComputed));
+        let also = facts.operation.shaft_vibration.is_some();
+        out.extend(also.then(|| Check::new("check-shaft-vibration", Message::new("vibration-unstable"), Verdict::NotComputed)));
     } else {
         out.extend(vibration(facts));
+        out.extend(standards::shaft_vibration(facts, speed));
         out.extend(forces(facts));
     }
+    out.extend(standards::balance(facts, speed));
     out.push(validity(facts));
     let after = if unstable { Vec::new() } else { steady(facts) };
     if buckled {

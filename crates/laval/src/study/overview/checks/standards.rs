@@ -1,0 +1,112 @@
+//! Balance quality (ISO 21940-11) and vibration of the shaft in its bearings (ISO 7919-3, API 617).
+
+use super::super::operating::Operating;
+use super::super::{Facts, Known};
+use super::MOST_NAMED;
+use crate::outcome::{Arg, Check, Message, Verdict};
+use crate::solve::statics::supports::supports;
+use crate::solve::statics::unbalance::{Rotor, rotors};
+use crate::study::shared::journals::{Vibration, journals, vibrations};
+use crate::study::shared::standards::{ShaftVibration, Zone, allocated, grade_word, permissible};
+use crate::study::shared::support::probe_name;
+use crate::study::shared::supporting;
+use laval_num::order::SortByNumber;
+
+/// Unbalance of every rotor, and of its bearing planes, against the grade of `[operation]`.
+pub(super) fn balance(facts: &Facts, speed: Operating) -> Vec<Check> {
+    let Some(grade) = facts.operation.balance_grade else { return Vec::new() };
+    let at = facts.sign * speed.high;
+    let found = match supporting::state(facts.system, at) {
+        Ok(state) => supports(facts.system, &state),
+        Err(_) => Vec::new(),
+    };
+    rotors(facts.system, at, &found).iter().map(|r| one(facts, r, grade)).collect()
+}
+
+fn one(facts: &Facts, rotor: &Rotor, grade: f64) -> Check {
+    let name = |slot: usize| Arg::name(&facts.system.slots()[slot].name);
+    let total = permissible(grade, rotor.mass.mass, rotor.speed);
+    let size = |x: f64| Arg::quantity(x, "kg m");
+    // each plane with its share; without two planes the resultant
+    let planes: Vec<(usize, f64, f64)> = match &rotor.planes {
+        Some(planes) => {
+            let shares = allocated(total, rotor.mass.centre, [planes[0].position, planes[1].position]);
+            planes.iter().zip(shares).map(|(p, share)| (p.slot, p.unbalance.abs(), share)).collect()
+        }
+        None => vec![(rotor.mass.body, rotor.resultant.abs(), total)],
+    };
+    let items = planes.iter().map(|&(slot, x, share)| {
+        Arg::from(Message::new("item-balance").arg("name", name(slot)).arg("value", size(x)).arg("share", size(share)))
+    });
+    let kept = planes.iter().all(|p| p.1 <= p.2);
+    let result = Message::new("balance-planes").arg("rotor", name(rotor.mass.body)).arg("sizes", Arg::List(items.collect()));
+    let detail = Message::new("balance-detail")
+        .arg("planes", Arg::word(if rotor.planes.is_some() { "two" } else { "one" }))
+        .arg("resultant", size(rotor.resultant.abs()))
+        .arg("tilts", Arg::word(if rotor.couple.abs().is_finite() { "yes" } else { "no" }))
+        .arg("couple", Arg::quantity(if rotor.couple.abs().is_finite() { rotor.couple.abs() } else { 0.0 }, "kg m^2"));
+    let required = Message::new("required-balance").arg("grade", Arg::term(grade_word(grade))).arg("limit", size(total));
+    let verdict = if kept { Verdict::Passed } else { Verdict::Failed };
+    Check { detail: Some(detail), required: Some(required.into()), ..Check::new("check-balance", result, verdict) }
+}
+
+/// Vibration of the journals over the operating speeds against the standard of `[operation]`.
+pub(super) fn shaft_vibration(facts: &Facts, speed: Operating) -> Option<Check> {
+    const WHAT: &str = "check-shaft-vibration";
+    let standard = facts.operation.shaft_vibration?;
+    let refused = |why: Message| Some(Check::new(WHAT, why, Verdict::NotComputed));
+    let all = match journals(facts.system, facts.sign * speed.high) {
+        Ok(all) if !all.is_empty() => all,
+        Ok(_) => return refused(Message::new("shaft-vibration-no-bearing")),
+        Err(d) => return refused(Message::new("why-refused").arg("reason", d.message)),
+    };
+    // what a nonlinear study found counts before the linear response
+    let steady = facts.steady.as_ref().filter(|s| !s.sizes.is_empty());
+    let mut found: Vec<Vibration> = match (steady, &facts.response) {
+        (Some(s), _) => {
+            let probes = facts.system.probes();
+            let known = |name: &str| s.sizes.iter().find(|x| x.0 == name).map(|x| x.1);
+            let one = |j: &crate::study::shared::journals::Journal| {
+                let peak_to_peak = 2.0 * known(&probe_name(&probes[j.probe?]))?;
+                Some(Vibration { slot: j.slot, speed: facts.sign * speed.high, peak_to_peak })
+            };
+            all.iter().filter_map(one).collect()
+        }
+        (None, Some(known)) => match known.get() {
+            Some(r) => vibrations(&all, &r.curve, standard, (speed.low, speed.high)),
+            None => return refused(known.why()),
+        },
+        (None, None) => return refused(Message::new("why-no-speed")),
+    };
+    if found.is_empty() {
+        return refused(Message::new("shaft-vibration-unknown"));
+    }
+    let used = |v: &Vibration| v.peak_to_peak / standard.limit(v.speed);
+    found.sort_by_number_down(used);
+    let worst = found[0];
+    if !standard.covers(speed.low) || !standard.covers(speed.high) {
+        return refused(Message::new("shaft-vibration-speed"));
+    }
+    let name = |slot: usize| Arg::name(&facts.system.slots()[slot].name);
+    let zone = |v: &Vibration| standard.zone(v.speed, v.peak_to_peak);
+    let item = |v: &Vibration| {
+        let m = Message::new("item-shaft-vibration").arg("name", name(v.slot)).arg("value", Arg::quantity(v.peak_to_peak, "m"));
+        Arg::from(m.arg("zone", Arg::word(if standard == ShaftVibration::Zones { zone(v).word() } else { "none" })))
+    };
+    let sizes = Arg::List(found.iter().take(MOST_NAMED).map(item).collect());
+    let verdict = match found.iter().map(zone).max() {
+        Some(Zone::A | Zone::B) => Verdict::Passed,
+        Some(Zone::C) => Verdict::Attention,
+        _ => Verdict::Failed,
+    };
+    // the linear response passes through a part that would hold it
+    let closes = steady.is_none() && facts.response.as_ref().and_then(Known::get).is_some_and(|r| !r.observed.closed.is_empty());
+    let verdict = if closes && verdict == Verdict::Passed { Verdict::Attention } else { verdict };
+    let limit = Arg::quantity(standard.limit(worst.speed), "m");
+    let detail = Message::new("shaft-vibration-detail")
+        .arg("standard", Arg::word(standard.word()))
+        .arg("speed", Arg::speed(worst.speed))
+        .arg("nonlinear", Arg::word(if steady.is_some() { "yes" } else { "no" }));
+    let required = Some(Arg::from(Message::new("required-below").arg("limit", limit)));
+    Some(Check { detail: Some(detail), required, ..Check::new(WHAT, Message::new("shaft-vibration-sizes").arg("sizes", sizes), verdict) })
+}
