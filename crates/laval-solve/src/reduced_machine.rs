@@ -30,6 +30,10 @@ pub struct ReducedMachine {
     /// Its coordinates over those of the whole machine.
     inverse: Mat,
     n: usize,
+    basis: Mat,
+    /// Which parts the structure stands for.
+    inside: Vec<bool>,
+    structure: Structure,
 }
 
 /// Tangent and loads of some linear parts at rest, at a spin speed, phase and spin acceleration.
@@ -71,10 +75,16 @@ fn is_plain(system: &System, slot: &Slot) -> bool {
 impl ReducedMachine {
     /// Of a machine of many states, for motions up to a spin speed (rad/s). `None` of a small machine, of one whose spin is free, and where the receptance of the ports is not met.
     pub fn of(system: &System, fastest: f64) -> Option<Self> {
+        Self::varying(system, fastest, &[])
+    }
+
+    /// The same, with these parts (by slot) left as they are, so that their parameters may vary: [`ReducedMachine::member`].
+    pub fn varying(system: &System, fastest: f64, varied: &[usize]) -> Option<Self> {
         if !is_large(system) || system.machine.drive == Drive::Free {
             return None;
         }
-        let inside: Vec<bool> = system.slots().iter().map(|s| is_plain(system, s)).collect();
+        let plain = |(k, s): (usize, &Slot)| !varied.contains(&k) && is_plain(system, s);
+        let inside: Vec<bool> = system.slots().iter().enumerate().map(plain).collect();
         let is_inside = |s: &Slot| system.slots().iter().zip(&inside).any(|(o, inside)| *inside && o.name == s.name);
         let n = system.n();
         let mut ports = Basis::default();
@@ -112,7 +122,15 @@ impl ReducedMachine {
             stiffness: still.q,
         };
         let inverse = found.inverse(&at(system, [0.0; 3], is_inside).a, &ports.rows);
-        Some(ReducedMachine { system: Arc::new(system.projected(basis, &inside, structure)), reduced: found.summary(), inverse, n })
+        let own = Arc::new(system.projected(basis, &inside, structure.clone()));
+        Some(ReducedMachine { system: own, reduced: found.summary(), inverse, n, basis: found.basis, inside, structure })
+    }
+
+    /// The machine with other parameters of parts that were left as they are, over the same coordinates. `None` where another part is attached to it elsewhere.
+    pub fn member(&self, whole: &System, changed: &System) -> Option<System> {
+        let same = |(a, b): (&Slot, &Slot)| a.map == b.map && a.states == b.states;
+        let fits = whole.slots().len() == changed.slots().len() && whole.slots().iter().zip(changed.slots()).all(same);
+        fits.then(|| changed.projected(&self.basis, &self.inside, self.structure.clone()))
     }
 
     /// A state (q, v, z) of the whole machine in its own coordinates: displacements of the ports, and of the modes what the inertia sees.

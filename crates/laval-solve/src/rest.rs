@@ -323,7 +323,7 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
             }
             share *= 0.5;
             if share < 1e-6 {
-                return Err(no_equilibrium(length));
+                return Err(unfound(system, at.speed, length));
             }
         };
         (x, at) = (next, moved);
@@ -335,7 +335,12 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
         }
         last = length;
     }
-    Err(no_equilibrium(last))
+    Err(unfound(system, at.speed, last))
+}
+
+/// Of a machine of linear parts Newton's first step leads to its equilibrium, unless nothing holds some motion of it.
+pub(super) fn unfound(system: &System, speed: f64, step: f64) -> Diagnostic {
+    if system.slots().iter().all(|s| s.is_linear()) { not_held(system, speed) } else { no_equilibrium(step) }
 }
 
 /// Near the equilibrium of a machine that has no stiffness where it starts: bodies sink under their loads, slowed by a support that moves along, until
@@ -384,7 +389,7 @@ pub(super) fn not_held(system: &System, speed: f64) -> Diagnostic {
         .help(text!("attach a bearing, shaft or foundation to every body that carries a load; masses that move freely, such as the balls of a balancer, have no equilibrium at rest: {free}", free))
 }
 
-pub(super) fn no_equilibrium(step: f64) -> Diagnostic {
+fn no_equilibrium(step: f64) -> Diagnostic {
     Diagnostic::error(
         "rest.not_found",
         text!("no equilibrium was found (Newton's method stopped with a step of {step} typical sizes)", step = text::number(step, 2)),

@@ -105,6 +105,17 @@ pub struct Roots {
     pub margin: f64,
     /// Largest frequency, rad/s.
     pub frequency: f64,
+    /// Roots at zero: motions that nothing holds.
+    pub at_zero: Option<AtZero>,
+}
+
+/// Roots at zero, of which some lie in one place, so that they are counted together and not solved for one by one.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AtZero {
+    /// Their number.
+    pub count: usize,
+    /// Largest distance from zero, 1/s.
+    pub within: f64,
 }
 
 impl Roots {
@@ -352,8 +363,15 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         )
         .help(text!("give frequency_limit")));
     }
-    let mut out =
-        Roots { spectrum: Spectrum::default(), areas: Vec::new(), counted: Vec::new(), evaluations: 0, margin: request.margin, frequency };
+    let mut out = Roots {
+        spectrum: Spectrum::default(),
+        areas: Vec::new(),
+        counted: Vec::new(),
+        evaluations: 0,
+        margin: request.margin,
+        frequency,
+        at_zero: None,
+    };
     for &sector in sectors {
         let mut f = Determinant::new(&mut counting, sector, (frequency, budget > 0), request.cancel);
         if f.of.members.is_empty() {
@@ -381,7 +399,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let keep = |p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
             // also where the axes turn, whose rounding is that of the speed
-            if mirrored && p.value.im.abs() <= 4.0 * (f64::EPSILON * p.value.re.abs() + p.step) {
+            if mirrored && p.value.im.abs() <= 4.0 * (f64::EPSILON * p.value.re.abs().max(speed.abs()) + p.step) {
                 p.value.im = 0.0;
             }
             // of a real function the upper half is enough
@@ -409,9 +427,24 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 let lower = known.iter().filter(|p| mirrored && !region.mirrored && p.value.im != 0.0).map(|p| p.value.conj());
                 known.iter().map(|p| p.value).chain(lower).collect()
             };
-            let given = both(&known);
-            let found = zeros(&mut f, &region, &given, budget);
+            let (mut given, mut still) = (both(&known), 0);
+            let mut found = zeros(&mut f, &region, &given, budget);
             out.evaluations += found.evaluations;
+            let slow = found.zeros.iter().filter(|z| z.abs() < SLOW * frequency).count();
+            if (found.missing != Some(0) || slow > 1)
+                && holds(&growth, &band, region.mirrored, C64::zero())
+                && let Some((AtZero { count, within }, evaluations)) = at_zero(&mut f, &known, (frequency, region.mirrored), budget)
+            {
+                still = count;
+                known.retain(|p| p.value.abs() > within);
+                given = both(&known);
+                given.extend(vec![C64::zero(); still]);
+                found = zeros(&mut f, &region, &given, budget);
+                out.evaluations += evaluations + found.evaluations;
+                let others = out.at_zero.unwrap_or(AtZero { count: 0, within: 0.0 });
+                out.at_zero = Some(AtZero { count: others.count + count, within: others.within.max(within) });
+            }
+            let all = |known: &[Polished]| -> Vec<C64> { both(known).into_iter().chain(vec![C64::zero(); still]).collect() };
             let mut left = found.missing;
             let before = known.len();
             let fresh: Vec<C64> = found.zeros.iter().filter(|z| !given.contains(z)).copied().collect();
@@ -430,10 +463,10 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             // the proof is for the roots as they are handed on: the same where each is one that was found, on the same side of the edge
             let same = !moved && known.len() == before + fresh.len();
             if known.len() > before && left == Some(0) && !same {
-                let again = missing(&mut f, &region, &both(&known), budget);
+                let again = missing(&mut f, &region, &all(&known), budget);
                 out.evaluations += again.1;
                 left = again.0;
-            } else if found.zeros.len() > both(&known).iter().filter(|z| holds(&growth, &band, region.mirrored, **z)).count() {
+            } else if found.zeros.len() > all(&known).iter().filter(|z| holds(&growth, &band, region.mirrored, **z)).count() {
                 left = None;
             }
             let inside = known.iter().filter(|p| holds(&growth, &band, region.mirrored, p.value)).count();
@@ -460,6 +493,29 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     out.spectrum.modes = order.iter().map(|&k| modes[k].clone()).collect();
     out.spectrum.polished = out.spectrum.modes.len();
     Ok(out)
+}
+
+/// Distance from zero, over that of the nearest root, within which roots at zero are counted, and that over the largest at which they lie.
+const ABOUT_ZERO: f64 = 0.02;
+/// Distance from zero, over the largest frequency, from which on a root is none of these.
+const SLOW: f64 = 1e-3;
+const CLOSE: f64 = 0.1;
+
+/// The roots at zero: as many in a small square about it as in one ten times as large. `None` where there is none, or they cannot be told from others.
+fn at_zero(f: &mut Determinant, known: &[Polished], (frequency, mirrored): (f64, bool), budget: u64) -> Option<(AtZero, u64)> {
+    // roots that lie together at zero show as some beside it
+    let nearest = known.iter().map(|p| p.value.abs()).filter(|d| *d > SLOW * frequency).fold(frequency, f64::min);
+    let mut evaluations = 0;
+    let mut count = |half: f64| {
+        let low = if mirrored { 0.0 } else { -half };
+        let region = Region { re: (-half, half), im: (low, half), mirrored, reach: &|_| f64::INFINITY, noise: SAME };
+        let (found, spent) = missing(&mut *f, &region, &[], budget);
+        evaluations += spent;
+        found.and_then(|n| usize::try_from(n).ok())
+    };
+    let outer = ABOUT_ZERO * nearest;
+    let (wide, close) = (count(outer)?, count(CLOSE * outer)?);
+    (wide == close && wide > 0).then_some((AtZero { count: wide, within: std::f64::consts::SQRT_2 * CLOSE * outer }, evaluations))
 }
 
 /// A root as a mode.

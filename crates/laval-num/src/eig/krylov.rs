@@ -50,6 +50,8 @@ const SHIFTS: i32 = 4;
 const BESIDE: f64 = 1e-6;
 /// Square of the norm of a vector, over that of its last component, beside which that is nothing.
 const FAR: f64 = 1e60;
+/// Squares of a norm that are exact to rounding.
+const SQUARES: std::ops::Range<f64> = 1e-200..1e280;
 /// Size of a new direction, over that before it was made orthogonal, that is rounding.
 const ROUNDING: f64 = 1e-13;
 
@@ -66,11 +68,16 @@ impl<T: Number + super::Number> Quadratic<'_, T> {
         a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| a0 + s * (a1 + s * a2)).collect()
     }
 
-    /// Entries of A1 and A2 that are not both zero: row, column, values.
-    fn rates(&self) -> Vec<(usize, usize, T, T)> {
+    /// Entries of A1 and A2 that are not both zero.
+    fn rates(&self) -> Rates<T> {
         let [_, a1, a2] = self.terms;
-        let row = |i: usize| self.plan.pattern().row(i).map(move |(e, j)| (i, j, a1[e], a2[e]));
-        (0..self.plan.n()).flat_map(row).filter(|x| x.2 != T::ZERO || x.3 != T::ZERO).collect()
+        let mut out = Rates { ends: Vec::with_capacity(self.plan.n()), entries: Vec::with_capacity(self.plan.pattern().entries()) };
+        for i in 0..self.plan.n() {
+            let row = self.plan.pattern().row(i).map(|(e, j)| (j, a1[e], a2[e]));
+            out.entries.extend(row.filter(|x| x.1 != T::ZERO || x.2 != T::ZERO));
+            out.ends.push(out.entries.len());
+        }
+        out
     }
 
     /// Square roots of the diagonal of |A0| + |p| |A1| + |p|^2 |A2|: unknowns of different units count alike.
@@ -81,6 +88,27 @@ impl<T: Number + super::Number> Quadratic<'_, T> {
             if size > 0.0 && size.is_finite() { size.sqrt() } else { 1.0 }
         };
         (0..self.plan.n()).map(weight).collect()
+    }
+}
+
+/// Rows of A1 and A2: column and both values, and where each row ends.
+struct Rates<T> {
+    ends: Vec<usize>,
+    entries: Vec<(usize, T, T)>,
+}
+
+impl<T: Number> Rates<T> {
+    /// `A1 x + A2 y`.
+    fn apply(&self, x: &[T], y: &[T], out: &mut [T]) {
+        let mut from = 0;
+        for (out, &end) in out.iter_mut().zip(&self.ends) {
+            let (mut of_x, mut of_y) = (T::ZERO, T::ZERO);
+            for &(j, a1, a2) in &self.entries[from..end] {
+                of_x += a1 * x[j];
+                of_y += a2 * y[j];
+            }
+            (*out, from) = (of_x + of_y, end);
+        }
     }
 }
 
@@ -107,6 +135,15 @@ impl<const P: usize> Planes<P> {
         self.0.iter_mut().flatten()
     }
     fn norm(&self) -> f64 {
+        let mut sums = [0.0; LANES];
+        for chunk in self.0.iter().flat_map(|all| all.as_chunks::<LANES>().0) {
+            sums.iter_mut().zip(chunk).for_each(|(sum, x)| *sum += x * x);
+        }
+        let square: f64 = sums.iter().sum();
+        if SQUARES.contains(&square) {
+            return square.sqrt();
+        }
+        // squares that overflow or vanish, and what is not finite
         let m = self.0.iter().flatten().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
         if m == 0.0 || !m.is_finite() {
             return m;
@@ -238,8 +275,7 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
             x[i] = Number::times(u, over[i]);
             y[i] = Number::times(Number::times(w, size) + shift * u, over[i]);
         }
-        image.fill(T::ZERO);
-        rates.iter().for_each(|&(i, j, a1, a2)| image[i] += a1 * x[j] + a2 * y[j]);
+        rates.apply(&x, &y, &mut image);
         factors.solve(&mut image);
         image.iter_mut().zip(&weights).for_each(|(v, &d)| *v = Number::times(*v, -d));
         let second = |i: usize| Number::times(b.at::<T>(i) + shift * image[i], 1.0 / size);
@@ -274,9 +310,13 @@ fn resolved<T: Number + super::Number>(columns: &[Vec<T>], shift: C64) -> Result
     let mut out = Nearest { values: Vec::new(), radius: f64::INFINITY };
     let all = T::of_hessenberg(&h)?;
     let largest = all.iter().map(|m| m.abs()).fold(0.0, f64::max);
+    let mut before = (C64::ZERO, f64::NAN);
     for &value in all.iter().filter(|m| m.abs() > INFINITE * largest) {
         let size = value.abs();
-        if beyond * last_component(&h, value) <= RESOLVED * size {
+        // of a real matrix conjugate values have conjugate vectors
+        let last = if T::REAL && value == before.0.conj() { before.1 } else { last_component(&h, value) };
+        before = (value, last);
+        if beyond * last <= RESOLVED * size {
             out.values.push(shift + value.recip());
         } else {
             out.radius = out.radius.min(1.0 / size);

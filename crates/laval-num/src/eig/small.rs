@@ -220,10 +220,11 @@ fn step(h: &mut [f64], n: usize, l: usize, i: usize, its: usize) {
                 *z -= s * t3;
             }
             for row in h[l * n..(i.min(k + 3) + 1) * n].chunks_exact_mut(n) {
-                let s = row[k] + v2 * row[k + 1] + v3 * row[k + 2];
-                row[k] -= s * tau;
-                row[k + 1] -= s * t2;
-                row[k + 2] -= s * t3;
+                let Some([x, y, z]) = row[k..].first_chunk_mut() else { continue };
+                let s = *x + v2 * *y + v3 * *z;
+                *x -= s * tau;
+                *y -= s * t2;
+                *z -= s * t3;
             }
         } else {
             let (top, rest) = h[k * n..].split_at_mut(n);

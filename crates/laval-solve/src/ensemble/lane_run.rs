@@ -4,9 +4,10 @@ use super::general::General;
 use super::varying::Varying;
 use super::{Ended, EnsembleTask, Form, Grid, Leg, LegEnd, Next};
 use crate::model::part::At;
-use crate::model::system::{System, Workspace};
+use crate::model::system::{Drive, System, Workspace};
 use crate::motion::SpinLaw;
 use crate::motion::constant::Constant;
+use crate::motion::one_by_one::MasslessMember;
 use crate::programme::Programme;
 use laval_num::ensemble::{EnsembleProblem, Seat};
 use laval_num::lanes::{LANES, LaneScalar};
@@ -71,6 +72,32 @@ enum Equations<'a, S> {
     Constant(Constant<'a, S>),
     Varying(Box<Varying<'a, S>>),
     General(Box<General<'a, S>>),
+    OneByOne(Box<OneByOne>),
+}
+
+/// The members of a machine with coordinates without inertia, and states and rates of one of them.
+struct OneByOne {
+    members: [Option<MasslessMember>; LANES],
+    y: Vec<f64>,
+    dy: Vec<f64>,
+}
+
+impl OneByOne {
+    /// Rates of all states, those of the places counted.
+    #[inline(always)]
+    fn rhs<S: LaneScalar>(&mut self, t: S, y: &[S], dy: &mut [S]) {
+        let t = t.to_array();
+        for (lane, member) in self.members.iter_mut().enumerate() {
+            let Some(member) = member else { continue };
+            for (to, from) in self.y.iter_mut().zip(y) {
+                *to = from.to_array()[lane];
+            }
+            member.rates(t[lane], &self.y, &mut self.dy);
+            for (to, from) in dy.iter_mut().zip(&self.dy) {
+                *to = to.with(lane, *from);
+            }
+        }
+    }
 }
 
 /// A member in its lane.
@@ -106,15 +133,22 @@ pub(super) struct LaneRun<'a, S> {
 impl<'a, S: LaneScalar> LaneRun<'a, S> {
     pub fn new(hands: &'a mut dyn MemberSource, base: &'a System, form: Form) -> Self {
         let core = 2 * base.n() + base.m();
-        let spin = (form == Form::Free).then_some(core);
+        let free = form == Form::Free || (form == Form::Massless && base.machine.drive == Drive::Free);
+        let spin = free.then_some(core);
+        let dim = core + if free { 2 } else { 0 };
         let mut lane_run = LaneRun {
             hands,
             equations: match form {
                 Form::Constant => Equations::Constant(Constant::new(base)),
                 Form::Varying => Equations::Varying(Box::new(Varying::new(base))),
-                Form::Prescribed | Form::Free => Equations::General(Box::new(General::new(base, form == Form::Free))),
+                Form::Prescribed | Form::Free => Equations::General(Box::new(General::new(base, free))),
+                Form::Massless => Equations::OneByOne(Box::new(OneByOne {
+                    members: std::array::from_fn(|_| None),
+                    y: vec![0.0; dim],
+                    dy: vec![0.0; dim],
+                })),
             },
-            dim: core + if spin.is_some() { 2 } else { 0 },
+            dim,
             spin,
             aboard: std::array::from_fn(|_| None),
             surfaces: vec![],
@@ -151,14 +185,15 @@ impl<S: LaneScalar> EnsembleProblem<S> for LaneRun<'_, S> {
     }
 
     fn positions(&self) -> usize {
-        self.zero.len()
+        // places of coordinates without inertia have rates of their own
+        if matches!(self.equations, Equations::OneByOne(_)) { 0 } else { self.zero.len() }
     }
 
     fn room(&self) -> usize {
         match &self.equations {
             Equations::Constant(c) => c.room(self.dim),
             Equations::Varying(v) => v.room(),
-            Equations::General(_) => 0,
+            Equations::General(_) | Equations::OneByOne(_) => 0,
         }
     }
 
@@ -168,6 +203,7 @@ impl<S: LaneScalar> EnsembleProblem<S> for LaneRun<'_, S> {
             Equations::Constant(c) => c.time(t),
             Equations::Varying(v) => v.time(t),
             Equations::General(g) => g.time(t),
+            Equations::OneByOne(_) => {}
         }
     }
 
@@ -177,6 +213,7 @@ impl<S: LaneScalar> EnsembleProblem<S> for LaneRun<'_, S> {
             Equations::Constant(c) => c.rhs(t, y, dy),
             Equations::Varying(v) => v.rhs(t, y, dy),
             Equations::General(g) => g.rhs(t, y, dy),
+            Equations::OneByOne(o) => o.rhs(t, y, dy),
         }
     }
 
@@ -194,6 +231,13 @@ impl<S: LaneScalar> EnsembleProblem<S> for LaneRun<'_, S> {
                 Equations::General(g) => {
                     g.load(lane, &system, law.clone());
                     true
+                }
+                Equations::OneByOne(o) => {
+                    o.members[lane] = MasslessMember::new(system.clone(), law.clone(), seat.y);
+                    if let Some(member) = &mut o.members[lane] {
+                        member.settle(leg.t0, seat.y);
+                    }
+                    o.members[lane].is_some()
                 }
             };
             if loaded {
@@ -232,7 +276,12 @@ impl<S: LaneScalar> EnsembleProblem<S> for LaneRun<'_, S> {
                 (aboard.leg, aboard.given, aboard.since) = (leg, 0, 0);
                 (aboard.steps, aboard.rejected) = (0, 0);
             }
-            None => self.aboard[lane] = None,
+            None => {
+                self.aboard[lane] = None;
+                if let Equations::OneByOne(o) = &mut self.equations {
+                    o.members[lane] = None;
+                }
+            }
         }
         next
     }

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! with n the nonlinear parts only, one call for each and all lanes. Where the mass depends on the configuration, such as that of balls in a ring, the linear
-//! parts are compiled and the others called with their masses (`varying`). Any other motion is evaluated part by part.
+//! parts are compiled and the others called with their masses (`varying`). Any other motion is evaluated part by part, and one lane after another where coordinates have no inertia.
 
 mod general;
 mod lane_run;
@@ -21,6 +21,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{Drive, System};
 use crate::motion::SpinLaw;
+use crate::motion::one_by_one::is_massless;
 use lane_run::{LaneRun, MemberSource, RunningMembers};
 use laval_model::text;
 pub use laval_num::ensemble::{Ended, Grid, Leg, LegEnd};
@@ -141,6 +142,8 @@ pub enum Form {
     Prescribed,
     /// The spin is free.
     Free,
+    /// Some coordinates have no inertia.
+    Massless,
 }
 
 impl Form {
@@ -148,6 +151,7 @@ impl Form {
     pub fn of(system: &System, constant_speeds: bool) -> Form {
         let varying = system.slots().iter().any(|s| s.memory > 0 || (!s.is_linear() && s.uses.acceleration));
         match system.machine.drive {
+            _ if is_massless(system) => Form::Massless,
             Drive::Free => Form::Free,
             Drive::Prescribed if constant_speeds && !varying => Form::Constant,
             Drive::Prescribed if constant_speeds && varying::serves(system) => Form::Varying,

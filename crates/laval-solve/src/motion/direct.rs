@@ -78,11 +78,6 @@ impl Direct {
         !self.varying
     }
 
-    /// The row and the column of a coordinate in the mass matrix hold nothing.
-    pub fn without_inertia(&self, i: usize) -> bool {
-        (0..self.mass.rows()).all(|j| self.mass[(i, j)] == 0.0 && self.mass[(j, i)] == 0.0)
-    }
-
     /// Refuses a mass matrix that is singular to rounding, whatever the units of its coordinates.
     pub fn check_mass(&self, system: &System) -> Result<(), Failure> {
         let size: Vec<f64> = (0..self.mass.rows()).map(|i| self.mass[(i, i)].abs().sqrt()).collect();

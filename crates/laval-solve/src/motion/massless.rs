@@ -1,52 +1,44 @@
 //! Coordinates without inertia: the machine is solved for the highest derivative that each coordinate has.
 //!
 //! ```text
-//! r(q, v, a, z; spin, t) = 0,    h_i = a_i  with inertia,  v_i  without it and with damping,  q_i  with neither
-//! H = dr/dh = [M | C | K]  column by column,    H dh = -r     (Newton; a alone enters r linearly)
+//! H dh = -r(q, v, a, z; spin, t)                              (Newton; a alone enters r linearly)
 //! H h' = -(dr/dt along the motion with h held)                 (rates of v_i and q_i)
 //! ```
 //!
-//! H regular is the condition of index 1: the equations are then those of a first-order system in the states that are left. A machine in which it is singular
-//! is refused. Coordinates in h keep their places in y and follow with `y' = h' + g (h - y)`, so that steps, events and outputs see them; nothing reads them
+//! h and H are those of `orders`. Coordinates in h keep their places in y and follow with `y' = h' + g (h - y)`, so that steps, events and outputs see them; nothing reads them
 //! there but as the first guess of Newton's method.
 //!
-//! Symbols: h highest derivatives; H index matrix; g rate at which the places in y follow, 1/s.
+//! Symbols: g rate at which the places in y follow, 1/s.
 //!
 //! Sources: K. E. Brenan, S. L. Campbell, L. R. Petzold, Numerical Solution of Initial-Value Problems in Differential-Algebraic Equations (1996), section 2.4.
 
-use super::direct::{Direct, unheld};
+use super::direct::{Direct, NOT_FOUND, unheld};
 use super::point;
 use crate::model::erased::D1;
 use crate::model::part::{At, Rows};
-use crate::model::system::{System, Workspace};
+use crate::model::system::{Slot, System, Workspace};
 use crate::model::tangent::{Tangent, TangentScratch};
+use crate::orders::{FirstOrder, Highest, Orders};
 use crate::programme::Spin;
 use laval_num::dense::{Lu, Mat};
 use laval_num::ode::Failure;
 use laval_num::refill::refill;
 
-/// The highest derivative that a coordinate has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Highest {
-    Acceleration,
-    /// Without inertia, with damping: its place is a state.
-    Rate,
-    /// Without inertia and damping: its place follows from the other states.
-    Place,
-}
-
-/// Most Newton steps, the largest last one over the sizes of the unknowns, and the pivot over the largest, both scaled, below which H is singular.
+/// Most Newton steps, and the largest last one over the sizes of the unknowns.
 const STEPS: usize = 50;
 const CONVERGED: f64 = 1e-11;
-const REGULAR: f64 = 1e-13;
+/// Size of a step over that of the one before it from which on H is computed anew.
+const SLOW: f64 = 0.01;
 /// Share of the typical size that a small unknown is measured by.
 const FLOOR: f64 = 1e-3;
 
 /// Solves for the highest derivatives.
 pub(super) struct Massless {
-    highest: Vec<Highest>,
-    /// H depends on the speed and its rate alone.
+    orders: Orders,
+    /// H depends on the speed and its rate alone: rows are linear in h.
     affine: bool,
+    /// Rates of internal states depend on velocities of places.
+    reads_rates: bool,
     /// The rate g.
     follow: f64,
     /// The state with the places and velocities that follow.
@@ -67,26 +59,36 @@ pub(super) struct Massless {
 }
 
 impl Massless {
-    /// `None` where every coordinate has inertia. `direct` has the mass matrix; the machine is tried at `speeds`.
+    /// `None` where every coordinate has inertia. `constant` says that the mass matrix of the machine is; it is tried at `speeds`.
     ///
     /// # Errors
     /// A coordinate that nothing determines.
-    pub fn new(system: &System, free: bool, direct: &Direct, speeds: &[f64], follow: f64) -> Result<Option<Self>, Failure> {
+    pub fn new(system: &System, free: bool, constant: bool, speeds: &[f64], follow: f64) -> Result<Option<Self>, Failure> {
         let n = system.n();
-        let none: Vec<bool> = (0..n).map(|i| direct.without_inertia(i)).collect();
-        if !none.contains(&true) {
-            return Ok(None);
-        }
-        let touches = |slot: &crate::model::system::Slot| slot.map.iter().flatten().any(|&(g, _)| none[g]);
+        let Some(orders) = Orders::of(system, free, speeds, follow).map_err(|u| unheld(system, u.0))? else { return Ok(None) };
+        // its rows are not linear in what is solved for
+        let bends = |slot: &Slot| {
+            slot.map.iter().flatten().any(|&(g, _)| match orders.order(g) {
+                Highest::Acceleration => slot.uses.acceleration,
+                Highest::Rate => slot.uses.velocity,
+                Highest::Place => true,
+            })
+        };
         let size = (0..2 * n).map(|k| system.coordinates()[k % n].dof.typical * if k < n { 1.0 } else { follow }).collect();
-        let mut it = Massless {
-            highest: none.iter().map(|&none| if none { Highest::Place } else { Highest::Acceleration }).collect(),
-            affine: direct.constant_mass() && !free && !system.slots().iter().any(|s| !s.is_linear() && touches(s)),
+        let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
+        let zero = vec![0.0; n.max(system.m())];
+        let (q, z) = (&zero[..n], &zero[..system.m()]);
+        let still = At { q, v: q, a: q, z, phase: 0.0, speed: speeds.last().copied().unwrap_or(0.0), spin_accel: 0.0, t: 0.0 };
+        system.tangent(&still, free, &mut tangent, &mut scratch, |_| true);
+        Ok(Some(Massless {
+            affine: constant && !free && !system.slots().iter().any(|s| !s.is_linear() && bends(s)),
+            reads_rates: system.m() > 0 && orders.reads_rates_of_places(&tangent),
+            orders,
             follow,
             y: Vec::new(),
             size,
-            tangent: Tangent::default(),
-            scratch: TangentScratch::default(),
+            tangent,
+            scratch,
             h: Mat::default(),
             lu: Lu::default(),
             key: None,
@@ -95,79 +97,7 @@ impl Massless {
             params: system.params().iter().map(|&x| D1::lift(x)).collect(),
             lifted: Default::default(),
             rows: Default::default(),
-        };
-        it.find_orders(system, free, speeds)?;
-        Ok(Some(it))
-    }
-
-    /// Which coordinates have damping, by the tangents at rest and at some states away from it; one of them must determine every coordinate.
-    fn find_orders(&mut self, system: &System, free: bool, speeds: &[f64]) -> Result<(), Failure> {
-        let (n, m) = (system.n(), system.m());
-        let rows = n + usize::from(free);
-        let mut tangents = Vec::new();
-        for &speed in speeds {
-            for share in [0.0, 0.7, -1.0] {
-                // different in every coordinate
-                let at = |i: usize, typical: f64| share * typical * (1.0 + 0.3 * (i as f64).sin());
-                let q: Vec<f64> = system.coordinates().iter().enumerate().map(|(i, c)| at(i, c.dof.typical)).collect();
-                let v: Vec<f64> = system.coordinates().iter().enumerate().map(|(i, c)| at(i + 1, self.follow * c.dof.typical)).collect();
-                let (a, z) = (vec![0.0; n], vec![0.0; m]);
-                let here = At { q: &q, v: &v, a: &a, z: &z, phase: 0.3, speed, spin_accel: 0.0, t: 0.0 };
-                system.tangent(&here, free, &mut self.tangent, &mut self.scratch, |_| true);
-                tangents.push(self.tangent.clone());
-            }
-        }
-        for j in 0..n {
-            let damped = tangents.iter().any(|t| (0..rows).any(|i| t.v[(i, j)] != 0.0));
-            if self.highest[j] == Highest::Place && damped {
-                self.highest[j] = Highest::Rate;
-            }
-        }
-        let mut why = None;
-        for t in tangents {
-            self.tangent = t;
-            match self.regular(system, rows) {
-                Ok(()) => return Ok(()),
-                Err(what) => why = why.or(Some(what)),
-            }
-        }
-        why.map_or(Ok(()), Err)
-    }
-
-    /// H of the tangents, scaled, is regular to rounding.
-    fn regular(&mut self, system: &System, rows: usize) -> Result<(), Failure> {
-        self.fill(rows);
-        let largest = |i: &dyn Fn(usize) -> f64| (0..rows).fold(0.0f64, |m, j| m.max(i(j).abs()));
-        let by_column: Vec<f64> = (0..rows).map(|j| largest(&|i| self.h[(i, j)])).collect();
-        // a column of nothing, by name
-        if let Some(j) = by_column.iter().position(|x| !(*x > 0.0)) {
-            return Err(unheld(system, j));
-        }
-        let by_row: Vec<f64> = (0..rows).map(|i| largest(&|j| self.h[(i, j)] / by_column[j])).collect();
-        let scaled = Mat::from_fn(rows, rows, |i, j| self.h[(i, j)] / (by_column[j] * by_row[i]));
-        let last = (0..rows).rev().find(|&i| self.order(i) != Highest::Acceleration).unwrap_or(0);
-        let lu =
-            Lu::new(&scaled).map_err(|s| unheld(system, if self.order(s.column) == Highest::Acceleration { last } else { s.column }))?;
-        // NaN fails
-        if lu.pivot_ratio() > REGULAR { Ok(()) } else { Err(unheld(system, last)) }
-    }
-
-    fn order(&self, i: usize) -> Highest {
-        self.highest.get(i).copied().unwrap_or(Highest::Acceleration)
-    }
-
-    /// H from the tangents.
-    fn fill(&mut self, rows: usize) {
-        self.h.reset(rows, rows);
-        for i in 0..rows {
-            for j in 0..rows {
-                self.h[(i, j)] = match self.order(j) {
-                    Highest::Acceleration => self.tangent.a[(i, j)],
-                    Highest::Rate => self.tangent.v[(i, j)],
-                    Highest::Place => self.tangent.q[(i, j)],
-                };
-            }
-        }
+        }))
     }
 
     /// The state with what follows from it, after [`evaluate`](Self::evaluate).
@@ -185,18 +115,19 @@ impl Massless {
         self.y.extend_from_slice(y);
         out.accel.fill(0.0);
         for i in 0..n {
-            if self.highest[i] == Highest::Place {
+            if self.orders.order(i) == Highest::Place {
                 self.y[n + i] = 0.0;
             }
         }
-        let mut converged = false;
+        let (mut converged, mut slow, mut last) = (false, false, f64::INFINITY);
         for k in 0..STEPS {
             out.evaluate_at_rest(system, t, spin, &self.y);
             let key = [spin.speed.to_bits(), spin.accel.to_bits()];
-            if !(self.affine && self.key == Some(key)) {
+            let anew = if self.affine { self.key != Some(key) } else { k == 0 || slow };
+            if anew {
                 let at = point(system, t, spin, &self.y, &out.accel);
                 system.tangent(&at, free, &mut self.tangent, &mut self.scratch, |_| true);
-                self.fill(out.accel.len());
+                self.orders.index_matrix(&self.tangent, &mut self.h);
                 self.key = None;
                 if let Err(s) = self.lu.factor(&self.h) {
                     if self.h.data().iter().all(|x| x.is_finite()) {
@@ -211,7 +142,7 @@ impl Massless {
             self.lu.solve(&mut self.step);
             let mut largest = 0.0f64;
             for (i, &x) in self.step.iter().enumerate() {
-                let place = match self.order(i) {
+                let place = match self.orders.order(i) {
                     Highest::Acceleration => {
                         out.accel[i] = x;
                         continue;
@@ -223,14 +154,16 @@ impl Massless {
                 let share = x.abs() / (self.y[place].abs() + FLOOR * self.size[place]);
                 largest = if share <= largest { largest } else { share };
             }
-            // of an affine machine the first step is the solution, and the second has its rates
-            if largest <= CONVERGED || (self.affine && k == 1) {
+            // of an affine machine the first step is the solution, and the second has the rates of internal states
+            if largest <= CONVERGED || (self.affine && (k == 1 || system.m() == 0)) {
                 converged = true;
                 break;
             }
             if !largest.is_finite() {
                 break;
             }
+            slow = largest > SLOW * last;
+            last = largest;
         }
         if !converged || out.accel.iter().any(|a| !a.is_finite()) {
             // a trial step that went too far: it is tried again smaller
@@ -239,7 +172,32 @@ impl Massless {
         }
         out.add_rates_of_acceleration();
         self.differentiate(system, free, t, spin, out);
+        if self.reads_rates && !self.settle_rates(system, free, t, spin, out) {
+            out.accel.fill(f64::NAN);
+        }
         Ok(())
+    }
+
+    /// Velocities of places and rates of internal states that read them: of passive parts each step leaves the share of the stiffness that relaxes. `false` where they do not settle.
+    fn settle_rates(&mut self, system: &System, free: bool, t: f64, spin: Spin, out: &mut Direct) -> bool {
+        let n = system.n();
+        let places: Vec<usize> = (0..n).filter(|&i| self.orders.order(i) == Highest::Place).collect();
+        let accel = out.accel.clone();
+        for _ in 0..STEPS {
+            let before: Vec<f64> = places.iter().map(|&i| self.y[n + i]).collect();
+            out.evaluate_at_rest(system, t, spin, &self.y);
+            // velocities of damped nodes are among the unknowns, and their rates stand in their places
+            for (i, (to, a)) in out.accel.iter_mut().zip(&accel).enumerate() {
+                *to = if self.orders.order(i) == Highest::Acceleration { *a } else { 0.0 };
+            }
+            out.add_rates_of_acceleration();
+            self.differentiate(system, free, t, spin, out);
+            let moved = |(&i, b): (&usize, &f64)| (self.y[n + i] - b).abs() <= CONVERGED * (self.y[n + i].abs() + FLOOR * self.size[n + i]);
+            if places.iter().zip(&before).all(moved) {
+                return true;
+            }
+        }
+        false
     }
 
     /// The rates of the highest derivatives of coordinates without inertia: accelerations of those with damping, velocities of the others.
@@ -250,7 +208,7 @@ impl Massless {
             to.clear();
             to.extend(x.iter().enumerate().map(|(i, &x)| seeded(x, rate(i))));
         };
-        let (y, highest) = (&self.y, &self.highest);
+        let (y, highest) = (&self.y, self.orders.highest());
         let [q, v, a, z] = &mut self.lifted;
         along(&y[..n], &|i| if highest[i] == Highest::Place { 0.0 } else { y[n + i] }, q);
         along(&y[n..2 * n], &|i| if highest[i] == Highest::Acceleration { out.accel[i] } else { 0.0 }, v);
@@ -278,7 +236,7 @@ impl Massless {
         }
         self.lu.solve(&mut self.step);
         for i in 0..n {
-            match self.highest[i] {
+            match self.orders.order(i) {
                 Highest::Acceleration => {}
                 Highest::Rate => out.accel[i] = self.step[i],
                 Highest::Place => self.y[n + i] = self.step[i],
@@ -288,10 +246,10 @@ impl Massless {
 
     /// Rates of the coordinates and their velocities in y.
     pub fn rates(&self, y: &[f64], accel: &[f64], dy: &mut [f64]) {
-        let n = self.highest.len();
+        let n = self.orders.highest().len();
         for i in 0..n {
             let behind = |k: usize| self.follow * (self.y[k] - y[k]);
-            let (of_place, of_rate) = match self.highest[i] {
+            let (of_place, of_rate) = match self.orders.order(i) {
                 Highest::Acceleration => (0.0, accel[i]),
                 Highest::Rate => (0.0, accel[i] + behind(n + i)),
                 Highest::Place => (behind(i), behind(n + i)),
@@ -302,7 +260,7 @@ impl Massless {
 
     /// Writes what follows into a state.
     pub fn settle(&self, y: &mut [f64]) {
-        let n = self.highest.len();
+        let n = self.orders.highest().len();
         y[..2 * n].copy_from_slice(&self.y[..2 * n]);
     }
 
@@ -312,86 +270,26 @@ impl Massless {
     /// # Errors
     /// A coordinate that nothing determines here.
     pub fn jacobian(&mut self, system: &System, free: bool, at: &At<f64>, jac: &mut Mat) -> Result<(), Failure> {
-        let (n, m) = (system.n(), system.m());
-        let rows = n + usize::from(free);
+        let n = system.n();
         system.tangent(at, free, &mut self.tangent, &mut self.scratch, |_| true);
-        self.fill(rows);
         self.key = None;
+        self.orders.index_matrix(&self.tangent, &mut self.h);
         self.lu.factor(&self.h).map_err(|s| unheld(system, s.column))?;
-        let core = 2 * n + m + 2 * usize::from(free);
-        let (t, spin) = (&self.tangent, 2 * n + m);
-        // column of the tangents that a state is; places and velocities that follow are read by nothing
-        let mut by_state = Mat::from_fn(rows, core, |i, j| match j {
-            j if j < n => {
-                if self.highest[j] == Highest::Place {
-                    0.0
-                } else {
-                    -t.q[(i, j)]
-                }
-            }
-            j if j < 2 * n => {
-                if self.highest[j - n] == Highest::Acceleration {
-                    -t.v[(i, j - n)]
-                } else {
-                    0.0
-                }
-            }
-            j if j < spin => -t.z[(i, j - 2 * n)],
-            j if j == spin => -t.q[(i, n)],
-            _ => -t.v[(i, n)],
-        });
-        self.lu.solve_mat(&mut by_state);
-        for j in 0..core {
-            for i in 0..n {
-                match self.highest[i] {
-                    Highest::Acceleration => {
-                        jac[(i, j)] = f64::from(u8::from(j == n + i));
-                        jac[(n + i, j)] = by_state[(i, j)];
-                    }
-                    Highest::Rate => jac[(i, j)] = by_state[(i, j)],
-                    Highest::Place => {}
-                }
-            }
-            for k in 0..m {
-                let direct = match j {
-                    j if j < n => {
-                        if self.highest[j] == Highest::Place {
-                            0.0
-                        } else {
-                            t.rate_q[(k, j)]
-                        }
-                    }
-                    j if j < 2 * n => {
-                        if self.highest[j - n] == Highest::Acceleration {
-                            t.rate_v[(k, j - n)]
-                        } else {
-                            0.0
-                        }
-                    }
-                    j if j < spin => t.rate_z[(k, j - 2 * n)],
-                    j if j == spin => t.rate_q[(k, n)],
-                    _ => t.rate_v[(k, n)],
-                };
-                let through = |i: usize| match self.order(i) {
-                    Highest::Acceleration => t.rate_a[(k, i)],
-                    Highest::Rate => t.rate_v[(k, i)],
-                    Highest::Place => t.rate_q[(k, i)],
-                };
-                jac[(2 * n + k, j)] = direct + (0..rows).map(|i| through(i) * by_state[(i, j)]).sum::<f64>();
-            }
-            if free {
-                jac[(spin, j)] = f64::from(u8::from(j == spin + 1));
-                jac[(spin + 1, j)] = by_state[(n, j)];
+        let Some(FirstOrder { highest, rates }) = self.orders.first_order(&self.tangent, &self.lu) else { return Err(NOT_FOUND.into()) };
+        let core = rates.rows();
+        for i in 0..core {
+            for j in 0..core {
+                jac[(i, j)] = rates[(i, j)];
             }
         }
         // h' by the rates of the states that h is a function of
-        for i in (0..n).filter(|&i| self.highest[i] != Highest::Acceleration) {
+        for i in (0..n).filter(|&i| self.orders.order(i) != Highest::Acceleration) {
             let g = self.follow;
             let follows: Vec<f64> =
-                (0..core).map(|j| (0..core).filter(|&c| by_state[(i, c)] != 0.0).map(|c| by_state[(i, c)] * jac[(c, j)]).sum()).collect();
-            let place = self.highest[i] == Highest::Place;
+                (0..core).map(|j| (0..core).filter(|&c| highest[(i, c)] != 0.0).map(|c| highest[(i, c)] * jac[(c, j)]).sum()).collect();
+            let place = self.orders.order(i) == Highest::Place;
             for (j, rate) in follows.into_iter().enumerate() {
-                let own = g * by_state[(i, j)];
+                let own = g * highest[(i, j)];
                 if place {
                     jac[(i, j)] = rate + own - if j == i { g } else { 0.0 };
                 }

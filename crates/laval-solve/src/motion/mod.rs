@@ -23,6 +23,7 @@ pub(super) mod constant;
 mod direct;
 pub mod envelope;
 mod massless;
+pub(crate) mod one_by_one;
 mod seeded;
 mod single;
 mod stiff;
@@ -175,12 +176,9 @@ impl<'a> Motion<'a> {
         };
         let spin = motion.spin(0.0, &y);
         motion.direct.evaluate_at_rest(system, 0.0, spin, &y);
-        let fastest = match &motion.law {
-            SpinLaw::Programme(p) => p.largest_speed(),
-            SpinLaw::Free => spin.speed.abs(),
-        };
+        let fastest = fastest_of(&motion.law, spin);
         let speeds = [spin.speed, 0.5 * (spin.speed + fastest), fastest];
-        motion.massless = Massless::new(system, free, &motion.direct, &speeds, fastest.max(LEAST_RATE)).map_err(fail)?;
+        motion.massless = Massless::new(system, free, motion.direct.constant_mass(), &speeds, fastest.max(LEAST_RATE)).map_err(fail)?;
         if motion.massless.is_some() {
             return Ok(motion);
         }
@@ -403,6 +401,14 @@ impl<'a> Motion<'a> {
             m.settle(y);
         }
         Ok(())
+    }
+}
+
+/// The largest speed of a law, rad/s: of a free spin the present one.
+fn fastest_of(law: &SpinLaw, spin: Spin) -> f64 {
+    match law {
+        SpinLaw::Programme(p) => p.largest_speed(),
+        SpinLaw::Free => spin.speed.abs(),
     }
 }
 

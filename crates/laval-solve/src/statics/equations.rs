@@ -9,7 +9,7 @@ use crate::model::part::{At, DofKind, Rows};
 use crate::model::station::Row;
 use crate::model::system::{System, Workspace};
 use crate::model::tangent::{SparseTangent, TangentScratch};
-use crate::rest::{no_equilibrium, not_held};
+use crate::rest::{not_held, unfound};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Mat, max_abs};
 use laval_num::factor::{Factors, Pattern, Plan, Terms};
@@ -256,7 +256,7 @@ impl<'a> Equations<'a> {
             }
             last = length;
         }
-        Err(no_equilibrium(last))
+        Err(unfound(self.system, self.speed, last))
     }
 
     /// Newton step and the forces at the ties, which are this far from their places; `None` where the matrix is singular.

@@ -34,7 +34,7 @@ pub struct Root {
     pub share: f64,
     /// Share of the forward part in the kinetic energy of the displacements.
     pub forward: f64,
-    /// Last change of W by an iteration, over W.
+    /// Last change of W by an iteration, or rounding where that is more, over W.
     pub change: f64,
     /// The counts on both sides of it say that it is there, and that no other is.
     pub counted: bool,
@@ -74,8 +74,11 @@ const STEPS: usize = 12;
 const EXACT: f64 = 4.0 * f64::EPSILON;
 /// Share of the supports in the strain energy at a large stiffness below which a root has a limit.
 const BOUNDED: f64 = 0.01;
-/// Distance over W^2 at which a root is counted on both sides.
+/// Change of W over it that is converged.
+const CONVERGED: f64 = 1e-11;
+/// Distance over W^2 at which a root is counted on both sides, at least, and over the rounding of W^2.
 const BESIDE: f64 = 1e-8;
+const OF_ROUNDING: f64 = 4.0;
 /// Most steps by a factor of four in W^2 of the search for roots.
 const DECADES: i32 = 40;
 
@@ -258,7 +261,7 @@ impl Search<'_> {
             // several in one place
             let middle = (low.0 * high.0).sqrt();
             for _ in low.1.max(from)..high.1.min(to) {
-                out.extend(self.quotient(middle, 2, (0.0, f64::INFINITY)));
+                out.extend(self.quotient(middle, 2, (0.0, f64::INFINITY)).map(|found| found.0));
             }
             return;
         }
@@ -269,20 +272,24 @@ impl Search<'_> {
     }
 
     fn polished(&mut self, low: f64, high: f64) -> Option<Root> {
-        let mut root = self.quotient((low * high).sqrt(), STEPS, (low, high)).filter(|r| r.change <= 1e-11)?;
-        let square = root.speed * root.speed;
-        let beside = (self.below(square * (1.0 - BESIDE)), self.below(square * (1.0 + BESIDE)));
+        let (mut root, rounding) = self.quotient((low * high).sqrt(), STEPS, (low, high))?;
+        if root.change > CONVERGED.max(rounding) {
+            return None;
+        }
+        root.change = root.change.max(0.5 * rounding);
+        let (square, beside) = (root.speed * root.speed, BESIDE.max(OF_ROUNDING * rounding));
+        let beside = (self.below(square * (1.0 - beside)), self.below(square * (1.0 + beside)));
         root.counted = beside.0 + 1 == beside.1;
         Some(root)
     }
 
-    /// Inverse iteration with the quotient as shift; `None` where it leaves the bracket.
-    fn quotient(&mut self, start: f64, steps: usize, (low, high): (f64, f64)) -> Option<Root> {
+    /// Inverse iteration with the quotient as shift, and the rounding of that over it; `None` where it leaves the bracket.
+    fn quotient(&mut self, start: f64, steps: usize, (low, high): (f64, f64)) -> Option<(Root, f64)> {
         let n = self.map.envelope.n();
         let inertia = self.map.inertia(self.spin).to_vec();
         // no vector of a machine is orthogonal to these
         let mut v: Vec<C64> = (0..n).map(|i| c(1.0 + (i as f64 * 0.754_877_666).fract(), 0.0)).collect();
-        let (mut square, mut change) = (start, f64::INFINITY);
+        let (mut square, mut change, mut rounding) = (start, f64::INFINITY, 0.0);
         for step in 0..steps {
             self.factor(square);
             let mut y = self.map.envelope.times(&inertia, &v);
@@ -303,11 +310,13 @@ impl Search<'_> {
             }
             change = (next / square - 1.0).abs();
             square = next;
-            if change <= EXACT {
+            // of many elements the terms of the potential are large beside it
+            rounding = f64::EPSILON * self.map.envelope.size(&self.stiffness, &v) / potential;
+            if change <= EXACT.max(0.25 * rounding) {
                 break;
             }
         }
-        Some(self.root(square, &v, 0.5 * change))
+        Some((self.root(square, &v, 0.5 * change), rounding))
     }
 
     fn root(&self, square: f64, v: &[C64], change: f64) -> Root {

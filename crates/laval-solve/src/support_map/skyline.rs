@@ -43,6 +43,15 @@ impl Envelope {
     pub fn form(&self, a: &[C64], x: &[C64], y: &[C64]) -> C64 {
         self.times(a, y).iter().zip(x).fold(C64::ZERO, |sum, (ay, x)| sum + x.conj() * *ay)
     }
+    /// Size of `x^H A x` before its terms cancel.
+    pub fn size(&self, a: &[C64], x: &[C64]) -> f64 {
+        let row = |i: usize| {
+            let row = self.first[i]..;
+            let terms = row.zip(&a[self.start[i]..self.start[i + 1]]);
+            terms.map(|(j, v)| if j < i { 2.0 } else { 1.0 } * (v.abs() * x[i].abs() * x[j].abs())).sum::<f64>()
+        };
+        (0..self.n()).map(row).sum()
+    }
     /// `A x`.
     pub fn times(&self, a: &[C64], x: &[C64]) -> Vec<C64> {
         let mut out = vec![C64::ZERO; self.n()];

@@ -257,3 +257,43 @@ fn an_undamped_shaft_is_not_unstable() {
     assert!(map.findings.iter().all(|f| !f.id.starts_with("unstable") && f.id != "threshold_raised"), "{:?}", map.findings);
     assert!(findings(modes, "stable").is_empty() && findings(modes, "all_modes").len() == 1, "{:?}", modes.findings);
 }
+
+/// Shafts that nothing holds: motions as a rigid body are roots at zero, counted; bending is that of the free beam; what lies has no equilibrium, and the message says why.
+#[test]
+fn a_shaft_that_nothing_holds() {
+    let text = |speed: f64, axis: &str, more: &str, study: &str| {
+        format!(
+            "[machine]\nspeed = {speed}\naxis = \"{axis}\"\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 24\nsection = [{{ length = 1.2, outer_diameter = 0.02 }}]\n{more}\
+             [[study]]\nkind = \"{study}\"\n"
+        )
+    };
+    // two displacements with their rates; two tilts, with their rates where the shaft does not turn, else tied by the gyroscopic moment: of a slender shaft a slow
+    // nutation at W Ip/Id. Of x + i y half of them
+    for (speed, more, roots) in [(0.0, "", 4), (300.0, "", 4), (0.0, "stiffness_damping = 1e-6\n", 4)] {
+        let loaded = laval::file::load(&text(speed, "vertical", more, "modes")).unwrap();
+        let about = rest(&loaded.system, speed).unwrap();
+        let found = laval::solve::roots::roots(&loaded.system, &about, &Request::default()).unwrap();
+        assert!(found.areas.iter().all(|a| a.complete()), "{speed} {more}: {:?}", found.areas);
+        let values = found.spectrum.modes.iter().map(|m| m.value.abs());
+        let (small, lowest) = values.fold((0, f64::INFINITY), |(n, low), x| if x < 0.2 { (n + 1, low) } else { (n, low.min(x)) });
+        // together or one by one
+        assert_eq!(found.at_zero.map_or(0, |a| a.count) + small, roots, "{speed} {more}: {:?}", found.at_zero);
+        // (4.730/L)^2 sqrt(E I/(rho A)), lower by shear and rotary inertia
+        if speed == 0.0 {
+            let beam = (4.730_040_744_862_7_f64 / 1.2).powi(2) * (2.11e11_f64 / 7810.0).sqrt() * 0.005;
+            assert!(lowest < beam && lowest > 0.99 * beam, "{lowest} {beam}");
+        }
+        let outcome = loaded.studies[0].study.run(&loaded.system, &laval::study::Context::quiet("modes")).unwrap();
+        let said = |id: &str| findings(&outcome, id).iter().map(|f| f.sentence()).collect::<Vec<_>>().join(" ");
+        assert_eq!(said("rigid_body_motions").contains("at zero"), found.at_zero.is_some());
+        assert!(found.at_zero.is_none() || said("stable").contains("no stiffness holds the machine"), "{}", said("stable"));
+        assert!(said("stable").contains("Marginally stable") && said("stability_unknown").is_empty(), "{speed}: {}", said("stable"));
+    }
+    let lying = laval::file::load(&text(300.0, "horizontal", "", "static")).unwrap();
+    for d in [
+        rest(&lying.system, 300.0).err().unwrap(),
+        lying.studies[0].study.run(&lying.system, &laval::study::Context::quiet("static")).err().unwrap(),
+    ] {
+        assert!(d.message.to_string().contains("not held by any stiffness"), "{}", d.message);
+    }
+}

@@ -161,6 +161,27 @@ fn a_small_mass_converges_to_none() {
     }
 }
 
+/// Internal states that read a node whose place follows: a node on a viscoelastic shaft, and with small masses.
+#[test]
+fn states_that_read_a_node() {
+    let shaft = "kind = \"shaft_viscoelastic\"\nstiffness = 4e5\nexponentials = { share = [0.4], rate = [300] }";
+    let none = chain(0.0, &spring(K1), shaft, "");
+    let mut motion = Motion::new(&none, at(W)).unwrap();
+    let mut start = vec![0.0; motion.dim()];
+    start[0] = 6e-4;
+    motion.settle(0.0, &mut start).unwrap();
+    let limit = ends(&none, at(W), &start, 0.05, Choice::Stiff);
+    let away = |mass: f64| {
+        let with = ends(&chain(mass, &spring(K1), shaft, ""), at(W), &start, 0.05, Choice::Stiff);
+        (0..2).map(|i| (with[i] - limit[i]).powi(2)).sum::<f64>().sqrt()
+    };
+    let found = [3e-2, 3e-3, 3e-4].map(away);
+    assert!(found[0] < 0.2 * 6e-4, "{found:?}");
+    for pair in found.windows(2) {
+        assert!((6.0..15.0).contains(&(pair[0] / pair[1])), "{found:?}");
+    }
+}
+
 /// What is stored changes by what goes in and out, with a damped node and with one that has springs alone.
 #[test]
 fn energy_is_accounted_for() {

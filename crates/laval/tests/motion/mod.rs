@@ -4,6 +4,7 @@ mod basins;
 mod claims;
 mod continued;
 mod massless;
+mod massless_settled;
 mod motion_map;
 mod natural;
 mod spin_load;

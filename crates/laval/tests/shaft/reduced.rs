@@ -128,6 +128,47 @@ fn basins_of_many_elements() {
     }
 }
 
+/// A map over a parameter of a disc and one of a bearing: the parts that vary stay as they are, the rest is reduced once; as of few elements.
+#[test]
+fn maps_over_parameters_of_many_elements() {
+    let study = "[[study]]\nkind = \"motion_map\"\nspeed = 320\nx = { parameter = \"left.mass\", from = 12, to = 16, points = 2 }\n\
+                 y = { parameter = \"lower.cubic_stiffness\", from = 1e14, to = 8e14, points = 2 }\n";
+    let of = |elements: usize| run_all(&(machine(elements).replace("horizontal", "vertical") + study)).swap_remove(0);
+    let (few, many) = (of(2), of(8));
+    assert!(findings(&few, "reduced").is_empty() && findings(&many, "reduced").len() == 1);
+    let column = |o: &laval::outcome::Outcome| -> Vec<f64> {
+        let c = o.find_table("map").unwrap().column("amplitude.left").unwrap();
+        (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+    };
+    let (a, b) = (column(&few), column(&many));
+    assert!(a.len() == 4 && b.len() == 4);
+    for (x, y) in a.iter().zip(&b) {
+        assert!(*x > 1e-6 && (x / y - 1.0).abs() < 0.02, "{a:?} {b:?}");
+    }
+    // both parameters have an effect
+    assert!((b[0] / b[1] - 1.0).abs() > 1e-2 && (b[0] / b[2] - 1.0).abs() > 1e-3, "{b:?}");
+}
+
+/// A diameter of the shaft moves what is reduced: the whole machine is followed.
+#[test]
+fn a_parameter_of_the_shaft_itself_varies_on_the_whole_machine() {
+    let whole = load(&machine(8).replace("horizontal", "vertical")).system;
+    let shaft = whole.slots().iter().position(|s| s.name == "shaft").unwrap();
+    assert!(ReducedMachine::varying(&whole, 300.0, &[shaft]).is_none());
+    // a part that varies has the parameters of the member; a machine with a part attached elsewhere is none
+    let disc = whole.slots().iter().position(|s| s.name == "left").unwrap();
+    let own = ReducedMachine::varying(&whole, 300.0, &[disc]).unwrap();
+    let heavier = whole.with(&[("left.mass", 20.0)]).unwrap();
+    let a = modes(&own.member(&whole, &heavier).unwrap(), 250.0, 1500.0);
+    let b = modes(&ReducedMachine::of(&heavier, 300.0).unwrap().system, 250.0, 1500.0);
+    assert!(a.len() == b.len() && a.len() > 3);
+    for (a, b) in a.iter().zip(&b) {
+        assert!((*a - *b).abs() < 1e-4 * b.abs(), "{a:?} {b:?}");
+    }
+    let other = load(&machine(8).replace("horizontal", "vertical").replace("at = 0.35", "at = 0.3")).system;
+    assert!(own.member(&whole, &other).is_none());
+}
+
 /// A load of another spin keeps its own angle on the reduced machine.
 #[test]
 fn loads_of_another_spin() {

@@ -52,6 +52,10 @@ region-all-roots = Root count verified (argument principle): no { $root } below 
         [1] The only root in the counted regions is known
        *[other] All { $found } roots in the counted regions are known
     }.
+region-at-zero = { $count ->
+        [one] One root lies
+       *[other] { $count } roots lie
+    } at zero or close to it: motions of the whole machine or of a part that nothing holds. They are not among the modes.
 region-all-modes = { $found ->
         [0] The machine has no mode below { $frequency }
         [1] The only mode below { $frequency } is computed

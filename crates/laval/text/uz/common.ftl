@@ -52,6 +52,7 @@ region-all-roots = Ildizlar soni tekshirilgan (argument prinsipi): { $frequency 
         [1] Sanalgan sohalardagi yagona ildiz ma’lum
        *[other] Sanalgan sohalardagi barcha { $found } ta ildiz ma’lum
     }.
+region-at-zero = { $count } ta ildiz nolga teng yoki unga juda yaqin: bu — hech narsa tutib turmagan butun mashina yoki uning qismi harakatlari. Ular tebranish shakllari orasida yoʻq.
 region-all-modes = { $found ->
         [0] { $frequency } chastotadan pastda moda yo‘q
         [1] { $frequency } chastotadan pastdagi yagona moda hisoblangan

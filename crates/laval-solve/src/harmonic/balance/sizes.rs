@@ -7,6 +7,7 @@ use crate::large;
 use crate::model::part::{At, DofKind};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
+use crate::orders::Orders;
 use laval_num::complex::C64;
 
 /// Where the spin speed meets a frequency of the machine linearised at rest: continuation must not step over these.
@@ -36,7 +37,8 @@ pub(super) fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64
         }
         let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
-        let Some(values) = first_order(&tangent).and_then(|a| laval_num::eig::eigenvalues(&a).ok()) else {
+        let of_states = first_order(&tangent).or_else(|| Orders::of(system, false, &[speed], speed.abs()).ok()??.over_states(&tangent));
+        let Some(values) = of_states.and_then(|a| laval_num::eig::eigenvalues(&a).ok()) else {
             continue;
         };
         values.into_iter().for_each(keep);

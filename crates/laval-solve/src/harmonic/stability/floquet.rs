@@ -25,6 +25,7 @@ use crate::model::part::{At, DofKind};
 use crate::model::station::Row;
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{SparseTangent, Tangent, TangentScratch};
+use crate::orders::Orders;
 use crate::reduction::{Reduction, projected};
 use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
@@ -142,6 +143,8 @@ pub struct Stability {
     pub(super) m: usize,
     pub(super) pairs: Vec<bool>,
     pub(super) constant_mass: bool,
+    /// Of a machine with coordinates without inertia.
+    pub(super) orders: Option<Orders>,
     speed: f64,
     pub(super) constant: Mat,
     input: Mat,
@@ -173,6 +176,9 @@ const OF_SPEED: f64 = 5.0;
 const REDUCED: f64 = 1e-4;
 const FASTER: f64 = 1.5;
 
+/// Speed of a machine that gives none, rad/s.
+const TYPICAL_SPEED: f64 = 100.0;
+
 /// Steps of integration spent on the maps of one response, at most.
 const MOST_STEPS: u64 = 200_000;
 
@@ -191,14 +197,33 @@ impl Stability {
         if many.is_some() && !is_polynomial(system) {
             return Err(Unassessed::TooManyStates(states));
         }
+        let speed = system.machine.speed.unwrap_or(TYPICAL_SPEED);
+        // a large machine is assessed by determinants, or reduced to one with inertia
+        let orders = if many.is_some() {
+            None
+        } else {
+            Orders::of(system, false, &[speed, 0.0, 2.0 * speed], speed.abs()).map_err(|_| Unassessed::Massless)?
+        };
         let leads = |kinds: Vec<DofKind>| kinds.into_iter().map(DofKind::leads_pair).collect::<Vec<bool>>();
         let q = leads(system.coordinates().iter().map(|c| c.dof.kind).collect());
         let z = leads(system.states().iter().map(|s| s.dof.kind).collect());
+        let mut pairs = [&q[..], &q[..], &z[..]].concat();
+        if let Some(orders) = &orders {
+            let kept = orders.states(m);
+            // a pair of which one half is no state cannot be turned
+            let broken = |&&i: &&usize| pairs[i] && !kept.contains(&(i + 1)) || i > 0 && pairs[i - 1] && !kept.contains(&(i - 1));
+            if kept.iter().any(|i| broken(&i)) {
+                return Err(Unassessed::Massless);
+            }
+            pairs = kept.iter().map(|&i| pairs[i]).collect();
+        }
         Ok(Stability {
             n,
             m,
-            pairs: [&q[..], &q[..], &z[..]].concat(),
-            constant_mass: system.slots().iter().filter(|s| !s.is_linear()).all(|s| !s.uses.acceleration && s.states.is_empty()),
+            pairs,
+            constant_mass: orders.is_none()
+                && system.slots().iter().filter(|s| !s.is_linear()).all(|s| !s.uses.acceleration && s.states.is_empty()),
+            orders,
             speed: f64::NAN,
             constant: Mat::default(),
             input: Mat::default(),

@@ -216,7 +216,8 @@ impl Stability {
         let orbit = Orbit::of(balance, x, speed).map_err(|e| Unassessed::Failed(e.to_string()))?;
         let system = balance.system;
         let (n, m) = (self.n, self.m);
-        let states = 2 * n + m;
+        let states = self.pairs.len();
+        let orders = self.orders.clone();
         let terms = &balance.terms;
         let direction = pace.frequency.signum();
         let (mut q, mut v, mut acc, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
@@ -228,7 +229,8 @@ impl Stability {
             orbit.at(tau, &mut q, &mut v, &mut acc, &mut z);
             let at = At { q: &q, v: &v, a: &acc, z: &z, phase: terms.divisor as f64 * tau, speed, spin_accel: 0.0, t };
             system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
-            first_order(&tangent).ok_or(Unassessed::Massless)
+            let of_states = orders.as_ref().map_or_else(|| first_order(&tangent), |o| o.over_states(&tangent));
+            of_states.ok_or(Unassessed::Massless)
         };
         let mut a0 = matrix(0.0)?;
         if self.scale.is_empty() {

@@ -52,6 +52,10 @@ pub(in crate::study) fn findings(system: &System, speed: f64, roots: &Roots) -> 
         let finding = Finding::info("uncounted_roots", "region-uncounted-roots").arg("outside", Arg::count(outside));
         out.push(finding.arg("all", Arg::count(roots.counted.len())));
     }
+    if let Some(still) = roots.at_zero {
+        let finding = Finding::info("rigid_body_motions", "region-at-zero").arg("count", Arg::count(still.count));
+        out.push(finding.evidence("largest distance of these roots from zero", still.within, "1/s"));
+    }
     out.extend(limits(&system.domains(speed), speed));
     out.extend(accumulation(&system.domains(speed), speed));
     out

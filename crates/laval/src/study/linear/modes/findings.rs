@@ -88,10 +88,12 @@ impl Shown<'_> {
         let open = decay_uncounted(self.system, self.study.speed).is_some();
         let (slow, undamped) = (self.undamped.is_some(), self.undamped.unwrap_or(Words::PLAIN));
         let last = self.result.spectrum.least_stable();
-        let largest = last.map_or(f64::NEG_INFINITY, MachineMode::growth);
+        // roots at zero are no modes of the list
+        let unheld = self.result.roots.as_ref().is_some_and(|r| r.at_zero.is_some());
+        let largest = last.map_or(f64::NEG_INFINITY, MachineMode::growth).max(if unheld { 0.0 } else { f64::NEG_INFINITY });
         let zero = largest.abs() <= self.rounding;
         let proven = self.result.roots.as_ref().is_none_or(|f| f.growing().is_some());
-        let free = last.is_some_and(|m| m.value.abs() <= self.rounding);
+        let free = unheld || last.is_some_and(|m| m.value.abs() <= self.rounding);
         let finding = if !proven {
             Finding::warning("stability_unknown", "modes-stability-unknown")
         } else if slow {

@@ -10,7 +10,7 @@
 
 mod report;
 
-use super::history::{METHOD, time_forms};
+use super::history::{METHOD, reduced_to, time_forms};
 use super::record::{SettledMotion, UsedForm, exact_parts};
 use super::start::{self, Entry, INITIAL, Start};
 use super::steady_state::columns::{self, RowColumn, body, cells, number, word};
@@ -23,6 +23,8 @@ use crate::model::system::{Drive, System};
 use crate::model::timed::Speeds;
 use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
+use crate::solve::reduced_machine::ReducedMachine;
+use crate::solve::reduction::Reduced;
 use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -170,13 +172,19 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);
+        let whole = Arc::new(own);
+        let reduction = self.reduced(&whole);
+        let reduced = reduction.as_ref().map(|r| r.reduced);
+        let system = reduction.as_ref().map_or_else(|| whole.clone(), |r| r.system.clone());
         let members = Members {
             budget: Budget::new(context.work_limit),
             study: self,
             initial,
-            method: self.method(&own),
+            method: self.method(&system),
             values: self.axes.each_ref().map(GridAxis::values),
-            system: Arc::new(own),
+            whole,
+            reduction,
+            system,
         };
         let columns = members.columns();
         let count = members.values[0].len() * members.values[1].len();
@@ -190,11 +198,11 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
         let motions = Collected::of(&results)?;
         let end = context.end(motions.end == End::Reached);
-        Ok(MotionMapResult { motions, forms: exact_parts(&members.system), end })
+        Ok(MotionMapResult { motions, forms: exact_parts(&members.system), reduced, end })
     }
 
     fn report(&self, system: &System, result: &MotionMapResult, name: &str) -> Result<Outcome, Diagnostic> {
-        Ok(time_forms(&result.forms, report::report(self, system, result, name)?))
+        Ok(reduced_to(result.reduced, time_forms(&result.forms, report::report(self, system, result, name)?)))
     }
 }
 
@@ -205,6 +213,8 @@ pub struct MotionMapResult {
     pub motions: Collected,
     /// Rational forms that stood for exact parts.
     pub forms: Vec<UsedForm>,
+    /// What the machine was reduced to.
+    pub reduced: Option<Reduced>,
     /// How the study ended.
     pub end: End,
 }
@@ -280,6 +290,17 @@ impl MotionMap {
         if self.axes[0].path.is_none() { at[0] } else { self.speed }
     }
 
+    /// The machine reduced, but for the parts whose parameters vary; `None` where it is small, or where a value moves what is attached to it.
+    fn reduced(&self, whole: &System) -> Option<ReducedMachine> {
+        let fastest = if self.axes[0].path.is_none() { self.axes[0].range.from.max(self.axes[0].range.to) } else { self.speed };
+        let varied = self.axes.iter().filter_map(|a| whole.param(a.path.as_deref()?)).flatten();
+        let slots: Vec<usize> = varied.filter_map(|i| whole.slots().iter().position(|s| s.params.contains(&i))).collect();
+        let reduced = ReducedMachine::varying(whole, fastest, &slots)?;
+        let ends = [[0, 0], [1, 1]].map(|at| [0, 1].map(|k| if at[k] == 0 { self.axes[k].range.from } else { self.axes[k].range.to }));
+        let moves = |at| self.machine(whole, at).is_ok_and(|m| reduced.member(whole, &m).is_none());
+        (!ends.into_iter().any(moves)).then_some(reduced)
+    }
+
     /// The machine of a point, or why there is none.
     fn machine(&self, system: &System, at: [f64; 2]) -> Result<System, String> {
         let changes: Vec<(&str, f64)> = self.axes.iter().zip(at).filter_map(|(a, x)| Some((a.path.as_deref()?, x))).collect();
@@ -294,6 +315,10 @@ struct Members<'a> {
     study: &'a MotionMap,
     /// Start, by entries of the machine in time.
     initial: Vec<(Entry, f64)>,
+    /// The machine as it is written, and what it was reduced to.
+    whole: Arc<System>,
+    reduction: Option<ReducedMachine>,
+    /// The machine whose motions are followed.
     system: Arc<System>,
     method: Method,
     /// Values along both axes.
@@ -346,10 +371,14 @@ impl Members<'_> {
     /// The member of a point, or why there is none.
     fn member(&self, at: [f64; 2]) -> Result<Member, String> {
         let speed = self.study.speed_at(at);
-        let system = Arc::new(self.study.machine(&self.system, at)?);
-        let start = Start::new(&system, speed);
+        let whole = Arc::new(self.study.machine(&self.whole, at)?);
+        let elsewhere = || "other parts are attached to it elsewhere".to_string();
+        let system = match &self.reduction {
+            Some(r) => Arc::new(r.member(&self.whole, &whole).ok_or_else(elsewhere)?),
+            None => whole.clone(),
+        };
         let mut y = vec![0.0; 2 * system.n() + system.m()];
-        start.write(&self.initial, &mut y);
+        let start = Start::new(&whole, speed).on(self.reduction.as_ref(), &self.initial, &mut y);
         Ok(Member { speed, y, rest: start.rest, rate: slowest_decay(&system, speed), system })
     }
 
