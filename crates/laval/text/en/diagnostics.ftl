@@ -136,7 +136,7 @@ diag-a-hertz-contact-without-preload-has-e0b4 = a Hertz contact without preload 
 diag-a-clearance-of-makes-no-film-3b22 = a clearance of { $clearance } makes no film at a diameter of { $diameter }: usual are 0.05 to 0.2 % of the diameter
 diag-its-length-is-of-its-diameter-a9a3 = its length is { $ratio } of its diameter: the closed form of the short bearing holds up to 0.5, and from 1 on it is far too stiff
 
-## laval-model/src/parts/bearing_linear.rs
+## laval-model/src/parts/bearing_linear/mod.rs
 
 diag-a-table-over-speed-has-at-7512 = a table over speed has at least two rows; for one speed give the coefficients themselves
 diag-speeds-must-increase-from-row-to-61ab = speeds must increase from row to row: row { $number } has { $speed } after { $before }

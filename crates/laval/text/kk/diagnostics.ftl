@@ -415,7 +415,7 @@ diag-a-radial-law-has-no-preload-346e = радиалды заңда алдын �
 diag-use-law-per-axis-where-a-ac72 = law = "per_axis" қолданыңыз: онда теріс саңылау – қарама-қарсы жанасулардың керілісі
 diag-a-hertz-contact-without-preload-has-e0b4 = керіліссіз Герц жанасуының тыныштықта қатаңдығы жоқ: сызықтандыру амплитудасын беріңіз (гармоникалық зерттеу өзі береді), керіліс (law = "per_axis" және теріс саңылау) немесе қажетті амплитудаларға жуықталған bearing_cubic беріңіз
 
-## laval-model/src/parts/bearing_linear.rs
+## laval-model/src/parts/bearing_linear/mod.rs
 
 diag-a-table-over-speed-has-at-7512 = айналу жиілігі бойынша кестеде кемінде екі жол болады; бір айналу жиілігі үшін коэффициенттердің өзін беріңіз
 diag-speeds-must-increase-from-row-to-61ab = айналу жиіліктері жолдан жолға өсуі керек: { $number }-жолда { $speed }, оның алдында { $before }

@@ -418,7 +418,7 @@ diag-a-radial-law-has-no-preload-346e = radial qonunda dastlabki taranglik yo‘
 diag-use-law-per-axis-where-a-ac72 = law = "per_axis" ishlating, unda manfiy tirqish qarama-qarshi kontaktlarning tarangligini bildiradi
 diag-a-hertz-contact-without-preload-has-e0b4 = dastlabki taranglik bo‘lmasa, Hertz kontaktining tinch holatda bikrligi yo‘q: chiziqlantirish amplitudasini bering (garmonik hisob uni o‘zi beradi), dastlabki taranglik bering (law = "per_axis" va manfiy tirqish) yoki kerakli amplitudalarga moslangan bearing_cubic ishlating
 
-## laval-model/src/parts/bearing_linear.rs
+## laval-model/src/parts/bearing_linear/mod.rs
 
 diag-a-table-over-speed-has-at-7512 = tezlik bo‘yicha jadvalda kamida ikki qator bo‘ladi; bitta tezlik uchun koeffitsiyentlarning o‘zini bering
 diag-speeds-must-increase-from-row-to-61ab = tezliklar qatordan qatorga ortishi kerak: { $number }-qatorda { $speed }, undan oldin { $before }
