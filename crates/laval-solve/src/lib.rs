@@ -25,6 +25,7 @@ pub mod machine_mode;
 pub mod matrices;
 pub mod mode_slopes;
 pub mod motion;
+pub mod own_frequency;
 pub mod pencil;
 pub mod programme;
 pub mod reduced_machine;

@@ -1,5 +1,6 @@
-//! Coefficients of a linear bearing over the spin speed: the rows of the table, which are parameters, and the speeds they belong to.
+//! Table of a linear bearing: its rows, whose coefficients are parameters, over the spin speed or over speed and frequency of vibration.
 
+use super::asynchronous::Grid;
 use super::{BearingLinear, BearingLinearParams};
 use crate::model::field::Bounds;
 use crate::model::params::{Family, Listed, RowCounts, RowFamily};
@@ -7,6 +8,7 @@ use crate::model::part::{Beyond, Params};
 use crate::params;
 use crate::text;
 use crate::text::Text;
+use laval_num::dual::Dual;
 use laval_num::interpolate::{Knots, Ordinates, TableError};
 use laval_num::scalar::Scalar;
 
@@ -29,7 +31,19 @@ impl RowFamily for TableRowFamily {
 }
 
 /// A column of the table by its place in [`NAMES`].
-struct Column<'a, S>(&'a [TableRow<S>], usize);
+pub(super) struct Column<'a, S>(pub &'a [TableRow<S>], pub usize);
+
+impl<S: Scalar> Column<'_, S> {
+    /// All its values are zero and constant.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        let mut empty = true;
+        for k in 0..self.0.len() {
+            empty &= self.at(k).is_nothing();
+        }
+        empty
+    }
+}
 
 impl<S: Scalar> Ordinates<S> for Column<'_, S> {
     #[inline(always)]
@@ -51,8 +65,9 @@ impl<S: Scalar> Ordinates<S> for Column<'_, S> {
 /// The coefficients in order: kxx kxy kyx kyy cxx cxy cyx cyy.
 pub(super) const NAMES: [&str; 8] = ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"];
 
-/// What limits a table, as a statement of validity.
+/// What limits a table, as statements of validity.
 pub(super) const RANGE: &str = "distance of the speed from the middle of the bearing table over half its range";
+pub(super) const FREQUENCIES: &str = "distance of the frequency of vibration from the middle of the bearing table over half its range";
 
 /// Coefficients and their derivatives over speed.
 pub(super) struct Coefficients<S> {
@@ -60,38 +75,22 @@ pub(super) struct Coefficients<S> {
     pub slope: [S; 8],
 }
 
-/// Coefficients over speed; a coefficient without a column is zero.
+/// Coefficients over speed, or over speed and frequency of vibration; a coefficient without a column is zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     speeds: Knots,
+    grid: Option<Grid>,
     rows: Vec<TableRow>,
     beyond: Beyond,
 }
 
 impl Table {
-    /// From increasing speeds (rad/s, at least two) and columns by coefficient name; every mistake is one sentence.
+    /// From speeds (rad/s, at least two) and columns by coefficient name; every mistake is one sentence. Speeds increase from row to row; with a column `frequency`
+    /// (rad/s) the rows are all pairs of the speeds and the frequencies instead, at least two of each, in any order.
     pub fn new(speed: &[f64], column: impl Fn(&str) -> Option<Vec<f64>>) -> Result<Self, Vec<Text>> {
         let mut wrong = Vec::new();
-        let speeds = Knots::new(speed);
-        if speed.len() < 2 {
-            wrong.push(text!("a table over speed has at least two rows; for one speed give the coefficients themselves"));
-        } else if let Err(error) = &speeds {
-            let error = *error;
-            wrong.push(match error {
-                TableError::NotIncreasing(row) => {
-                    let shown = |w: f64| text::quantity(w, "rad/s");
-                    text!(
-                        "speeds must increase from row to row: row {number} has {speed} after {before}",
-                        number = row + 1,
-                        speed = shown(speed[row]),
-                        before = shown(speed[row - 1])
-                    )
-                }
-                other => text!("column speed: {why}", why = other),
-            });
-        }
-        let columns = NAMES.map(|name| {
-            let Some(values) = column(name) else { return Some(vec![0.0; speed.len()]) };
+        let mut whole = |name: &'static str| -> Option<Option<Vec<f64>>> {
+            let Some(values) = column(name) else { return Some(None) };
             if values.len() != speed.len() {
                 wrong.push(text!(
                     "column {name} has {values} rows and column speed has {speed}",
@@ -104,19 +103,36 @@ impl Table {
             if let Some(row) = values.iter().position(|v| !v.is_finite()) {
                 wrong.push(text!("column {name}: row {number} is not a finite number", name, number = row + 1));
             }
-            Some(values)
-        });
+            Some(Some(values))
+        };
+        let columns = NAMES.map(|name| Some(whole(name)?.unwrap_or_else(|| vec![0.0; speed.len()])));
+        let frequency = whole("frequency");
+        let axes = match &frequency {
+            Some(Some(frequency)) if frequency.iter().all(|f| f.is_finite()) => {
+                Grid::new(speed, frequency).map(|(speeds, grid)| (speeds, Some(grid)))
+            }
+            Some(None) => increasing(speed).map(|speeds| (speeds, None)),
+            _ => Err(Vec::new()),
+        };
         let columns: Option<Vec<Vec<f64>>> = columns.into_iter().collect();
-        let (Ok(speeds), Some(columns), true) = (speeds, columns, wrong.is_empty()) else { return Err(wrong) };
-        let row = |k: usize| TableRowFamily::from_slice(&columns.iter().map(|c| c[k]).collect::<Vec<_>>(), RowCounts::default());
-        Ok(Table { speeds, rows: (0..speed.len()).map(row).collect(), beyond: Beyond::Refuse })
+        match (axes, columns, wrong.is_empty()) {
+            (Ok((speeds, grid)), Some(columns), true) => {
+                let row = |k: usize| TableRowFamily::from_slice(&columns.iter().map(|c| c[k]).collect::<Vec<_>>(), RowCounts::default());
+                Ok(Table { speeds, grid, rows: (0..speed.len()).map(row).collect(), beyond: Beyond::Refuse })
+            }
+            (axes, ..) => {
+                let mut all = axes.err().unwrap_or_default();
+                all.extend(wrong);
+                Err(all)
+            }
+        }
     }
 
-    /// The same, continued like this outside its range.
+    /// The same, continued like this outside its speeds and frequencies.
     #[must_use]
     pub fn beyond(self, beyond: Beyond) -> Self {
-        let speeds = if beyond == Beyond::Linear { self.speeds.straight_outside() } else { self.speeds };
-        Table { speeds, beyond, ..self }
+        let straight = |knots: Knots| if beyond == Beyond::Linear { knots.straight_outside() } else { knots };
+        Table { speeds: straight(self.speeds), grid: self.grid.map(|g| g.map_frequencies(straight)), beyond, ..self }
     }
 
     /// Its coefficients as the parameters of a bearing.
@@ -129,30 +145,68 @@ impl Table {
         self.speeds.range()
     }
 
+    /// First and last frequency of vibration, rad/s, of a table over it.
+    pub fn frequencies(&self) -> Option<(f64, f64)> {
+        self.grid.as_ref().map(Grid::range)
+    }
+
     /// How many rows it has.
     #[inline(always)]
     pub(super) fn count(&self) -> usize {
-        self.speeds.count()
+        self.rows.len()
     }
     /// How it continues outside.
-    pub(super) fn beyond_range(&self) -> Beyond {
+    pub(super) fn rule(&self) -> Beyond {
         self.beyond
     }
 
-    /// The coefficients at a speed, with the values that its rows have now.
+    /// The coefficients at a speed and a frequency, with the values that its rows have now.
     #[inline(always)]
-    pub(super) fn coefficients<S: Scalar>(&self, rows: &[TableRow<S>], speed: S) -> Coefficients<S> {
+    pub(super) fn values<S: Scalar>(&self, rows: &[TableRow<S>], speed: S, frequency: S) -> [S; 8] {
+        match &self.grid {
+            None => self.coefficients(rows, speed, frequency, S::zero()).value,
+            Some(grid) => grid.values(&self.speeds, rows, speed, frequency),
+        }
+    }
+
+    /// The same and its derivative over the speed where the frequency rises with it at a rate.
+    #[inline(always)]
+    pub(super) fn coefficients<S: Scalar>(&self, rows: &[TableRow<S>], speed: S, frequency: S, rate: S) -> Coefficients<S> {
         let mut out = Coefficients { value: [S::zero(); 8], slope: [S::zero(); 8] };
+        if let Some(grid) = &self.grid {
+            let all: [Dual<S, 1>; 8] = grid.values(&self.speeds, rows, Dual::seed(speed, 0), Dual { re: frequency, eps: [rate] });
+            for i in 0..NAMES.len() {
+                (out.value[i], out.slope[i]) = (all[i].re, all[i].eps[0]);
+            }
+            return out;
+        }
         for i in 0..NAMES.len() {
             let column = Column(rows, i);
-            let mut empty = true;
-            for k in 0..rows.len() {
-                empty &= column.at(k).is_nothing();
-            }
-            if !empty {
+            if !column.is_empty() {
                 (out.value[i], out.slope[i]) = self.speeds.value_and_slope(&column, speed);
             }
         }
         out
     }
+}
+
+/// Speeds that increase from row to row.
+fn increasing(speed: &[f64]) -> Result<Knots, Vec<Text>> {
+    if speed.len() < 2 {
+        return Err(vec![text!("a table over speed has at least two rows; for one speed give the coefficients themselves")]);
+    }
+    Knots::new(speed).map_err(|error| {
+        vec![match error {
+            TableError::NotIncreasing(row) => {
+                let shown = |w: f64| text::quantity(w, "rad/s");
+                text!(
+                    "speeds must increase from row to row: row {number} has {speed} after {before}",
+                    number = row + 1,
+                    speed = shown(speed[row]),
+                    before = shown(speed[row - 1])
+                )
+            }
+            other => text!("column speed: {why}", why = other),
+        }]
+    })
 }
