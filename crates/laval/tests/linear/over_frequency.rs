@@ -161,7 +161,7 @@ fn a_stiffness_that_rises_steeply_has_three_modes() {
     for factor in [1.0, 4.0] {
         let gap = |f: f64| factor * curve.value(f) - 12.0 * f * f;
         for i in 0..7000 {
-            let (x, y) = (0.1 * f64::from(i), 0.1 * f64::from(i + 1));
+            let (x, y) = (0.05 + 0.1 * f64::from(i), 0.15 + 0.1 * f64::from(i));
             if gap(x) * gap(y) < 0.0 {
                 wanted.push(laval_num::univariate::root(|f| Some(gap(f)), (x, gap(x)), (y, gap(y)), 1e-13).unwrap());
             }
@@ -255,14 +255,13 @@ fn aperiodic_roots_have_the_coefficients_at_rest() {
     let root = |sign: f64| (-2e4 + sign * (4e8f64 - 48e6).sqrt()) / 24.0;
     let mut growth = column(o, "modes", "growth");
     growth.sort_by(f64::total_cmp);
-    near(&growth, &[root(-1.0), root(-1.0), root(1.0), root(1.0)], 1e-10, "roots");
+    // one for both directions
+    near(&growth, &[root(-1.0), root(1.0)], 1e-10, "roots");
     assert_eq!(finding(o, "own_frequency").level, Level::Info);
 }
 
-/// Both bearings of a shaft, rows in the order of speeds and in that of frequencies, against each other and the response by the impedance.
-#[test]
-fn rows_in_either_order_are_one_machine() {
-    let (speeds, frequencies) = ([100.0, 400.0, 900.0], [0.0, 300.0, 600.0, 2500.0]);
+/// A shaft of so many elements on two such bearings with rows at these pairs of speed and frequency.
+fn shaft(elements: usize, pairs: &[(f64, f64)], studies: &str) -> String {
     let columns: [Coefficient; 6] = [
         ("kxx", &|w, f| 2e7 + 2e3 * w + 4e3 * f),
         ("kxy", &|w, _| 1e6 + 1e3 * w),
@@ -271,31 +270,38 @@ fn rows_in_either_order_are_one_machine() {
         ("cxx", &|w, f| 1e4 - w - 0.5 * f),
         ("cyy", &|w, f| 1.5e4 - w - 0.7 * f),
     ];
-    let by_speed: Vec<(f64, f64)> = speeds.iter().flat_map(|w| frequencies.iter().map(move |f| (*w, *f))).collect();
-    let mut by_frequency: Vec<(f64, f64)> = frequencies.iter().flat_map(|f| speeds.iter().map(move |w| (*w, *f))).collect();
-    by_frequency.reverse();
-    let machine = |pairs: &[(f64, f64)]| {
-        let table = of_pairs(pairs, &columns);
-        let bearing = |name: &str, at: f64| {
-            format!(
-                "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at} }}, \"ground\"]\n{table}\n"
-            )
-        };
+    let table = of_pairs(pairs, &columns);
+    let bearing = |name: &str, at: f64| {
         format!(
-            "[machine]\nspeed = 500\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 6\nsection = {{ length = [0.5, 0.5], outer_diameter = [0.06, 0.06] }}\n\
-             [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.5 }}\nmass = 30\npolar_inertia = 0.4\ndiametral_inertia = 0.2\neccentricity = 1e-5\n{}{}{}",
-            bearing("left", 0.1),
-            bearing("right", 0.9),
-            [
-                study("modes", ""),
-                study("forced_response", "speed = { from = 110, to = 890, points = 30 }"),
-                study("critical_speeds", "speed = { from = 110, to = 890, points = 30 }"),
-                study("campbell", "speed = { from = 110, to = 890, points = 12 }"),
-            ]
-            .concat()
+            "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at} }}, \"ground\"]\n{table}\n"
         )
     };
-    let (a, b) = (run_all(&machine(&by_speed)), run_all(&machine(&by_frequency)));
+    format!(
+        "[machine]\nspeed = 500\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = {elements}\nsection = {{ length = [0.5, 0.5], outer_diameter = [0.06, 0.06] }}\n\
+         [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.5 }}\nmass = 30\npolar_inertia = 0.4\ndiametral_inertia = 0.2\neccentricity = 1e-5\n{}{}{studies}",
+        bearing("left", 0.1),
+        bearing("right", 0.9),
+    )
+}
+
+fn pairs() -> Vec<(f64, f64)> {
+    [100.0, 400.0, 900.0].iter().flat_map(|w| [0.0, 300.0, 600.0, 2500.0].map(|f| (*w, f))).collect()
+}
+
+/// Rows in the order of speeds and in that of frequencies; every mode is a root of the machine frozen at its frequency.
+#[test]
+fn rows_in_either_order_are_one_machine() {
+    let studies = [
+        study("modes", ""),
+        study("forced_response", "speed = { from = 110, to = 890, points = 30 }"),
+        study("critical_speeds", "speed = { from = 110, to = 890, points = 30 }"),
+        study("campbell", "speed = { from = 110, to = 890, points = 12 }"),
+    ]
+    .concat();
+    let by_speed = pairs();
+    let mut by_frequency = pairs();
+    by_frequency.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let (a, b) = (run_all(&shaft(6, &by_speed, &studies)), run_all(&shaft(6, &by_frequency, &studies)));
     for (k, table, col) in [
         (0, "modes", "frequency"),
         (0, "modes", "growth"),
@@ -305,8 +311,7 @@ fn rows_in_either_order_are_one_machine() {
     ] {
         near(&column(&a[k], table, col), &column(&b[k], table, col), 1e-12, col);
     }
-    let system = load(&machine(&by_speed)).system;
-    // every mode is a root of the machine frozen at its frequency
+    let system = load(&shaft(6, &by_speed, "")).system;
     let (growth, frequency) = (column(&a[0], "modes", "growth"), column(&a[0], "modes", "frequency"));
     assert!(frequency.len() > 3);
     for (g, f) in growth.iter().zip(&frequency).filter(|x| *x.1 > 0.0) {
@@ -318,8 +323,23 @@ fn rows_in_either_order_are_one_machine() {
     // the table ends below some modes
     assert_eq!(findings(&a[0], "outside_frequencies").len(), 1);
     assert!(finding(&a[0], "stable").sentence().contains("as far as modes from"), "{}", finding(&a[0], "stable").sentence());
-    let speeds = column(&a[1], "response", "speed");
-    assert!(speeds.len() > 30);
+}
+
+/// Of a machine too large for all its modes those of the frozen machines are counted roots: the same modes as with few elements, to
+/// the error of these (1.3e-4 of the highest bending mode with elements of 83 mm).
+#[test]
+fn a_large_machine_has_the_modes_of_a_small_one() {
+    let modes = |elements: usize| {
+        let o = run_all(&shaft(elements, &pairs(), &study("modes", ""))).remove(0);
+        assert_eq!(finding(&o, "own_frequency").level, Level::Info, "{}", finding(&o, "own_frequency").sentence());
+        let (growth, frequency) = (column(&o, "modes", "growth"), column(&o, "modes", "frequency"));
+        growth.into_iter().zip(frequency).map(|(g, f)| c(g, f)).filter(|s| s.im > 1.0).collect::<Vec<C64>>()
+    };
+    let (small, large) = (modes(6), modes(20));
+    assert!(small.len() == large.len() && small.len() > 3, "{small:?} {large:?}");
+    for (a, b) in small.iter().zip(&large) {
+        assert!((*a - *b).abs() < 5e-4 * b.abs(), "{a:?} {b:?}");
+    }
 }
 
 fn refusal(text: &str) -> laval::diagnostic::Diagnostic {
@@ -379,7 +399,8 @@ fn extrapolation_is_never_silent() {
     let d = refusal(&rotor(&plain(""), &response));
     assert_eq!(d.code, "study.beyond_frequencies");
     assert!(
-        d.to_string().contains("\"bearing\" at frequencies of vibration from 9.55 Hz to 63.7 Hz; its table goes from 15.9 Hz to 55.7 Hz"),
+        d.to_string()
+            .contains("\"bearing\" at frequencies of vibration from 9.549 Hz to 63.66 Hz; its table goes from 15.92 Hz to 55.7 Hz"),
         "{d}"
     );
     let force = study("harmonic_force", "place = \"rotor\"\nspeed = 200\nfrequency = { from = 110, to = 360 }");

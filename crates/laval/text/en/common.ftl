@@ -53,9 +53,9 @@ over-frequency-not-counted = { $speeds ->
        *[other] the parts { $parts }
     } at the own frequency the count differs from the modes found. A narrower table or more rows ease the search.
 over-frequency-outside = Modes { $sides ->
-        [both] below { $from } and above { $to } are not computed: the table begins and ends there
+        [both] below { $from } and above { $to } are not computed: the table or frequency_limit ends there
         [below] below { $from } are not computed: the table begins there
-       *[above] above { $to } are not computed: the table ends there
+       *[above] above { $to } are not computed: the table or frequency_limit ends there
     }. Growth there is not known.
 
 # Nothing excites the machine.

@@ -53,9 +53,9 @@ over-frequency-not-counted = { $speeds ->
        *[other] { $parts } qismlarining
     } o‘z chastotasidagi koeffitsiyentlari bilan sanoq topilgan modalarga mos emas. Torroq jadval yoki ko‘proq qator izlashni osonlashtiradi.
 over-frequency-outside = { $sides ->
-        [both] { $from } chastotadan past va { $to } chastotadan yuqori modalar hisoblanmadi: jadval o‘sha yerda boshlanadi va tugaydi
+        [both] { $from } chastotadan past va { $to } chastotadan yuqori modalar hisoblanmadi: jadval yoki frequency_limit o‘sha yerda tugaydi
         [below] { $from } chastotadan past modalar hisoblanmadi: jadval o‘sha yerda boshlanadi
-       *[above] { $to } chastotadan yuqori modalar hisoblanmadi: jadval o‘sha yerda tugaydi
+       *[above] { $to } chastotadan yuqori modalar hisoblanmadi: jadval yoki frequency_limit o‘sha yerda tugaydi
     }. U yerdagi o‘sish sur’ati noma’lum.
 
 # Mashinani hech narsa qo‘zg‘atmaydi.

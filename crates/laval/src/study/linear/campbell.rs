@@ -246,7 +246,7 @@ impl Study for Campbell {
 orders = [1, 2]
 "#;
     const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
-        and the critical speeds where they cross.";
+        and the critical speeds where they cross. Of a bearing in a table over the frequency of vibration every mode has the coefficients of its own frequency.";
     const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"),

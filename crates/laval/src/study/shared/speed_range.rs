@@ -61,8 +61,8 @@ pub(in crate::study) fn able<T: Study>(study: &T, system: &System) -> Result<(),
         );
         return Err(Diagnostic::error("study.spins", message).help(help));
     }
-    known(study, system)?;
-    vibration::known(study, system)
+    vibration::known(study, system)?;
+    known(study, system)
 }
 
 /// # Errors
@@ -171,7 +171,8 @@ fn about_all(f: &Finding) -> bool {
 /// no speed lies inside.
 pub(super) fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, inside: (f64, f64), needed: &[SpinSpeeds], sentence: &'static str) {
     let slack = SAME * t.to.abs().max(t.from.abs());
-    let beyond = |w: f64| w < inside.0 * (1.0 - SAME) - SAME || w > inside.1 * (1.0 + SAME);
+    let slack_inside = SAME * if inside.1.is_finite() { inside.0.abs().max(inside.1.abs()) } else { inside.0.abs() };
+    let beyond = |w: f64| w < inside.0 - slack_inside || w > inside.1 + slack_inside;
     // the statement of the part itself says the same of one speed
     outcome.findings.retain(|f| !(f.level == Level::Invalid && f.message.mentions(t.statement)));
     let Some(most) = needed.iter().max_by(|a, b| reach(a, t).total_cmp(&reach(b, t))) else { return };

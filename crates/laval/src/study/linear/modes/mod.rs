@@ -103,7 +103,7 @@ impl Study for Modes {
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 "#;
     const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body \
-        takes part, and the shape along the axis of a machine with several points. about = \"turning\" linearises about the state that turns with the rotor.";
+        takes part, and the shape along the axis of a machine with several points. about = \"turning\" linearises about the state that turns with the rotor. Of a bearing in a table over the frequency of vibration every mode has the coefficients of its own frequency.";
     const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] =
         &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD, region::FREQUENCY_LIMIT];
@@ -129,10 +129,11 @@ impl Study for Modes {
 
     fn compute(&self, system: &System, context: &Context) -> Result<ModesResult, Diagnostic> {
         admit_threshold(system, self.speed, self.threshold)?;
-        let about = self.about.find(system, self.speed, None)?;
         if over_frequency(system) {
-            return self.own(system, about, context);
+            admit_roots(system, self.about, self.speed)?;
+            return self.own(system, self.about.find(system, self.speed, None)?, context);
         }
+        let about = self.about.find(system, self.speed, None)?;
         let roots = if in_region(system) {
             let terms: usize = system.domains(self.speed).iter().map(|d| d.terms).sum();
             context.announce(terms as f64, SERIES, text!("terms of series in every evaluation of the function whose roots are counted"));
