@@ -5,7 +5,8 @@
 //! ```
 //!
 //! `T(.; W, nu)` is the characteristic matrix of the machine whose parts have the coefficients of nu at every frequency ([`System::frozen`]), an ordinary one. The modes sought
-//! are the fixed points of `nu -> |Im s_k(nu)|`. Each is solved for by the secant method on `|Im s(nu)| - nu`, with s(nu) polished on T.
+//! are the fixed points of `nu -> |Im s_k(nu)|`. Each is solved for by the secant method on `|Im s(nu)| - nu`, with s(nu) polished on T, or by Brent's method where a mode is on different sides
+//! of the line at two frequencies.
 //!
 //! That none is missed is counted: with nu rising, a mode of the frozen machine falls below the line `Im s = nu` where it meets it from above (`d|Im s|/d nu < 1`), or rises
 //! above it. So the number of modes below the line at the end of an interval, less that at its beginning, is the net number of fixed points inside; a pair of
@@ -28,6 +29,7 @@ use laval_model::model::part::{Beyond, Frozen};
 use laval_model::model::system::System;
 use laval_model::text;
 use laval_num::complex::C64;
+use laval_num::univariate::root;
 use serde::{Deserialize, Serialize};
 
 /// Intervals of the frequencies at first, where known modes do not make up the count of the whole.
@@ -42,7 +44,7 @@ const CLOSE: f64 = 1e-9;
 /// Distance of two values of one mode, over the mode.
 const SAME: f64 = 1e-7;
 /// Share of a mode that is no oscillation.
-const STILL: f64 = 1e-12;
+const STILL: f64 = 1e-11;
 /// Relative step over which the slope of a frequency is taken.
 const BESIDE: f64 = 1e-5;
 /// Highest frequency looked at, over that of the fastest mode.
@@ -107,7 +109,7 @@ pub fn range(system: &System, about: &Equilibrium, limit: Option<f64>) -> Result
         (true, None) => high,
         (false, None) => {
             let end = system.over_frequency().map(|(_, t)| t.to).fold(0.0, f64::max);
-            let last = Held::new(system, about, end, f64::INFINITY)?;
+            let last = Held::new(system, about, end, f64::INFINITY, false)?;
             last.modes.iter().map(|m| ABOVE * m.frequency()).fold(end, f64::max)
         }
     };
@@ -127,14 +129,15 @@ fn frozen(system: &System, frequency: f64) -> Result<System, Diagnostic> {
 }
 
 impl Held {
-    fn new(system: &System, about: &Equilibrium, frequency: f64, limit: f64) -> Result<Self, Diagnostic> {
+    /// Its modes are refined where that is wanted: a count and starts do without.
+    fn new(system: &System, about: &Equilibrium, frequency: f64, limit: f64, refined: bool) -> Result<Self, Diagnostic> {
         let held = frozen(system, frequency)?;
         let modes = if in_region(&held) {
             let usual = if is_large(&held) { usual_frequency(&held, about) } else { 0.0 };
             let limit = if limit.is_finite() { Some(limit.max(usual)) } else { None };
             roots(&held, about, &Request { frequency: limit, ..Request::default() })?.spectrum.modes
         } else {
-            modes_about(&held, about, true)?.modes
+            modes_about(&held, about, refined)?.modes
         };
         Ok(Held { frequency, modes })
     }
@@ -150,7 +153,7 @@ fn still(m: &MachineMode) -> bool {
 }
 
 fn below(m: &MachineMode, frequency: f64) -> bool {
-    m.frequency() <= frequency * (1.0 + STILL) || still(m)
+    m.frequency() <= frequency * (1.0 + CLOSE) || still(m)
 }
 
 /// Roots that it stands for: of a machine without preferred direction every one of a sector has its mirror image in the other.
@@ -216,7 +219,8 @@ impl Search<'_> {
             return Ok(None);
         }
         self.out.spectra += 1;
-        Held::new(self.system, self.about, frequency, 2.0 * self.range.1).map(Some)
+        // those that do not oscillate are modes as they are
+        Held::new(self.system, self.about, frequency, 2.0 * self.range.1, frequency == 0.0).map(Some)
     }
 
     /// What the count of an interval has more than was found.
@@ -229,6 +233,12 @@ impl Search<'_> {
     /// Whether it was not stopped.
     fn between(&mut self, a: &Held, b: &Held, depth: usize) -> Result<bool, Diagnostic> {
         self.candidates(a, b);
+        if self.missing(a, b) == 0 {
+            return Ok(true);
+        }
+        for m in &a.modes {
+            self.bracket(m, a.frequency, b.frequency);
+        }
         let missing = self.missing(a, b);
         if missing == 0 {
             return Ok(true);
@@ -251,12 +261,30 @@ impl Search<'_> {
         }
     }
 
+    /// Enters the fixed point between two frequencies at which a mode, followed from one to the other, is on different sides of the line: also where its frequency
+    /// rises steeply, as beside the place where two aperiodic roots become a pair.
+    fn bracket(&mut self, m: &MachineMode, a: f64, b: f64) {
+        let (system, about) = (self.system, self.about);
+        let Some(there) = polished(system, about, b, m.value, m.sector).map(|p| p.0.value) else { return };
+        let (from, to) = (m.value.im.abs() - a, there.im.abs() - b);
+        if !(from * to < 0.0) {
+            return;
+        }
+        let between = |nu: f64| m.value + (there - m.value).scale((nu - a) / (b - a));
+        let value = |nu: f64| polished(system, about, nu, between(nu), m.sector).map(|p| p.0.value);
+        let gap = |nu: f64| value(nu).map(|s| s.im.abs() - nu);
+        let Some(nu) = root(gap, (a, from), (b, to), ROUNDING * b) else { return };
+        if let Some(value) = value(nu) {
+            self.lead(&MachineMode { value, ..m.clone() }, nu);
+        }
+    }
+
     /// Enters the fixed point that a mode leads to, if it is a new one in the range.
     fn lead(&mut self, start: &MachineMode, frequency: f64) {
         let (system, about, (low, high)) = (self.system, self.about, self.range);
         let Some(own) = solve(system, about, start, frequency) else { return };
         let (value, nu) = (own.mode.value, own.mode.frequency());
-        let inside = nu >= low * (1.0 - STILL) && nu <= high * (1.0 + STILL) && !still(&own.mode);
+        let inside = nu >= low * (1.0 - CLOSE) && nu <= high * (1.0 + CLOSE) && !still(&own.mode);
         let same = |o: &OwnMode| o.mode.sector == own.mode.sector && (o.mode.value - value).abs() <= SAME * value.abs();
         if inside && !self.found.iter().any(same) {
             self.found.push(own);
@@ -285,30 +313,32 @@ fn polished(
     Some((p, sector, Unknowns::of(&held)))
 }
 
-/// The mode with the coefficients of its own frequency that a mode leads to, from coefficients at a frequency: the secant method, which from the second step on is a fixed-point iteration
-/// with the slope of the frequency taken into account.
+/// The mode with the coefficients of its own frequency that a mode leads to, from coefficients at a frequency: the secant method, which begins with the slope there.
 pub fn solve(system: &System, about: &Equilibrium, start: &MachineMode, frequency: f64) -> Option<OwnMode> {
     let (mut nu, mut value, mut before) = (frequency, start.value, None::<(f64, f64)>);
+    let slope_at = |nu: f64, value: C64| {
+        let beside = nu * (1.0 + BESIDE);
+        let there = polished(system, about, beside, value, start.sector)?.0.value;
+        Some((there.im.abs() - value.im.abs()) / (beside - nu))
+    };
     for _ in 0..MOST_STEPS {
         let (p, sector, unknowns) = polished(system, about, nu, value, start.sector)?;
         value = p.value;
         let gap = value.im.abs() - nu;
-        let slope = before.filter(|b| b.0 != nu).map_or(-1.0, |(x, g)| (gap - g) / (nu - x));
+        let small = gap.abs() <= ROUNDING * value.abs();
+        let slope = match before.filter(|b| b.0 != nu) {
+            Some((x, g)) => (gap - g) / (nu - x),
+            None if small || nu == 0.0 => -1.0,
+            None => slope_at(nu, value)? - 1.0,
+        };
         let step = -gap / slope;
-        let settled = gap.abs() <= ROUNDING * value.abs() || step.abs() <= ROUNDING * nu;
-        if settled || !step.is_finite() {
+        if small || step.abs() <= ROUNDING * nu || !step.is_finite() {
             if !(gap.abs() <= CLOSE * value.abs()) {
                 return None;
             }
-            let residual = gap.abs() / value.abs();
-            if nu == 0.0 {
-                return Some(OwnMode { mode: mode(&unknowns, &p, sector), residual, slope: 0.0 });
-            }
             // a fixed point is passed from above where the frequency rises by less than that of the coefficients
-            let beside = nu * (1.0 + BESIDE);
-            let (there, ..) = polished(system, about, beside, value, start.sector)?;
-            let slope = (there.value.im.abs() - value.im.abs()) / (beside - nu);
-            return Some(OwnMode { mode: mode(&unknowns, &p, sector), residual, slope });
+            let slope = if nu == 0.0 { 0.0 } else { slope_at(nu, value)? };
+            return Some(OwnMode { mode: mode(&unknowns, &p, sector), residual: gap.abs() / value.abs(), slope });
         }
         before = Some((nu, gap));
         nu = (nu + step).max(0.0);

@@ -426,3 +426,80 @@ fn extrapolation_is_never_silent() {
         assert_eq!(findings(o, "beyond_frequencies").len(), usize::from(outside > 0));
     }
 }
+
+/// A bearing of a body that turns 2.5 times as fast as the machine: the frequency of the unbalance is that of the machine, the speed of the table that of the body.
+#[test]
+fn of_another_spin_the_frequency_is_that_of_the_load() {
+    let table = grid(
+        &[100.0, 600.0, 1500.0],
+        &[0.0, 250.0, 600.0],
+        &[
+            ("kxx", &|w, f| 1e6 + 300.0 * w + 2e3 * f),
+            ("kyy", &|w, f| 1e6 + 200.0 * w + 3e3 * f),
+            ("cxx", &|_, f| 900.0 - f),
+            ("cyy", &|_, f| 900.0 - f),
+        ],
+    );
+    let text = format!(
+        "[machine]\nspeed = 300\n[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = 2.5\n\
+         [[part]]\nkind = \"disc\"\nname = \"inner\"\nmass = 12\neccentricity = 2e-5\n[[part]]\nkind = \"disc\"\nname = \"outer\"\nmass = 8\nspin = \"fast\"\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"between\"\nbetween = [\"inner\", \"outer\"]\nstiffness = 4e6\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"bearing\"\nbetween = [\"outer\", \"ground\"]\n{table}\n{}",
+        study("forced_response", "speed = { from = 60, to = 590, points = 10 }")
+    );
+    let (system, o) = (load(&text).system, &run_all(&text)[0]);
+    assert!((system.slot("bearing").unwrap().speed(system.params(), 1.0) - 2.5).abs() < 1e-14);
+    for (w, x) in column(o, "response", "speed").iter().zip(column(o, "response", "amplitude.outer")) {
+        let direct = at_speed(&system, *w).unwrap().unwrap();
+        let outer = system.coordinate("outer.x").unwrap();
+        assert!((x / direct.major(outer) - 1.0).abs() < 1e-12, "{w}: {x}");
+    }
+}
+
+/// Uncertainties run the study that takes the table, with its rows as parameters.
+#[test]
+fn rows_of_a_grid_are_uncertain() {
+    let table = grid(
+        &[100.0, 600.0],
+        &[0.0, 250.0, 900.0],
+        &[
+            ("kxx", &|w, f| 1e6 + 300.0 * w + 2e3 * f),
+            ("kyy", &|w, f| 2e6 + 200.0 * w + 3e3 * f),
+            ("cxx", &|_, f| 900.0 - 0.5 * f),
+            ("cyy", &|_, f| 900.0 - 0.5 * f),
+        ],
+    );
+    let request = "study = { kind = \"modes\" }\nsamples = 16\nparameters = [{ parameter = \"bearing.table[2].kxx\", distribution = \"normal\", deviation = \"5 %\" }]";
+    let o = &run_all(&rotor(&table, &study("uncertainty", request)))[0];
+    assert!(!o.findings.is_empty());
+}
+
+/// A stiff rotor on heavily damped pads without preferred direction: modes near critical damping, whose frequency rises steeply with that of the coefficients where two
+/// aperiodic roots become a pair. None is missing at any speed.
+#[test]
+fn modes_near_critical_damping_are_counted() {
+    let of = |f: f64, all: [f64; 3]| all[[0.0, 300.0, 1200.0].iter().position(|x| *x == f).unwrap()];
+    let pads = grid(
+        &[50.0, 900.0],
+        &[0.0, 300.0, 1200.0],
+        &[
+            ("kxx", &|w, f| of(f, [2e7, 2.4e7, 3e7]) + 6e3 * w),
+            ("kyy", &|w, f| of(f, [2e7, 2.4e7, 3e7]) + 6e3 * w),
+            ("cxx", &|w, f| of(f, [3e4, 2.5e4, 2e4]) - 11.0 * w),
+            ("cyy", &|w, f| of(f, [3e4, 2.5e4, 2e4]) - 11.0 * w),
+        ],
+    );
+    let text = format!(
+        "[machine]\nspeed = 314\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 4\nsection = {{ length = [0.5, 0.5], outer_diameter = [0.06, 0.06] }}\n\
+         [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.5 }}\nmass = 30\npolar_inertia = 0.4\ndiametral_inertia = 0.2\neccentricity = 1e-5\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"left\"\nbetween = [{{ body = \"shaft\", at = 0.1 }}, \"ground\"]\n{pads}\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"right\"\nbetween = [{{ body = \"shaft\", at = 0.9 }}, \"ground\"]\nstiffness = 3e7\ndamping = 2e4\n{}{}",
+        study("modes", ""),
+        study("campbell", "speed = { from = 60, to = 840, points = 20 }"),
+    );
+    let all = run_all(&text);
+    for o in &all {
+        assert_eq!(finding(o, "own_frequency").level, Level::Info);
+    }
+    assert!(column(&all[0], "modes", "damping_ratio").iter().any(|d| *d > 0.9));
+}
