@@ -236,8 +236,12 @@ impl Search<'_> {
         if self.missing(a, b) == 0 {
             return Ok(true);
         }
+        // two roots that are nearly one at one end are apart at the other
         for m in &a.modes {
             self.bracket(m, a.frequency, b.frequency);
+        }
+        for m in &b.modes {
+            self.bracket(m, b.frequency, a.frequency);
         }
         let missing = self.missing(a, b);
         if missing == 0 {

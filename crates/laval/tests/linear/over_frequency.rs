@@ -219,10 +219,11 @@ fn a_maxwell_element_in_a_table_responds_as_itself() {
     }
 }
 
-fn slowest(text: &str) -> C64 {
+fn least_damped(text: &str) -> C64 {
     let o = &run_all(&format!("{text}{}", study("modes", "")))[0];
     let (growth, frequency) = (column(o, "modes", "growth"), column(o, "modes", "frequency"));
-    let at = (0..growth.len()).find(|&k| frequency[k] > 1.0).unwrap();
+    // heavily damped ones are those of the convention alone
+    let at = (0..growth.len()).max_by(|&a, &b| (frequency[a] / growth[a].abs()).total_cmp(&(frequency[b] / growth[b].abs()))).unwrap();
     c(growth[at], frequency[at])
 }
 
@@ -231,7 +232,7 @@ fn slowest(text: &str) -> C64 {
 #[test]
 fn modes_of_a_maxwell_element_agree_to_second_order_in_the_damping() {
     let difference = |d: f64| {
-        let [table, exact] = maxwell(d, 1500).map(|t| slowest(&t));
+        let [table, exact] = maxwell(d, 1500).map(|t| least_damped(&t));
         let (k1, nu) = (8e5f64, table.im);
         let q = k1 * k1 + (nu * d).powi(2);
         let (by_k, by_c) = (k1 * 2.0 * nu * d * d * k1 * k1 / (q * q), -d * k1 * k1 * 2.0 * nu * d * d / (q * q));
@@ -495,7 +496,7 @@ fn modes_near_critical_damping_are_counted() {
          [[part]]\nkind = \"bearing_linear\"\nname = \"left\"\nbetween = [{{ body = \"shaft\", at = 0.1 }}, \"ground\"]\n{pads}\n\
          [[part]]\nkind = \"bearing_linear\"\nname = \"right\"\nbetween = [{{ body = \"shaft\", at = 0.9 }}, \"ground\"]\nstiffness = 3e7\ndamping = 2e4\n{}{}",
         study("modes", ""),
-        study("campbell", "speed = { from = 60, to = 840, points = 20 }"),
+        study("campbell", "speed = { from = 60, to = 840, points = 40 }"),
     );
     let all = run_all(&text);
     for o in &all {
