@@ -229,6 +229,12 @@ impl Knots {
         }
         (value, slope)
     }
+    /// The knots whose values the value at an argument rests on: those of its interval and one more on either side; all of them for lanes in several intervals.
+    #[inline(always)]
+    pub fn rests_on<S: Scalar>(&self, x: S) -> Range<usize> {
+        let pieces = self.pieces(x.value());
+        pieces.start.saturating_sub(1)..self.x.len().min(pieces.end + 2)
+    }
     /// The interval of an argument; all of them for lanes on several.
     #[inline(always)]
     fn pieces(&self, x: f64) -> Range<usize> {

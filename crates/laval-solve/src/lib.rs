@@ -26,6 +26,7 @@ pub mod matrices;
 pub mod mode_slopes;
 pub mod motion;
 mod orders;
+pub mod own_frequency;
 pub mod pencil;
 pub mod programme;
 pub mod reduced_machine;

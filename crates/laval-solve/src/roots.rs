@@ -548,7 +548,7 @@ fn holds(growth: &(f64, f64), band: &(f64, f64), mirrored: bool, z: C64) -> bool
 }
 
 /// No sector of the characteristic matrix is coupled with another.
-fn uncoupled(t: &mut Characteristic, speed: f64) -> bool {
+pub(super) fn uncoupled(t: &mut Characteristic, speed: f64) -> bool {
     let scale = speed.abs().max(1.0);
     [c(0.31, 0.77), c(0.83, -1.9)].iter().all(|s| {
         let [value, _] = t.entries(s.scale(scale));

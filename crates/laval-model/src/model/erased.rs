@@ -2,7 +2,8 @@
 //! slot per scalar. Every part has them (module `erasure`).
 
 use super::blocks::Blocks;
-use super::capability::frequency::Domain;
+use super::capability::frequency::{Domain, Frozen};
+use super::capability::scope::Tabulated;
 use super::capability::time_form::{Fitted, Speeds, Untimed};
 use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
 use super::field::Field;
@@ -83,6 +84,8 @@ macro_rules! faces {
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
             fn rough(&self) -> Option<Arc<dyn Erased>>;
             fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)>;
+            fn frequencies(&self) -> Option<Tabulated>;
+            fn frozen(&self, at: Frozen) -> Option<Arc<dyn Erased>>;
             $(
                 fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
                 fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]);

@@ -1,8 +1,12 @@
 //! Every [`Part`] and every part with a [capability](super::capability) behind its object-safe face ([`erased`](super::erased)), and in lanes.
 
 use super::blocks::Blocks;
+use super::capability::scope::Tabulated;
 use super::capability::time_form::{Fitted, Speeds, Untimed};
-use super::capability::{self, frequency::Domain};
+use super::capability::{
+    self,
+    frequency::{Domain, Frozen},
+};
 use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
 use super::erased::*;
 use super::field::Field;
@@ -113,6 +117,12 @@ macro_rules! parts {
             fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)> {
                 let (part, p) = capability::FrequencyDomain::approximation(self, &self.given(p))?;
                 Some((Arc::new(part), <T as Parametric>::Family::to_vec(&p)))
+            }
+            fn frequencies(&self) -> Option<Tabulated> {
+                capability::FrequencyDomain::frequencies(self)
+            }
+            fn frozen(&self, at: Frozen) -> Option<Arc<dyn Erased>> {
+                capability::FrequencyDomain::frozen(self, at).map(|p| Arc::new(p) as Arc<dyn Erased>)
             }
             $(
                 fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {

@@ -9,6 +9,7 @@ pub mod context;
 pub mod erased;
 mod erasure;
 pub mod field;
+mod frozen;
 mod inertia;
 pub mod lanes;
 pub mod linear;

@@ -9,7 +9,7 @@ use crate::text::Text;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
 
-pub use super::capability::frequency::{Domain, Words};
+pub use super::capability::frequency::{Domain, Frozen, Words};
 pub use super::capability::movable::{Correction, Outline};
 pub use super::capability::scope::{Beyond, Tabulated};
 pub use super::capability::time_form::Fitted;

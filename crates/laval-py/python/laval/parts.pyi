@@ -139,7 +139,7 @@ def bearing_linear(
     *,
     name: str | None = None,
     between: tuple[Point, Point] | list[Point],
-    table: Mapping[Literal["speed", "kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"], Quantities] | None = None,
+    table: Mapping[Literal["speed", "frequency", "kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"], Quantities] | None = None,
     beyond: Literal["refuse", "hold", "linear"] | None = None,
     stiffness: Quantity | None = None,
     damping: Quantity | None = None,
@@ -154,16 +154,16 @@ def bearing_linear(
     kzz: Quantity | None = None,
     czz: Quantity | None = None,
 ) -> Part:
-    """A bearing or seal given by its eight linear coefficients kxx kxy kyx kyy cxx cxy cyx cyy, constant or in a table over speed. The force on the first point is -K d - C d'; kxy > 0 > kyx drives forward whirl.
+    """A bearing or seal given by its eight linear coefficients kxx kxy kyx kyy cxx cxy cyx cyy, constant, in a table over speed, or in one over speed and frequency of vibration. The force on the first point is -K d - C d'; kxy > 0 > kyx drives forward whirl.
 
     Args:
         name: by which others refer to it.
         between: the two points it joins (required).
             two points: ["drum", "base"]; one of them may be "ground", each may be { body = .., at = .. }
-        table: coefficients over speed, instead of constant ones; between the rows each column is a monotone cubic (PCHIP, slopes of Fritsch and Butland), which stays between the values of neighbouring rows; two rows are joined by a straight line (optional).
-            columns of equal length { speed: spin speed, increasing [a speed]; kxx: stiffness in x against x [a stiffness]; kxy: force in -x per displacement in y [a stiffness], optional; kyx: force in -y per displacement in x [a stiffness], optional; kyy: stiffness in y against y [a stiffness]; cxx: damping in x against x [a damping constant], optional; cxy: force in -x per velocity in y [a damping constant], optional; cyx: force in -y per velocity in x [a damping constant], optional; cyy: damping in y against y [a damping constant], optional }, or a list of rows { speed = .., .. }
-        beyond: coefficients at speeds outside the table (default refuse).
-            "refuse" (a study beyond the speeds of the table is refused) or "hold" (the first and last row hold beyond; results there are marked as outside the table) or "linear" (straight on along the slope at the ends; results there are marked as outside the table)
+        table: coefficients over speed, or over speed and frequency of vibration, instead of constant ones; between the rows each column is a monotone cubic (PCHIP, slopes of Fritsch and Butland), which stays between the values of neighbouring rows; two rows are joined by a straight line; with frequencies first over the frequency at each speed, then over the speed (optional).
+            columns of equal length { speed: spin speed, increasing from row to row where no frequency is given [a speed]; frequency: frequency of vibration; the rows are then all pairs of the speeds and frequencies, in any order [a speed], optional; kxx: stiffness in x against x [a stiffness]; kxy: force in -x per displacement in y [a stiffness], optional; kyx: force in -y per displacement in x [a stiffness], optional; kyy: stiffness in y against y [a stiffness]; cxx: damping in x against x [a damping constant], optional; cxy: force in -x per velocity in y [a damping constant], optional; cyx: force in -y per velocity in x [a damping constant], optional; cyy: damping in y against y [a damping constant], optional }, or a list of rows { speed = .., .. }
+        beyond: coefficients at speeds and frequencies outside the table (default refuse).
+            "refuse" (a study beyond the speeds or frequencies of the table is refused) or "hold" (the first and last row hold beyond; results there are marked as outside the table) or "linear" (straight on along the slope at the ends; results there are marked as outside the table)
         stiffness: one stiffness in all directions, instead of kxx and kyy (optional).
             a stiffness (N/m, N/mm, MN/m), between -1e15 N/m and 1e15 N/m
         damping: one damping in all directions, instead of cxx and cyy (optional).

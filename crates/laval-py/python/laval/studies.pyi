@@ -22,7 +22,7 @@ def modes(
     growth_threshold: Quantity | None = None,
     frequency_limit: Quantity | None = None,
 ) -> Study:
-    """Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body takes part, and the shape along the axis of a machine with several points. about = "turning" linearises about the state that turns with the rotor.
+    """Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body takes part, and the shape along the axis of a machine with several points. about = "turning" linearises about the state that turns with the rotor. Of a bearing in a table over the frequency of vibration every mode has the coefficients of its own frequency.
 
     Args:
         name: by which others refer to it.
@@ -73,7 +73,7 @@ def campbell(
     frequency_limit: Quantity | None = None,
     compare: Literal["nothing", "approximation"] | None = None,
 ) -> Study:
-    """Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines and the critical speeds where they cross.
+    """Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines and the critical speeds where they cross. Of a bearing in a table over the frequency of vibration every mode has the coefficients of its own frequency.
 
     Args:
         name: by which others refer to it.

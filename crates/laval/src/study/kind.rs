@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::shared::speed_range::{self, SpinSpeeds};
+use super::shared::vibration::{self, Vibration};
 use super::shared::{headings, size, watch};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{Field, KindInfo, Values};
@@ -32,6 +33,11 @@ pub trait Study: Send + Sync + Sized + 'static {
     /// Spin speeds at which the study needs the coefficients of the parts; none where it does not rest on the motion of the machine, or runs
     /// another study. Beyond the tables of parts a study is refused, or its findings are marked.
     fn spin_speeds(&self, system: &System) -> Vec<SpinSpeeds>;
+    /// Frequencies of vibration at which it needs the coefficients of parts that are tabulated over them. A study that says nothing takes no such part, unless it
+    /// needs no speeds either.
+    fn vibration(&self, system: &System) -> Vibration {
+        if self.spin_speeds(system).is_empty() { Vibration::Elsewhere } else { Vibration::Refused }
+    }
     /// Whether this machine can answer the question at all, found out in a few milliseconds: called by `laval check`, and by a run before it begins.
     ///
     /// # Errors
@@ -186,7 +192,7 @@ struct Written<T> {
 
 impl<T> Written<T> {
     fn located(&self, mut d: Diagnostic) -> Diagnostic {
-        if d.code == speed_range::BEYOND && d.span.is_none() {
+        if (d.code == speed_range::BEYOND || d.code == vibration::BEYOND) && d.span.is_none() {
             d.span.clone_from(&self.speeds);
         }
         d

@@ -17,6 +17,7 @@ mod oil_films;
 mod one_speed;
 mod operation;
 mod optimum;
+mod over_frequency;
 mod overview;
 mod parts_physics;
 mod pure_tilt;

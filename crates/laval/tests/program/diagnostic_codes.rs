@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const CALLS: [&str; 6] = ["error(", "warning(", "UnitError::new(", "wrong(", "incomplete(", "invalid("];
 /// Codes whose sentences functions of this name return, and where these are.
 const BY_FUNCTION: [(&str, &str, &str); 9] = [
-    ("bearing_linear.table", "pub fn new(speed: &[f64]", "laval-model/src/parts/bearing_linear.rs"),
+    ("bearing_linear.table", "pub fn new(speed: &[f64]", "laval-model/src/parts/bearing_linear/"),
     ("part.axis", "fn refuses_axis(", "laval-"),
     ("part.spins", "fn refuses_ratio(", "laval-"),
     ("part.check", "fn check(&self, p:", "laval-model/src/parts/"),

@@ -21,6 +21,42 @@ beyond-table = The table of "{ $part }" covers { $from } to { $to }. { $sides ->
        *[refuse] unknown
     }.
 beyond-table-note = Outside the table of "{ $part }".
+beyond-table-frequency = The table of "{ $part }" covers frequencies of vibration from { $from } to { $to }. { $sides ->
+        [both] Beyond it, down to { $lowest } and up to { $highest },
+        [below] Below it, down to { $lowest },
+       *[above] Above it, up to { $highest },
+    } its coefficients are { $rule ->
+        [hold] held at its ends
+        [linear] continued along its slope at the ends
+       *[refuse] unknown
+    }.
+over-frequency-beyond = { $n ->
+        [one] The frequency of mode { $modes } lies
+       *[other] The frequencies of modes { $modes } lie
+    } outside the table of "{ $part }", which covers { $from } to { $to }: not valid there.
+over-frequency-growth-unassessed = Stability is not assessed: { $n ->
+        [one] { $parts } has
+       *[other] { $parts } have
+    } the coefficients of the excitation here. Use modes or campbell, where every mode has those of its own frequency.
+over-frequency-counted = { $n ->
+        [one] { $parts } has
+       *[other] { $parts } have
+    } in each mode the coefficients of its own frequency. { $speeds ->
+        [one] No mode
+       *[other] At { $speeds } speeds no mode
+    } from { $from } to { $to } is missing by the count.
+over-frequency-not-counted = { $speeds ->
+        [one] Modes may be missing
+       *[other] At { $open } of { $speeds } speeds modes may be missing
+    } from { $from } to { $to }: with the coefficients of { $n ->
+        [one] { $parts }
+       *[other] the parts { $parts }
+    } at the own frequency the count differs from the modes found. A narrower table or more rows ease the search.
+over-frequency-outside = Modes { $sides ->
+        [both] below { $from } and above { $to } are not computed: the table or frequency_limit ends there
+        [below] below { $from } are not computed: the table begins there
+       *[above] above { $to } are not computed: the table or frequency_limit ends there
+    }. Growth there is not known.
 
 # Nothing excites the machine.
 unforced = The machine has no excitation: the largest displacement is { $value }, and no resonance is reported. Give a disc an eccentricity, an unbalance or a skew.

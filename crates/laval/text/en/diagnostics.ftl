@@ -136,13 +136,18 @@ diag-a-hertz-contact-without-preload-has-e0b4 = a Hertz contact without preload 
 diag-a-clearance-of-makes-no-film-3b22 = a clearance of { $clearance } makes no film at a diameter of { $diameter }: usual are 0.05 to 0.2 % of the diameter
 diag-its-length-is-of-its-diameter-a9a3 = its length is { $ratio } of its diameter: the closed form of the short bearing holds up to 0.5, and from 1 on it is far too stiff
 
-## laval-model/src/parts/bearing_linear.rs
+## laval-model/src/parts/bearing_linear/asynchronous.rs
 
-diag-a-table-over-speed-has-at-7512 = a table over speed has at least two rows; for one speed give the coefficients themselves
-diag-speeds-must-increase-from-row-to-61ab = speeds must increase from row to row: row { $number } has { $speed } after { $before }
-diag-column-speed-e6ee = column speed: { $why }
-diag-column-has-rows-and-column-speed-849d = column { $name } has { $values } rows and column speed has { $speed }
 diag-column-row-is-not-a-finite-b5da = column { $name }: row { $number } is not a finite number
+diag-frequencies-of-vibration-are-not-negative-43a1 = frequencies of vibration are not negative: row { $number } has { $frequency }
+diag-a-table-over-speed-and-frequency-ef2a = a table over speed and frequency has at least two frequencies; leave frequency out where the coefficients do not depend on it
+diag-a-table-over-speed-and-frequency-9644 = a table over speed and frequency has at least two speeds
+diag-rows-and-are-of-one-speed-2741 = rows { $first } and { $second } are of one speed and frequency: { $speed } and { $frequency }
+diag-every-speed-of-the-table-has-5ca8 = every speed of the table has all its frequencies, { $all } rows: that of { $speed } at { $frequency } is missing
+diag-every-speed-of-the-table-has-b24d = every speed of the table has all its frequencies, { $all } rows: { $count } are missing, the first of { $speed } at { $frequency }
+
+## laval-model/src/parts/bearing_linear/mod.rs
+
 diag-is-given-beside-bb0c = { $short } is given beside { $twice }
 diag-stands-for-and-give-the-one-5d24 = { $short } stands for { $first } and { $second }: give the one value or these two
 diag-the-bearing-has-no-coefficient-all-9c73 = the bearing has no coefficient: all eight are zero
@@ -153,6 +158,13 @@ diag-is-given-as-a-constant-beside-d5bb = { $name } is given as a constant besid
 diag-a-bearing-has-constant-coefficients-or-463b = a bearing has constant coefficients or a table: put constants into the table as equal rows
 diag-this-bearing-was-built-without-kzz-bac1 = this bearing was built without kzz
 diag-the-coefficients-come-from-the-table-544d = the coefficients come from the table: a constant beside it has no effect
+
+## laval-model/src/parts/bearing_linear/table.rs
+
+diag-column-has-rows-and-column-speed-849d = column { $name } has { $values } rows and column speed has { $speed }
+diag-a-table-over-speed-has-at-7512 = a table over speed has at least two rows; for one speed give the coefficients themselves
+diag-speeds-must-increase-from-row-to-61ab = speeds must increase from row to row: row { $number } has { $speed } after { $before }
+diag-column-speed-e6ee = column speed: { $why }
 
 ## laval-model/src/parts/bearing_rolling.rs
 
@@ -471,6 +483,12 @@ diag-a-coordinate-follows-from-inertia-or-9b2d = a coordinate follows from inert
 ## laval-solve/src/motion/trajectory.rs
 
 diag-the-motion-cannot-be-computed-from-98a8 = the motion cannot be computed from its start: { $what }
+
+## laval-solve/src/own_frequency/mod.rs
+
+diag-the-tables-of-have-no-frequencies-af27 = the tables of { $names } have no frequencies in common
+diag-write-beyond-hold-or-beyond-linear-53dc = write beyond = "hold" or beyond = "linear" where a table may be left, or add rows
+diag-no-part-of-this-machine-is-9c3e = no part of this machine is given in a table over the frequency of vibration
 
 ## laval-solve/src/pencil.rs
 
@@ -1236,6 +1254,7 @@ diag-leave-compare-out-5311 = leave compare out
 
 ## laval/src/study/linear/campbell.rs
 
+diag-speeds-at-which-modes-are-counted-0ff8 = speeds at which modes are counted, one after another
 diag-speeds-at-which-roots-are-counted-0176 = speeds at which roots are counted, one after another
 diag-eigenvalue-problems-to-solve-3ff3 = eigenvalue problems to solve
 diag-modes-shows-the-modes-at-one-aec9 = { $help }; modes shows the modes at one speed
@@ -1505,6 +1524,10 @@ diag-at-ff93 = at { $path } = { $x }: { $message }
 diag-starts-to-follow-65c8 = starts to follow
 diag-starts-to-follow-where-no-state-812e = starts to follow where no state is stable
 
+## laval/src/study/overview/over_frequency.rs
+
+diag-modes-with-frequencies-outside-the-table-1aa5 = modes with frequencies outside the table of "{ $name }" are not known
+
 ## laval/src/study/parameters/optimum/machine.rs
 
 diag-name-each-once-190a = name each once
@@ -1623,6 +1646,14 @@ diag-at-most-points-a673 = at most { $most } points
 diag-there-is-no-part-8a0d = there is no part "{ $name }"
 diag-does-not-join-a-turning-body-fc00 = "{ $name }" does not join a turning body to anything
 diag-parts-that-join-a-turning-body-fe2b = parts that join a turning body to something: { $names }
+
+## laval/src/study/shared/vibration.rs
+
+diag-the-coefficients-of-depend-on-the-57ae = the coefficients of "{ $name }" depend on the frequency of vibration, and this study does not take such a part
+diag-modes-campbell-critical-speeds-forced-response-790a = modes, campbell, critical_speeds, forced_response and harmonic_force take it; for this study give a table over the speed alone
+diag-the-study-needs-the-coefficients-of-3837 = the study needs the coefficients of "{ $name }" at a frequency of vibration of { $from }; its table goes from { $low } to { $high }
+diag-the-study-needs-the-coefficients-of-1fc0 = the study needs the coefficients of "{ $name }" at frequencies of vibration from { $from } to { $to }; its table goes from { $low } to { $high }
+diag-keep-to-frequencies-of-the-table-734e = keep to frequencies of the table, add rows to it, or write beyond = "hold" or beyond = "linear" in "{ $name }": results beyond are then marked
 
 ## laval/src/validation/case.rs
 

@@ -27,6 +27,7 @@ modes-stable = Stable at { $speed }: the largest growth rate is { $value }{ $thr
        *[set] , the limit { $limit }
     }.
 modes-stable-below = Stable at { $speed }, as far as modes below { $frequency } tell: the largest growth rate is { $value }.
+modes-stable-between = Stable at { $speed }, as far as modes from { $from } to { $to } tell: the largest growth rate is { $value }.
 modes-stable-found = Stable at { $speed }: no mode grows. The largest growth rate found is { $value }; a mode that decays more slowly may be missing.
 modes-below-threshold = No mode grows faster than { $limit } at { $speed }: the largest growth rate is { $value }.
 modes-below-threshold-found = No mode grows faster than { $limit } at { $speed }. The largest growth rate found is { $value }; a mode that grows or decays more slowly may be missing.

@@ -415,13 +415,19 @@ diag-a-radial-law-has-no-preload-346e = радиалды заңда алдын �
 diag-use-law-per-axis-where-a-ac72 = law = "per_axis" қолданыңыз: онда теріс саңылау – қарама-қарсы жанасулардың керілісі
 diag-a-hertz-contact-without-preload-has-e0b4 = керіліссіз Герц жанасуының тыныштықта қатаңдығы жоқ: сызықтандыру амплитудасын беріңіз (гармоникалық зерттеу өзі береді), керіліс (law = "per_axis" және теріс саңылау) немесе қажетті амплитудаларға жуықталған bearing_cubic беріңіз
 
-## laval-model/src/parts/bearing_linear.rs
+## laval-model/src/parts/bearing_linear/mod.rs
 
 diag-a-table-over-speed-has-at-7512 = айналу жиілігі бойынша кестеде кемінде екі жол болады; бір айналу жиілігі үшін коэффициенттердің өзін беріңіз
 diag-speeds-must-increase-from-row-to-61ab = айналу жиіліктері жолдан жолға өсуі керек: { $number }-жолда { $speed }, оның алдында { $before }
 diag-column-speed-e6ee = speed бағаны: { $why }
 diag-column-has-rows-and-column-speed-849d = { $name } бағанында { $values } жол, speed бағанында { $speed } жол бар
 diag-column-row-is-not-a-finite-b5da = { $name } бағаны: { $number }-жолдағы мән ақырлы сан емес
+diag-frequencies-of-vibration-are-not-negative-43a1 = тербеліс жиіліктері теріс болмайды: { $number }-жолда { $frequency } берілген
+diag-a-table-over-speed-and-frequency-ef2a = айналу жиілігі мен тербеліс жиілігі бойынша кестеде кемінде екі тербеліс жиілігі болады; коэффициенттер оған тәуелсіз болса, frequency бағанын алып тастаңыз
+diag-a-table-over-speed-and-frequency-9644 = айналу жиілігі мен тербеліс жиілігі бойынша кестеде кемінде екі айналу жиілігі болады
+diag-rows-and-are-of-one-speed-2741 = { $first } және { $second } жолдар бір айналу жиілігі мен тербеліс жиілігіне жатады: { $speed } және { $frequency }
+diag-every-speed-of-the-table-has-5ca8 = кестенің әр айналу жиілігінде барлық тербеліс жиіліктері болады, барлығы { $all } жол: { $frequency } кезіндегі { $speed } жолы жоқ
+diag-every-speed-of-the-table-has-b24d = кестенің әр айналу жиілігінде барлық тербеліс жиіліктері болады, барлығы { $all } жол: { $count } жол жетіспейді, біріншісі { $frequency } кезіндегі { $speed }
 diag-is-given-beside-bb0c = { $short } пен { $twice } қатар берілген
 diag-stands-for-and-give-the-one-5d24 = { $short } мәні { $first } және { $second } мәндерін бірден білдіреді: не сол бір мәнді, не осы екеуін беріңіз
 diag-the-bearing-has-no-coefficient-all-9c73 = мойынтіректе коэффициент жоқ: сегізі де нөл
@@ -1308,6 +1314,16 @@ diag-take-about-gb-of-memory-more-e408 = { $of }: шамамен { $needed } GB 
 diag-the-study-needs-the-coefficients-of-46db = зерттеуге «{ $name }» коэффициенттерінің { $from } кезіндегі мәндері керек; кестесі { $low } – { $high } аралығын қамтиды
 diag-the-study-needs-the-coefficients-of-bb45 = зерттеуге «{ $name }» коэффициенттерінің { $from } – { $to } аралығындағы мәндері керек; кестесі { $low } – { $high } аралығын қамтиды
 diag-keep-to-speeds-of-the-table-c95a = кестедегі айналу жиіліктерімен шектеліңіз, кестеге жол қосыңыз немесе «{ $name }» бөлшегінде beyond = "hold" немесе beyond = "linear" деп жазыңыз: кестеден тыс нәтижелер белгіленеді
+diag-the-tables-of-have-no-frequencies-af27 = { $names } кестелерінің ортақ тербеліс жиіліктері жоқ
+diag-write-beyond-hold-or-beyond-linear-53dc = кестеден шығуға болатын жерде beyond = "hold" немесе beyond = "linear" деп жазыңыз не жол қосыңыз
+diag-no-part-of-this-machine-is-9c3e = бұл машинаның бірде-бір бөлшегі тербеліс жиілігі бойынша кестемен берілмеген
+diag-speeds-at-which-modes-are-counted-0ff8 = айналу жиілігі, оларда модалар бірінен соң бірі саналады
+diag-modes-with-frequencies-outside-the-table-1aa5 = жиіліктері «{ $name }» кестесінен тыс модалар белгісіз
+diag-the-coefficients-of-depend-on-the-57ae = «{ $name }» коэффициенттері тербеліс жиілігіне тәуелді, ал бұл есеп мұндай бөлшекті қабылдамайды
+diag-modes-campbell-critical-speeds-forced-response-790a = оны modes, campbell, critical_speeds, forced_response және harmonic_force қабылдайды; бұл есеп үшін тек айналу жиілігі бойынша кесте беріңіз
+diag-the-study-needs-the-coefficients-of-3837 = зерттеуге «{ $name }» коэффициенттерінің { $from } тербеліс жиілігіндегі мәндері керек; кестесі { $low } – { $high } аралығын қамтиды
+diag-the-study-needs-the-coefficients-of-1fc0 = зерттеуге «{ $name }» коэффициенттерінің { $from } – { $to } тербеліс жиіліктеріндегі мәндері керек; кестесі { $low } – { $high } аралығын қамтиды
+diag-keep-to-frequencies-of-the-table-734e = кестедегі тербеліс жиіліктерімен шектеліңіз, кестеге жол қосыңыз немесе «{ $name }» бөлшегінде beyond = "hold" немесе beyond = "linear" деп жазыңыз: кестеден тыс нәтижелер белгіленеді
 
 ## laval/src/study/shared/support.rs
 

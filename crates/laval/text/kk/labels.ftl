@@ -1060,6 +1060,7 @@ term-growing-roots-before-it-along-the-branch = тармақ бойында од
 term-growing-roots-behind-it = одан кейін өсетін түбірлер
 term-growth-over-the-modulus-of-the-eigenvalue = өсу жылдамдығының теріс мәнінің меншікті мән модуліне қатынасы
 term-growth-rate-above-0-the-mode-grows = өсу жылдамдығы; 0-ден жоғары болса, мода өседі
+term-distance-of-its-frequency-from-that-of-the-coefficients-over-the-eigenvalue = мода жиілігінің коэффициенттер жиілігінен алшақтығының меншікті мәнге қатынасы
 term-growth-rate-left-there-how-well-it-is-located = онда қалған өсу жылдамдығы: орынның анықталу дәлдігі
 term-growth-rate-left-there-how-well-it-is-located-nan-at-folds = онда қалған өсу жылдамдығы: орынның анықталу дәлдігі; бұрылу нүктелерінде NaN
 term-growth-rate-not-above-growth-threshold = өсу жылдамдығы growth_threshold мәнінен аспайды

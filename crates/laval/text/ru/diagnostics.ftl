@@ -414,6 +414,12 @@ diag-speeds-must-increase-from-row-to-61ab = частоты вращения д�
 diag-column-speed-e6ee = столбец speed: { $why }
 diag-column-has-rows-and-column-speed-849d = в столбце { $name } строк { $values }, в столбце speed { $speed }
 diag-column-row-is-not-a-finite-b5da = столбец { $name }: в строке { $number } не конечное число
+diag-frequencies-of-vibration-are-not-negative-43a1 = частоты колебаний не бывают отрицательными: в строке { $number } задано { $frequency }
+diag-a-table-over-speed-and-frequency-ef2a = в таблице по частоте вращения и частоте колебаний не меньше двух частот колебаний; если коэффициенты от неё не зависят, уберите frequency
+diag-a-table-over-speed-and-frequency-9644 = в таблице по частоте вращения и частоте колебаний не меньше двух частот вращения
+diag-rows-and-are-of-one-speed-2741 = строки { $first } и { $second } относятся к одной паре частот вращения и колебаний: { $speed } и { $frequency }
+diag-every-speed-of-the-table-has-5ca8 = у каждой частоты вращения в таблице есть все частоты колебаний, всего строк { $all }: нет строки { $speed } при { $frequency }
+diag-every-speed-of-the-table-has-b24d = у каждой частоты вращения в таблице есть все частоты колебаний, всего строк { $all }: не хватает { $count }, первая из них { $speed } при { $frequency }
 diag-is-given-beside-bb0c = { $short } задано вместе с { $twice }
 diag-stands-for-and-give-the-one-5d24 = { $short } заменяет { $first } и { $second }: задайте одно это значение или эти два
 diag-the-bearing-has-no-coefficient-all-9c73 = у опоры нет коэффициентов: все восемь равны нулю
@@ -1023,6 +1029,16 @@ diag-take-about-gb-of-memory-more-e408 = { $of }: нужно около { $neede
 diag-the-study-needs-the-coefficients-of-46db = расчёту нужны коэффициенты «{ $name }» при { $from }; его таблица охватывает значения от { $low } до { $high }
 diag-the-study-needs-the-coefficients-of-bb45 = расчёту нужны коэффициенты «{ $name }» от { $from } до { $to }; его таблица охватывает значения от { $low } до { $high }
 diag-keep-to-speeds-of-the-table-c95a = оставайтесь в пределах таблицы, добавьте в неё строки или напишите beyond = "hold" либо beyond = "linear" в «{ $name }»: результаты вне таблицы тогда отмечаются
+diag-the-tables-of-have-no-frequencies-af27 = у таблиц { $names } нет общих частот колебаний
+diag-write-beyond-hold-or-beyond-linear-53dc = напишите beyond = "hold" либо beyond = "linear" там, где таблицу можно покидать, или добавьте строки
+diag-no-part-of-this-machine-is-9c3e = ни один элемент этой машины не задан таблицей по частоте колебаний
+diag-speeds-at-which-modes-are-counted-0ff8 = частот вращения, при которых моды подсчитываются одна за другой
+diag-modes-with-frequencies-outside-the-table-1aa5 = моды с частотами вне таблицы «{ $name }» неизвестны
+diag-the-coefficients-of-depend-on-the-57ae = коэффициенты «{ $name }» зависят от частоты колебаний, и этот расчёт такого элемента не принимает
+diag-modes-campbell-critical-speeds-forced-response-790a = его принимают modes, campbell, critical_speeds, forced_response и harmonic_force; для этого расчёта задайте таблицу только по частоте вращения
+diag-the-study-needs-the-coefficients-of-3837 = расчёту нужны коэффициенты «{ $name }» при частоте колебаний { $from }; его таблица охватывает значения от { $low } до { $high }
+diag-the-study-needs-the-coefficients-of-1fc0 = расчёту нужны коэффициенты «{ $name }» при частотах колебаний от { $from } до { $to }; его таблица охватывает значения от { $low } до { $high }
+diag-keep-to-frequencies-of-the-table-734e = оставайтесь в пределах частот таблицы, добавьте в неё строки или напишите beyond = "hold" либо beyond = "linear" в «{ $name }»: результаты вне таблицы тогда отмечаются
 diag-with-roots-are-counted-where-they-c786 = при наличии { $name } подсчитываются только растущие корни: затухает ли корень медленнее, чем при growth_threshold ниже 0, неизвестно
 diag-give-a-growth-threshold-of-0-2976 = задайте growth_threshold не меньше 0; скорость затухания движения показывает transient
 diag-this-study-needs-a-spin-speed-9f43 = этому расчёту нужна частота вращения

@@ -1060,6 +1060,7 @@ term-growing-roots-before-it-along-the-branch = неустойчивые кор�
 term-growing-roots-behind-it = неустойчивые корни за ней
 term-growth-over-the-modulus-of-the-eigenvalue = отношение −инкремента к модулю собственного значения
 term-growth-rate-above-0-the-mode-grows = инкремент; больше 0 — мода растёт
+term-distance-of-its-frequency-from-that-of-the-coefficients-over-the-eigenvalue = отношение отклонения частоты моды от частоты коэффициентов к собственному значению
 term-growth-rate-left-there-how-well-it-is-located = оставшийся там инкремент: точность определения места
 term-growth-rate-left-there-how-well-it-is-located-nan-at-folds = оставшийся там инкремент: точность определения места; NaN на складках
 term-growth-rate-not-above-growth-threshold = инкремент не больше growth threshold

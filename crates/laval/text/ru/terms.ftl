@@ -2,6 +2,8 @@
 
 # Validity of parts: what is limited, over its limit.
 term-distance-of-the-speed-from-the-middle-of-the-bearing-table-over-half-its-range = отношение отклонения частоты вращения от середины таблицы опоры к половине её диапазона
+term-its-coefficients-are-a-table-over-the-frequency-of-vibration = его коэффициенты заданы таблицей по частоте колебаний
+term-distance-of-the-frequency-of-vibration-from-the-middle-of-the-bearing-table-over-half-its-range = отношение отклонения частоты колебаний от середины таблицы опоры к половине её диапазона
 term-distance-of-the-speed-from-the-middle-of-the-torque-table-over-half-its-range = отношение отклонения частоты вращения от середины таблицы момента к половине её диапазона
 term-tilt-over-0-1-rad = отношение наклона к 0,1 рад
 term-bearing-deflection-over-the-range-of-its-law = отношение деформации опоры к диапазону её закона
@@ -219,7 +221,7 @@ term-kazakh = казахский
 term-uzbek-latin-letters = узбекский, латиница
 term-kloss-s-curve-torque-at-breakdown-synchronous-speed-breakdown-slip = кривая Клосса: критический момент, synchronous_speed, breakdown_slip
 term-a-rigid-ring-for-bounds-only = жёсткое кольцо: только для оценок
-term-a-study-beyond-the-speeds-of-the-table-is-refused = исследование вне частот таблицы отклоняется
+term-a-study-beyond-the-speeds-or-frequencies-of-the-table-is-refused = исследование вне частот таблицы отклоняется
 term-a-support-or-a-shaft-that-does-not-turn = опора или вал, который не вращается
 term-acceleration-that-begins-and-ends-at-zero = ускорение, которое начинается и кончается нулём
 term-against-deflection-and-slope = против прогиба и поворота сечения
@@ -384,6 +386,7 @@ term-share-of-each-class = доля каждого класса
 term-share-of-the-stiffness-that-relaxes = доля жёсткости, которая релаксирует
 term-spin-speed-at-these-times = частота вращения в эти моменты времени
 term-spin-speed-increasing = частота вращения по возрастанию
+term-spin-speed-increasing-from-row-to-row-where-no-frequency-is-given = частота вращения, по возрастанию от строки к строке, если частота колебаний не задана
 term-stiffness-in-x-against-x = жёсткость по x от перемещения по x
 term-stiffness-in-y-against-y = жёсткость по y от перемещения по y
 term-temperatures-increasing = температуры по возрастанию

@@ -21,6 +21,42 @@ beyond-table = "{ $part }" qismining jadvali { $from } – { $to } oralig‘ini 
        *[refuse] noma’lum
     }.
 beyond-table-note = "{ $part }" qismining jadvalidan tashqarida.
+beyond-table-frequency = "{ $part }" qismining jadvali { $from } – { $to } tebranish chastotalarini qamraydi. { $sides ->
+        [both] Undan tashqarida, { $lowest } – { $highest } oralig‘ida,
+        [below] Undan pastda, { $lowest } chastotagacha,
+       *[above] Undan yuqorida, { $highest } chastotagacha,
+    } koeffitsiyentlar { $rule ->
+        [hold] jadval chetidagi qiymatda saqlanadi
+        [linear] jadval chetidagi qiyalik bo‘yicha davom ettiriladi
+       *[refuse] noma’lum
+    }.
+over-frequency-beyond = { $n ->
+        [one] { $modes }-modaning chastotasi
+       *[other] { $modes } modalarning chastotalari
+    } "{ $part }" qismining { $from } – { $to } oralig‘ini qamraydigan jadvalidan tashqarida: u yerda natija yaroqsiz.
+over-frequency-growth-unassessed = Turg‘unlik baholanmadi: bu yerda { $n ->
+        [one] { $parts } qismining
+       *[other] { $parts } qismlarining
+    } koeffitsiyentlari qo‘zg‘atish chastotasiniki. modes yoki campbell tadqiqotidan foydalaning: ularda har bir modada o‘z chastotasining koeffitsiyentlari bo‘ladi.
+over-frequency-counted = Har bir modada { $n ->
+        [one] { $parts } qismining
+       *[other] { $parts } qismlarining
+    } koeffitsiyentlari shu modaning o‘z chastotasiniki. { $speeds ->
+        [one] Sanoq bo‘yicha
+       *[other] { $speeds } ta tezlikdagi sanoq bo‘yicha
+    } { $from } – { $to } oralig‘ida birorta ham moda tushib qolmagan.
+over-frequency-not-counted = { $speeds ->
+        [one] { $from } – { $to } oralig‘ida
+       *[other] { $speeds } ta tezlikdan { $open } tasida { $from } – { $to } oralig‘ida
+    } modalar tushib qolgan bo‘lishi mumkin: { $n ->
+        [one] { $parts } qismining
+       *[other] { $parts } qismlarining
+    } o‘z chastotasidagi koeffitsiyentlari bilan sanoq topilgan modalarga mos emas. Torroq jadval yoki ko‘proq qator izlashni osonlashtiradi.
+over-frequency-outside = { $sides ->
+        [both] { $from } chastotadan past va { $to } chastotadan yuqori modalar hisoblanmadi: jadval yoki frequency_limit o‘sha yerda tugaydi
+        [below] { $from } chastotadan past modalar hisoblanmadi: jadval o‘sha yerda boshlanadi
+       *[above] { $to } chastotadan yuqori modalar hisoblanmadi: jadval yoki frequency_limit o‘sha yerda tugaydi
+    }. U yerdagi o‘sish sur’ati noma’lum.
 
 # Mashinani hech narsa qo‘zg‘atmaydi.
 unforced = Mashinani hech narsa qo‘zg‘atmaydi: eng katta siljish { $value }, rezonans keltirilmaydi. Diskka ekssentrisitet, disbalans yoki qiyshiqlik bering.

@@ -418,13 +418,19 @@ diag-a-radial-law-has-no-preload-346e = radial qonunda dastlabki taranglik yo‘
 diag-use-law-per-axis-where-a-ac72 = law = "per_axis" ishlating, unda manfiy tirqish qarama-qarshi kontaktlarning tarangligini bildiradi
 diag-a-hertz-contact-without-preload-has-e0b4 = dastlabki taranglik bo‘lmasa, Hertz kontaktining tinch holatda bikrligi yo‘q: chiziqlantirish amplitudasini bering (garmonik hisob uni o‘zi beradi), dastlabki taranglik bering (law = "per_axis" va manfiy tirqish) yoki kerakli amplitudalarga moslangan bearing_cubic ishlating
 
-## laval-model/src/parts/bearing_linear.rs
+## laval-model/src/parts/bearing_linear/mod.rs
 
 diag-a-table-over-speed-has-at-7512 = tezlik bo‘yicha jadvalda kamida ikki qator bo‘ladi; bitta tezlik uchun koeffitsiyentlarning o‘zini bering
 diag-speeds-must-increase-from-row-to-61ab = tezliklar qatordan qatorga ortishi kerak: { $number }-qatorda { $speed }, undan oldin { $before }
 diag-column-speed-e6ee = speed ustuni: { $why }
 diag-column-has-rows-and-column-speed-849d = { $name } ustunida { $values } ta qator, speed ustunida { $speed } ta qator bor
 diag-column-row-is-not-a-finite-b5da = { $name } ustuni: { $number }-qatordagi qiymat chekli son emas
+diag-frequencies-of-vibration-are-not-negative-43a1 = tebranish chastotalari manfiy bo‘lmaydi: { $number }-qatorda { $frequency } berilgan
+diag-a-table-over-speed-and-frequency-ef2a = tezlik va tebranish chastotasi bo‘yicha jadvalda kamida ikki chastota bo‘ladi; koeffitsiyentlar unga bog‘liq bo‘lmasa, frequency ustunini olib tashlang
+diag-a-table-over-speed-and-frequency-9644 = tezlik va tebranish chastotasi bo‘yicha jadvalda kamida ikki tezlik bo‘ladi
+diag-rows-and-are-of-one-speed-2741 = { $first } va { $second }-qatorlar bitta tezlik va chastotaga tegishli: { $speed } va { $frequency }
+diag-every-speed-of-the-table-has-5ca8 = jadvalning har bir tezligida barcha chastotalar bo‘ladi, jami { $all } qator: { $frequency } chastotadagi { $speed } qatori yo‘q
+diag-every-speed-of-the-table-has-b24d = jadvalning har bir tezligida barcha chastotalar bo‘ladi, jami { $all } qator: { $count } qator yetishmaydi, birinchisi { $frequency } chastotadagi { $speed }
 diag-is-given-beside-bb0c = { $short } kaliti { $twice } bilan birga berilgan
 diag-stands-for-and-give-the-one-5d24 = { $short } kaliti { $first } va { $second } o‘rnida turadi: yo bitta qiymatni, yo shu ikkitasini bering
 diag-the-bearing-has-no-coefficient-all-9c73 = podshipnikning koeffitsiyenti yo‘q: sakkiztasi ham nol
@@ -1266,6 +1272,16 @@ diag-take-about-gb-of-memory-more-e408 = { $of } taxminan { $needed } GB xotira 
 diag-the-study-needs-the-coefficients-of-46db = hisobga "{ $name }" qismining { $from } tezlikdagi koeffitsiyentlari kerak; jadvali { $low } – { $high } oralig‘ini qamraydi
 diag-the-study-needs-the-coefficients-of-bb45 = hisobga "{ $name }" qismining { $from } – { $to } oralig‘idagi koeffitsiyentlari kerak; jadvali { $low } – { $high } oralig‘ini qamraydi
 diag-keep-to-speeds-of-the-table-c95a = jadval tezliklarida qoling, jadvalga qatorlar qo‘shing yoki "{ $name }" qismida beyond = "hold" yoki beyond = "linear" yozing: jadvaldan tashqaridagi natijalar belgilab ko‘rsatiladi
+diag-the-tables-of-have-no-frequencies-af27 = { $names } jadvallarining umumiy chastotalari yo‘q
+diag-write-beyond-hold-or-beyond-linear-53dc = jadvaldan chiqish mumkin bo‘lgan joyda beyond = "hold" yoki beyond = "linear" yozing yoki qatorlar qo‘shing
+diag-no-part-of-this-machine-is-9c3e = bu mashinaning birorta qismi tebranish chastotasi bo‘yicha jadval bilan berilmagan
+diag-speeds-at-which-modes-are-counted-0ff8 = tezlik, ularda modalar birin-ketin sanaladi
+diag-modes-with-frequencies-outside-the-table-1aa5 = chastotalari "{ $name }" jadvalidan tashqaridagi modalar noma’lum
+diag-the-coefficients-of-depend-on-the-57ae = "{ $name }" koeffitsiyentlari tebranish chastotasiga bog‘liq, bu hisob esa bunday qismni qabul qilmaydi
+diag-modes-campbell-critical-speeds-forced-response-790a = uni modes, campbell, critical_speeds, forced_response va harmonic_force qabul qiladi; bu hisob uchun faqat tezlik bo‘yicha jadval bering
+diag-the-study-needs-the-coefficients-of-3837 = hisobga "{ $name }" qismining { $from } tebranish chastotasidagi koeffitsiyentlari kerak; jadvali { $low } – { $high } oralig‘ini qamraydi
+diag-the-study-needs-the-coefficients-of-1fc0 = hisobga "{ $name }" qismining { $from } – { $to } tebranish chastotalaridagi koeffitsiyentlari kerak; jadvali { $low } – { $high } oralig‘ini qamraydi
+diag-keep-to-frequencies-of-the-table-734e = jadval chastotalarida qoling, jadvalga qatorlar qo‘shing yoki "{ $name }" qismida beyond = "hold" yoki beyond = "linear" yozing: jadvaldan tashqaridagi natijalar belgilab ko‘rsatiladi
 
 ## laval/src/study/shared/support.rs
 

@@ -1062,6 +1062,7 @@ term-growing-roots-before-it-along-the-branch = tarmoq bo‘ylab undan oldingi o
 term-growing-roots-behind-it = undan keyingi o‘suvchi ildizlar
 term-growth-over-the-modulus-of-the-eigenvalue = −o‘sish sur’atining xos qiymat moduliga nisbati
 term-growth-rate-above-0-the-mode-grows = o‘sish sur’ati; 0 dan katta bo‘lsa, moda o‘sadi
+term-distance-of-its-frequency-from-that-of-the-coefficients-over-the-eigenvalue = moda chastotasining koeffitsiyentlar chastotasidan farqining xos qiymatga nisbati
 term-growth-rate-left-there-how-well-it-is-located = u yerda qolgan o‘sish sur’ati: qanchalik aniq topilgani
 term-growth-rate-left-there-how-well-it-is-located-nan-at-folds = u yerda qolgan o‘sish sur’ati: qanchalik aniq topilgani; buklanishlarda NaN
 term-growth-rate-not-above-growth-threshold = o‘sish sur’ati o‘sishning chegaraviy qiymatidan katta emas

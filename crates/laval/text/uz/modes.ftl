@@ -27,6 +27,7 @@ modes-stable = { $speed } tezlikda turg‘un: eng katta o‘sish sur’ati { $va
        *[set] , chegara { $limit }
     }.
 modes-stable-below = { $speed } tezlikda { $frequency } chastotadan pastdagi modalar bo‘yicha turg‘un: eng katta o‘sish sur’ati { $value }.
+modes-stable-between = { $speed } tezlikda { $from } – { $to } oralig‘idagi modalar bo‘yicha turg‘un: eng katta o‘sish sur’ati { $value }.
 modes-stable-found = { $speed } tezlikda turg‘un: birorta ham moda o‘smaydi. Topilgan eng katta o‘sish sur’ati { $value }; sekinroq so‘nadigan moda tushib qolgan bo‘lishi mumkin.
 modes-below-threshold = { $speed } tezlikda birorta ham moda { $limit } sur’atdan tez o‘smaydi: eng katta o‘sish sur’ati { $value }.
 modes-below-threshold-found = { $speed } tezlikda birorta ham moda { $limit } sur’atdan tez o‘smaydi. Topilgan eng katta o‘sish sur’ati { $value }; sekinroq o‘sadigan yoki so‘nadigan moda tushib qolgan bo‘lishi mumkin.

@@ -11,6 +11,8 @@ term-wall-acceleration-over-centrifugal-acceleration-of-the-layer = devor tezlan
 term-overlap-of-balls-in-contact-over-a-tenth-of-their-size = tegib turgan sharchalar ustma-ust tushishining ular o‘lchamining o‘ndan biriga nisbati
 term-size-of-a-ball-over-the-distance-to-the-next = sharcha o‘lchamining keyingi sharchagacha bo‘lgan masofaga nisbati
 term-distance-of-the-speed-from-the-middle-of-the-bearing-table-over-half-its-range = tezlikning podshipnik jadvali o‘rtasidan uzoqligining jadval oralig‘ining yarmiga nisbati
+term-its-coefficients-are-a-table-over-the-frequency-of-vibration = uning koeffitsiyentlari tebranish chastotasi bo‘yicha jadval bilan berilgan
+term-distance-of-the-frequency-of-vibration-from-the-middle-of-the-bearing-table-over-half-its-range = tebranish chastotasining podshipnik jadvali o‘rtasidan uzoqligining jadval oralig‘ining yarmiga nisbati
 term-distance-of-the-speed-from-the-middle-of-the-torque-table-over-half-its-range = tezlikning moment jadvali o‘rtasidan uzoqligining jadval oralig‘ining yarmiga nisbati
 
 # Suyuqlik va boshqa qismlar: nomi, to‘lqinlari, yo‘qotishlari.
@@ -219,7 +221,7 @@ term-kazakh = qozoq tili
 term-uzbek-latin-letters = o‘zbek tili, lotin yozuvi
 term-kloss-s-curve-torque-at-breakdown-synchronous-speed-breakdown-slip = Kloss egri chizig‘i: kritik moment, synchronous_speed, breakdown_slip
 term-a-rigid-ring-for-bounds-only = qattiq halqa: faqat baholash uchun
-term-a-study-beyond-the-speeds-of-the-table-is-refused = jadval tezliklaridan tashqaridagi tadqiqot rad etiladi
+term-a-study-beyond-the-speeds-or-frequencies-of-the-table-is-refused = jadval tezlik va chastotalaridan tashqaridagi tadqiqot rad etiladi
 term-a-support-or-a-shaft-that-does-not-turn = aylanmaydigan tayanch yoki val
 term-acceleration-that-begins-and-ends-at-zero = noldan boshlanib, nol bilan tugaydigan tezlanish
 term-against-deflection-and-slope = egilish va burilishga qarshi
@@ -384,6 +386,7 @@ term-share-of-each-class = har bir sinfning ulushi
 term-share-of-the-stiffness-that-relaxes = relaksatsiyalanadigan bikrlik ulushi
 term-spin-speed-at-these-times = shu vaqtlardagi aylanish chastotasi
 term-spin-speed-increasing = aylanish chastotasi, o‘sish tartibida
+term-spin-speed-increasing-from-row-to-row-where-no-frequency-is-given = aylanish chastotasi; tebranish chastotasi berilmasa, qatordan qatorga o‘sish tartibida
 term-stiffness-in-x-against-x = x bo‘yicha ko‘chishga x bo‘yicha bikrlik
 term-stiffness-in-y-against-y = y bo‘yicha ko‘chishga y bo‘yicha bikrlik
 term-temperatures-increasing = haroratlar, o‘sish tartibida

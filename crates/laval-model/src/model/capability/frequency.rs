@@ -2,6 +2,7 @@
 
 use super::super::blocks::Blocks;
 use super::super::params::{Parametric, Params};
+use super::scope::Tabulated;
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
 
@@ -29,6 +30,24 @@ pub trait FrequencyDomain: Parametric {
     fn approximation(&self, _p: &Params<Self, f64>) -> Option<(Self, Params<Self, f64>)> {
         None
     }
+    /// The frequencies of vibration at which it is known, of a part whose coefficients are measured or computed at some of them: known at steady vibration alone,
+    /// it is no analytic function of s, and a mode has the coefficients of its own frequency.
+    fn frequencies(&self) -> Option<Tabulated> {
+        None
+    }
+    /// Of such a part the linear one that has the coefficients of one frequency at all of them, with the same parameters.
+    fn frozen(&self, _at: Frozen) -> Option<Self> {
+        None
+    }
+}
+
+/// The frequency of vibration whose coefficients a part has at every frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Frozen {
+    /// This one, rad/s.
+    At(f64),
+    /// So many times the spin speed; 1 is that of the unbalance.
+    Order(f64),
 }
 
 /// Where in the plane of s the dynamic stiffness of a part is analytic, and where it is large because the part has waves of its own.

@@ -13,7 +13,7 @@ pub enum Axis {
     Horizontal,
 }
 
-/// How a part that is known at some spin speeds only goes on at others.
+/// How a part that is known at some spin speeds, or frequencies of vibration, only goes on at others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beyond {
     /// Not at all: a study there is refused.
@@ -24,10 +24,10 @@ pub enum Beyond {
     Linear,
 }
 
-/// The spin speeds at which a part is known.
+/// The spin speeds, or frequencies of vibration, at which a part is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tabulated {
-    /// First and last speed, rad/s.
+    /// First and last, rad/s.
     pub from: f64,
     /// See `from`.
     pub to: f64,

@@ -14,14 +14,16 @@ use super::approximation::{self, Approximation};
 use super::modes::{THRESHOLD, WHIRLS};
 use super::numbering;
 use super::operating::operating;
+use super::over_frequency::{self, Searched, crossings, over_frequency, own_findings};
 use super::whirl;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
-use crate::model::part::Domain;
+use crate::model::part::{Domain, Frozen};
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, End, Figure, Finding, Kept, Line, Message, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table};
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::large::usual_frequency;
+use crate::solve::own_frequency::follow::follow as own_follow;
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
 use crate::solve::roots::{LEAST, has_more_modes, in_region, transcendental};
@@ -29,7 +31,8 @@ use crate::solve::sweep::{Branch, Count, Strongest, Sweep, sweep};
 use crate::study::shared::region;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or};
+use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, held, inconsistent, range_or};
+use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use crate::text;
 use crate::text::Text;
@@ -162,6 +165,44 @@ impl Campbell {
     }
 }
 
+impl Campbell {
+    /// Modes with the coefficients of their own frequency, and critical speeds with those of the order.
+    fn own(&self, system: &System, context: &Context) -> Result<CampbellResult, Diagnostic> {
+        let state = |w: f64| rest(system, w);
+        let speeds = self.speed.linspace(120);
+        let total = speeds.len() as u64;
+        context.announce(total as f64, COUNTS, text!("speeds at which modes are counted, one after another"));
+        let mut found = own_follow(system, &state, &speeds, self.frequency, |k, solved| {
+            context.progress.report(k as u64, total);
+            context.goes_on(solved)
+        })?;
+        let mut end = context.end(found.sweep.points.len() == speeds.len());
+        let searched = Searched::along(&found);
+        let branches = &mut found.sweep.branches;
+        numbering::in_order(branches, numbering::reference(system, &self.speed));
+        let mut all = Vec::new();
+        if end == End::Reached {
+            let more = crossings(system, context, &self.speed, &self.orders)?;
+            (all, end) = (more.crossings, more.end);
+            over_frequency::number(&mut all, branches);
+        }
+        let sweep = found.sweep;
+        Ok(CampbellResult {
+            speeds: sweep.points.iter().map(|p| p.0).collect(),
+            branches: sweep.branches,
+            strongest: sweep.strongest,
+            ambiguous: sweep.ambiguous,
+            worst_assurance: sweep.worst_assurance,
+            counts: Vec::new(),
+            crossings: all,
+            approximation: None,
+            own: Some(searched),
+            states: EndStates::find(state, self.speed.from, self.speed.to)?,
+            end,
+        })
+    }
+}
+
 /// Largest frequency that is followed, over the largest that is excited, at least.
 const BEYOND: f64 = 1.1;
 
@@ -205,7 +246,7 @@ impl Study for Campbell {
 orders = [1, 2]
 "#;
     const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
-        and the critical speeds where they cross.";
+        and the critical speeds where they cross. Of a bearing in a table over the frequency of vibration every mode has the coefficients of its own frequency.";
     const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"),
@@ -232,6 +273,10 @@ orders = [1, 2]
         vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
+    fn vibration(&self, _: &System) -> Vibration {
+        Vibration::Own
+    }
+
     fn size(&self, system: &System) -> Option<size::Size> {
         Some(size::Size::of_spectra(self.speed.points.unwrap_or(120), system))
     }
@@ -244,6 +289,9 @@ orders = [1, 2]
     }
 
     fn compute(&self, system: &System, context: &Context) -> Result<CampbellResult, Diagnostic> {
+        if over_frequency(system) {
+            return self.own(system, context);
+        }
         let limit = self.limit(system)?;
         let (mut found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
         numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
@@ -261,17 +309,27 @@ orders = [1, 2]
             counts: found.counts,
             crossings,
             approximation,
+            own: None,
             states,
             end,
         })
     }
 
     fn report(&self, system: &System, result: &CampbellResult, name: &str) -> Result<Outcome, Diagnostic> {
-        let shown = Shown::new(self, system, result);
+        // what is said of other parts does not depend on the frequency
+        let held = held(system, Frozen::At(0.0))?;
+        let shown = Shown::new(self, held.as_ref().unwrap_or(system), result);
         let mut outcome =
             Outcome::new(Self::KIND, name).over("speed", "rad/s").end(result.end).work("eigenproblems", result.speeds.len() as u64);
         outcome = shown.critical_speeds(shown.growth().into_iter().fold(outcome, Outcome::finding));
         outcome = shown.doubts().into_iter().chain(result.states.remarks(system)).fold(outcome, Outcome::finding);
+        if let Some(own) = &result.own {
+            outcome = own_findings(system, own).into_iter().fold(outcome, Outcome::finding);
+            let highest = |b: &Branch| b.points.iter().map(|p| p.1.frequency()).fold(0.0, f64::max);
+            let lowest = |b: &Branch| b.points.iter().map(|p| p.1.frequency()).fold(f64::INFINITY, f64::min);
+            let ends = result.branches.iter().enumerate().flat_map(|(k, b)| [(k, lowest(b)), (k, highest(b))]);
+            over_frequency::mark(system, &ends.collect::<Vec<_>>(), &mut outcome.findings);
+        }
         outcome = outcome.table(shown.modes_table()?).table(shown.lines_table()?).table(critical_table(&result.crossings)?);
         outcome = outcome.figure(shown.figure());
         if let Some(approximation) = &result.approximation {
@@ -304,6 +362,8 @@ pub struct CampbellResult {
     pub crossings: Vec<Critical>,
     /// The approximation with few waves, where requested.
     pub approximation: Option<Approximation>,
+    /// Of a machine with coefficients over the frequency of vibration: what was searched for its modes, each with the coefficients of its own frequency.
+    pub own: Option<Searched>,
     /// States at the ends of the range.
     pub states: EndStates,
     /// How the study ended.

@@ -12,8 +12,10 @@
 use super::campbell::{ORDERS, critical, critical_table, damping, follow, order, orders, special};
 use super::growing::{Follows, unstable};
 use super::numbering;
+use super::over_frequency::{Crossings, crossings, growth_unassessed, over_frequency};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::part::Frozen;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Arg, End, Finding, Kept, Outcome, SpecialPoint, Table};
@@ -28,7 +30,8 @@ use crate::study::shared::probes;
 use crate::study::shared::region;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, inconsistent, probe_name, range};
+use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, held, inconsistent, probe_name, range};
+use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
@@ -74,6 +77,10 @@ margin = "20 %"
         vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
+    fn vibration(&self, _: &System) -> Vibration {
+        Vibration::Orders(self.orders.clone())
+    }
+
     fn size(&self, system: &System) -> Option<size::Size> {
         Some(size::Size::of_spectra(self.speed.points.unwrap_or(120), system))
     }
@@ -84,12 +91,20 @@ margin = "20 %"
 
     fn compute(&self, system: &System, context: &Context) -> Result<CriticalSpeedsResult, Diagnostic> {
         let state = |w: f64| rest(system, w);
-        let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
-        let (mut found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;
-        numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
-        let crossings = criticals(system, &state, &found, &self.orders);
+        let (crossings, strongest) = if over_frequency(system) {
+            (crossings(system, context, &self.speed, &self.orders)?, Vec::new())
+        } else {
+            let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
+            let (mut found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
+            numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
+            let crossings = criticals(system, &state, &found, &self.orders);
+            (Crossings { crossings, spectra: found.points.len() as u64, counts: found.counts, end }, found.strongest)
+        };
+        let Crossings { crossings, spectra, counts, mut end } = crossings;
+        let own = held(system, Frozen::Order(1.0))?.filter(|_| self.orders.contains(&1.0));
+        let (system, unbalanced) = (own.as_ref().unwrap_or(system), own.is_some() || !over_frequency(system));
         let (_, load) = Characteristic::new(system, &state(self.speed.to)?).loads();
-        let forced = load.iter().any(|f| f.abs() > 0.0) && !system.probes().is_empty() && end.is_complete();
+        let forced = load.iter().any(|f| f.abs() > 0.0) && !system.probes().is_empty() && end.is_complete() && unbalanced;
         let mut response = None;
         if forced {
             let mut speeds = self.speed.linspace(200);
@@ -102,8 +117,7 @@ margin = "20 %"
             response = Some(found);
         }
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
-        let (spectra, counts) = (found.points.len() as u64, found.counts);
-        Ok(CriticalSpeedsResult { crossings, strongest: found.strongest, spectra, counts, response, states, end })
+        Ok(CriticalSpeedsResult { crossings, strongest, spectra, counts, response, states, end })
     }
 
     fn report(&self, system: &System, result: &CriticalSpeedsResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -120,6 +134,7 @@ margin = "20 %"
         if let Some(f) = shown.margin() {
             outcome = outcome.finding(f);
         }
+        outcome = growth_unassessed(system).into_iter().fold(outcome, Outcome::finding);
         for f in region::modes_followed(&result.counts, result.spectra as usize).into_iter().chain(result.states.remarks(system)) {
             outcome = outcome.finding(f);
         }

@@ -10,6 +10,7 @@ pub mod harmonic_force;
 pub mod modes;
 mod numbering;
 pub(in crate::study) mod operating;
+pub(in crate::study) mod over_frequency;
 pub mod stability_map;
 pub mod stability_threshold;
 #[path = "static/mod.rs"]

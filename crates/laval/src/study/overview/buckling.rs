@@ -10,6 +10,7 @@ use crate::solve::pencil::MachineMode;
 use crate::solve::rest::rest;
 use crate::study::Context;
 use crate::study::linear::modes::{Modes, ModesResult};
+use crate::study::linear::over_frequency::over_frequency;
 use crate::study::linear::whirl::aperiodic;
 use crate::study::shared::support::{About, growth_error, growth_rounding};
 use laval_num::complex::C64;
@@ -36,6 +37,10 @@ pub(super) fn diverging(result: &ModesResult, threshold: f64) -> Option<&Machine
 pub(super) fn buckling(system: &System, context: &Context) -> Option<Buckling> {
     // of a large machine all modes would take too long
     if is_large(system) {
+        // coefficients at rest may not be known
+        if over_frequency(system) {
+            return None;
+        }
         let growth = || Ok(divergence(system, &rest(system, 0.0)?));
         let Known::Yes(Some(growth)) = limited(context, growth) else { return None };
         return Some(Buckling { growth, parts: Vec::new() });

@@ -14,6 +14,7 @@ mod machine;
 mod margins;
 mod nonlinear;
 mod operating;
+mod over_frequency;
 mod over_speed;
 mod shapes;
 mod studied;
@@ -215,7 +216,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let modes = rated.map(|speed| {
         let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
         let known = within(&study, system, context).or_studied(|r| r.end.is_complete(), || studied::modes(outcomes, speed));
-        (study, known)
+        (study, over_frequency::whole(system, known))
     });
     let ordered = |low: f64, high: f64, points: usize| {
         let ends = [sign * low, sign * high];

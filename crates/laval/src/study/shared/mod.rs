@@ -17,4 +17,5 @@ pub mod stations;
 pub mod support;
 pub(in crate::study) mod supporting;
 pub(in crate::study) mod validity;
+pub mod vibration;
 pub(in crate::study) mod watch;

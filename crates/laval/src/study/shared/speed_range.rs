@@ -1,6 +1,7 @@
 //! The speeds a study needs against the speeds at which parts in a table are known: a study beyond a table is refused, or, where the part says how the table
 //! continues, every finding there is marked.
 
+use super::vibration;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::model::field::Values;
 use crate::model::part::{Beyond, Tabulated};
@@ -60,6 +61,7 @@ pub(in crate::study) fn able<T: Study>(study: &T, system: &System) -> Result<(),
         );
         return Err(Diagnostic::error("study.spins", message).help(help));
     }
+    vibration::known(study, system)?;
     known(study, system)
 }
 
@@ -105,9 +107,10 @@ pub(in crate::study) fn mark_beyond<T: Study>(study: &T, system: &System, outcom
         let mut needed = study.spin_speeds(system);
         needed.retain(|n| n.leaves(&t));
         if !needed.is_empty() {
-            mark(outcome, name, &t, &needed);
+            mark(outcome, name, &t, (t.from, t.to), &needed, "beyond-table");
         }
     }
+    vibration::mark_beyond(study, system, outcome);
 }
 
 fn tabulated(system: &System) -> impl Iterator<Item = (&str, Tabulated)> {
@@ -164,10 +167,12 @@ fn about_all(f: &Finding) -> bool {
     none || speeds(f).next().is_none() && !OF_THE_METHOD.contains(&f.id.as_str()) && f.id != "beyond_table"
 }
 
-/// Says first that the study leaves the table, and marks every finding at a speed beyond it or about all speeds; all of them, where no speed lies inside.
-fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &[SpinSpeeds]) {
+/// Says first that the study leaves the table, by a sentence of the catalogue, and marks every finding at a speed outside `inside` or about all speeds; all of them, where
+/// no speed lies inside.
+pub(super) fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, inside: (f64, f64), needed: &[SpinSpeeds], sentence: &'static str) {
     let slack = SAME * t.to.abs().max(t.from.abs());
-    let beyond = |w: f64| w < t.from - slack || w > t.to + slack;
+    let slack_inside = SAME * if inside.1.is_finite() { inside.0.abs().max(inside.1.abs()) } else { inside.0.abs() };
+    let beyond = |w: f64| w < inside.0 - slack_inside || w > inside.1 + slack_inside;
     // the statement of the part itself says the same of one speed
     outcome.findings.retain(|f| !(f.level == Level::Invalid && f.message.mentions(t.statement)));
     let Some(most) = needed.iter().max_by(|a, b| reach(a, t).total_cmp(&reach(b, t))) else { return };
@@ -191,9 +196,10 @@ fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &[SpinSpeeds])
         (true, false) => "below",
         _ => "above",
     };
-    let finding = Finding::invalid("beyond_table", "beyond-table").of(name).value(farthest, "rad/s");
-    let finding = finding.arg("part", Arg::name(name)).arg("from", Arg::speed(t.from)).arg("to", Arg::speed(t.to));
-    let finding = finding.arg("lowest", Arg::speed(lowest)).arg("highest", Arg::speed(highest));
+    let shown = |w: f64| if sentence == "beyond-table" { Arg::speed(w) } else { Arg::frequency(w) };
+    let finding = Finding::invalid("beyond_table", sentence).of(name).value(farthest, "rad/s");
+    let finding = finding.arg("part", Arg::name(name)).arg("from", shown(t.from)).arg("to", shown(t.to));
+    let finding = finding.arg("lowest", shown(lowest)).arg("highest", shown(highest));
     let finding = finding.arg("sides", Arg::word(sides)).arg("rule", Arg::word(how));
     let mut finding = finding.evidence("table from", t.from, "rad/s").evidence("table to", t.to, "rad/s");
     if below && above {

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Values, Word};
-use crate::model::part::At;
+use crate::model::part::{At, Frozen};
 use crate::model::probe::Probe;
 use crate::model::station::at_height;
 use crate::model::system::{Slot, System, Workspace};
@@ -131,8 +131,26 @@ pub fn turns_alike(system: &System) -> bool {
 /// # Errors
 /// As [`About::find`] and [`time_forms`].
 pub fn admit_eigenvalues(system: &System, about: About, speed: f64) -> Result<(), Diagnostic> {
-    about.find(system, speed, None)?;
-    time_forms(system).map(drop)
+    if about == About::Rest || system.over_frequency().next().is_none() {
+        about.find(system, speed, None)?;
+    }
+    // coefficients over the frequency of vibration are held at some frequency
+    match held(system, Frozen::At(0.0))? {
+        Some(_) if about == About::Turning => {
+            Err(Diagnostic::error("modes.frequency_only", text!("a part without time form is linearised about rest only"))
+                .help(text!("leave about out")))
+        }
+        Some(held) => time_forms(&held).map(drop),
+        None => time_forms(system).map(drop),
+    }
+}
+
+/// The machine with the coefficients of one frequency of vibration; none of a machine whose parts have no tables over it.
+///
+/// # Errors
+/// As [`System::assemble`].
+pub fn held(system: &System, at: Frozen) -> Result<Option<System>, Diagnostic> {
+    system.frozen(at).transpose().map_err(Diagnostics::into_error)
 }
 
 /// Roots can be had: as [`admit_eigenvalues`], or, for a machine with parts that have no time form, in a region about rest.

@@ -18,6 +18,7 @@ mod report;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
+use crate::model::part::Frozen;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
@@ -28,13 +29,15 @@ use crate::solve::locate::State;
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum};
+use crate::study::linear::over_frequency::growth_unassessed;
 use crate::study::shared::half_power::sides;
 use crate::study::shared::journals::{Vibration, journals, vibrations};
 use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::operation;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
+use crate::study::shared::support::{EndStates, SPEED_RANGE, held, one_or_range};
+use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use crate::text;
 use laval_num::order::SortByNumber;
@@ -125,6 +128,11 @@ impl Study for ForcedResponse {
         vec![SpinSpeeds::between(self.speed.from / ratio, self.speed.to / ratio)]
     }
 
+    fn vibration(&self, system: &System) -> Vibration {
+        // of the spin whose unbalance acts
+        Vibration::Orders(vec![self.spin.as_ref().and_then(|name| ratio(system, name)).unwrap_or(1.0)])
+    }
+
     fn size(&self, system: &System) -> Option<size::Size> {
         let speeds = self.speed.points.unwrap_or(POINTS);
         let kept = 4.0 * (system.n() + system.m()) as f64;
@@ -137,8 +145,8 @@ impl Study for ForcedResponse {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        let own = self.seen(system)?;
-        let system = own.as_ref().unwrap_or(system);
+        let turned = self.turned(system)?;
+        let system = turned.as_ref().unwrap_or(system);
         let (_, load) = Characteristic::new(system, &rest(system, self.speed.to)?).loads();
         if load.iter().all(|f| f.abs() == 0.0) {
             return Err(Diagnostic::error("forced_response.no_unbalance", text!("nothing forces this machine at the spin speed"))
@@ -149,9 +157,12 @@ impl Study for ForcedResponse {
 
     fn compute(&self, system: &System, context: &Context) -> Result<ForcedResponseResult, Diagnostic> {
         self.admit(system)?;
-        let own = self.seen(system)?;
-        let system = own.as_ref().unwrap_or(system);
-        let state = |w: f64| rest(system, w);
+        let turned = self.turned(system)?;
+        // deflected under weight with coefficients at rest
+        let still = turned.as_ref().unwrap_or(system);
+        let state = |w: f64| rest(still, w);
+        let own = held(still, Frozen::Order(1.0))?;
+        let system = own.as_ref().unwrap_or(still);
         let mut speeds = self.speed.linspace(POINTS);
         context.announce(speeds.len() as f64, 10_000.0, text!("speeds to solve for, and more where the response bends"));
         let mut each = |done: u64| {
@@ -176,6 +187,10 @@ impl Study for ForcedResponse {
             let there = response(system, &state, e.speed)?;
             *direction = there.map_or(f64::NAN, |r| r.direction_of(&system.probes()[e.probe]));
         }
+        if own.is_some() {
+            // modes have other coefficients than the response
+            strongest.clear();
+        }
         let half_power = half_power(system, &state, &found);
         let orbits = orbits::orbits(self, system, &state, &found)?;
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
@@ -186,7 +201,8 @@ impl Study for ForcedResponse {
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
         let own = self.seen(system)?;
-        report::Shown::new(self, own.as_ref().unwrap_or(system), result).outcome(name)
+        let outcome = report::Shown::new(self, own.as_ref().unwrap_or(system), result).outcome(name)?;
+        Ok(growth_unassessed(system).into_iter().fold(outcome, Outcome::finding))
     }
 
     fn keep(&self, result: Self::Result) -> Kept {
@@ -206,8 +222,14 @@ impl ForcedResponse {
         Ok(vibrations(&journals(system, speeds.high)?, found, standard, (speeds.low, speeds.high)))
     }
     /// The machine at the spin whose unbalance acts, where that is not its own.
-    fn seen(&self, system: &System) -> Result<Option<System>, Diagnostic> {
+    fn turned(&self, system: &System) -> Result<Option<System>, Diagnostic> {
         self.spin.as_ref().map(|name| system.at_spin(name).map_err(Diagnostics::into_error)).transpose()
+    }
+    /// The same with coefficients of the frequency of the unbalance.
+    fn seen(&self, system: &System) -> Result<Option<System>, Diagnostic> {
+        let turned = self.turned(system)?;
+        let own = held(turned.as_ref().unwrap_or(system), Frozen::Order(1.0))?;
+        Ok(own.or(turned))
     }
     /// Distance of the speeds required, rad/s; 0 of one speed.
     fn step(&self) -> f64 {

@@ -14,6 +14,7 @@ mod report;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Attach, Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::part::Frozen;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
@@ -21,16 +22,19 @@ use crate::solve::criticals::criticals;
 use crate::solve::extrema::above;
 use crate::solve::harmonic_force::{Direction, Forced};
 use crate::solve::linear_response::Response;
+use crate::solve::own_frequency;
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum, sweep};
 use crate::study::linear::forced_response::observed::{Closed, Outside, assess};
+use crate::study::linear::over_frequency::{growth_unassessed, over_frequency};
 use crate::study::shared::half_power::sides;
 use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::place;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range, range};
+use crate::study::shared::support::{EndStates, SPEED_RANGE, held, one_or_range, range};
+use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use crate::text;
 use laval_num::order::ascending;
@@ -164,6 +168,13 @@ frequency = { from = "5 Hz", to = "200 Hz" }
         }
     }
 
+    fn vibration(&self, _: &System) -> Vibration {
+        match self.over {
+            Over::Speed(_, order) => Vibration::Orders(vec![order]),
+            Over::Frequency(range, _) => Vibration::Range(range.from, range.to),
+        }
+    }
+
     fn size(&self, system: &System) -> Option<size::Size> {
         let values = self.range().points.unwrap_or(POINTS);
         Some(size::Size {
@@ -187,15 +198,24 @@ frequency = { from = "5 Hz", to = "200 Hz" }
 
     fn compute(&self, system: &System, context: &Context) -> Result<HarmonicForceResult, Diagnostic> {
         self.admit(system)?;
-        let forced = self.forced(system)?;
+        let still = self.forced(system)?;
+        let state = |w: f64| rest(&still.system, w);
+        let own = self.held(system)?.map(|held| self.forced(&held)).transpose()?;
+        let forced = own.as_ref().unwrap_or(&still);
         let of = &forced.system;
-        let state = |w: f64| rest(of, w);
         let range = self.range();
         let mut strongest = Vec::new();
         let mut values = range.linspace(POINTS);
         context.announce(values.len() as f64, 10_000.0, text!("responses to compute"));
-        let known = time_forms(system).is_ok();
+        let mut known = time_forms(of).is_ok();
         let places: Vec<(f64, f64)> = match self.over {
+            Over::Frequency(range, speed) if over_frequency(of) => {
+                let about = state(speed)?;
+                let within = own_frequency::range(of, &about, Some(range.to))?;
+                let own = own_frequency::own_modes(of, &about, within, &[], &mut |done| context.goes_on(done))?;
+                known = own.counted();
+                own.modes.iter().map(|m| (m.mode.value.im, m.mode.value.re.abs())).collect()
+            }
             _ if !known => Vec::new(),
             Over::Frequency(_, speed) => {
                 let modes = spectrum(of, &state, speed)?.1;
@@ -217,6 +237,10 @@ frequency = { from = "5 Hz", to = "200 Hz" }
         for (place, width) in places {
             let width = width.max(1e-9 * place.abs());
             values.extend(WIDTHS.iter().flat_map(|k| [place - k * width, place + k * width]));
+        }
+        if over_frequency(system) {
+            // modes have other coefficients than the response
+            strongest.clear();
         }
         values.retain(|x| (range.from..=range.to).contains(x));
         ascending(&mut values);
@@ -257,7 +281,8 @@ frequency = { from = "5 Hz", to = "200 Hz" }
     }
 
     fn report(&self, system: &System, result: &HarmonicForceResult, name: &str) -> Result<Outcome, Diagnostic> {
-        report::Shown { study: self, system, result }.outcome(name)
+        let outcome = report::Shown { study: self, system, result }.outcome(name)?;
+        Ok(growth_unassessed(system).into_iter().fold(outcome, Outcome::finding))
     }
 
     fn keep(&self, result: Self::Result) -> Kept {
@@ -271,6 +296,14 @@ const STILL: f64 = 1e-9;
 impl HarmonicForce {
     fn forced(&self, system: &System) -> Result<Forced, Diagnostic> {
         Forced::new(system, &self.place).map_err(Diagnostics::into_error)
+    }
+
+    /// The machine with the coefficients of an order of the speed.
+    fn held(&self, system: &System) -> Result<Option<System>, Diagnostic> {
+        match self.over {
+            Over::Speed(_, order) => held(system, Frozen::Order(order)),
+            Over::Frequency(..) => Ok(None),
+        }
     }
 
     /// What varies.

@@ -92,7 +92,9 @@ impl Shown<'_> {
         let unheld = self.result.roots.as_ref().is_some_and(|r| r.at_zero.is_some());
         let largest = last.map_or(f64::NEG_INFINITY, MachineMode::growth).max(if unheld { 0.0 } else { f64::NEG_INFINITY });
         let zero = largest.abs() <= self.rounding;
-        let proven = self.result.roots.as_ref().is_none_or(|f| f.growing().is_some());
+        let searched = self.result.own.as_ref();
+        let proven = self.result.roots.as_ref().is_none_or(|f| f.growing().is_some()) && searched.is_none_or(|o| o.counted());
+        let part = searched.filter(|o| o.below + o.above > 0 || o.range.0 > 0.0);
         let free = unheld || last.is_some_and(|m| m.value.abs() <= self.rounding);
         let finding = if !proven {
             Finding::warning("stability_unknown", "modes-stability-unknown")
@@ -111,6 +113,11 @@ impl Shown<'_> {
                 (true, false) => Finding::info("stable", "modes-stable-found"),
                 (true, true) => Finding::info("stable", "modes-below-threshold-found"),
                 (false, true) => Finding::info("stable", "modes-below-threshold"),
+                (false, false) if part.is_some() => {
+                    let (from, to) = part.map_or((f64::NAN, f64::NAN), |o| o.range);
+                    let finding = Finding::info("stable", "modes-stable-between").arg("from", Arg::frequency(from));
+                    finding.arg("to", Arg::frequency(to))
+                }
                 (false, false) if has_more_modes(self.system) => {
                     let frequency = self.result.roots.as_ref().map_or(f64::NAN, |r| r.frequency);
                     Finding::info("stable", "modes-stable-below").arg("frequency", Arg::frequency(frequency))

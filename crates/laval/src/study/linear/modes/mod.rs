@@ -15,16 +15,20 @@ mod shapes;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::part::Frozen;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
 use crate::solve::characteristic::{Characteristic, Equilibrium};
 use crate::solve::exact::growing;
+use crate::solve::own_frequency::{self, OwnModes};
 use crate::solve::pencil::{MachineMode, Spectrum, holds_fit, modes_about};
 use crate::solve::roots::{Request, Roots, in_region, roots};
+use crate::study::linear::over_frequency::over_frequency;
 use crate::study::shared::region;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{ABOUT, About, SPEED, admit_roots, admit_threshold, speed};
+use crate::study::shared::support::{ABOUT, About, SPEED, admit_roots, admit_threshold, held, speed};
+use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use crate::text;
 use serde::{Deserialize, Serialize};
@@ -56,8 +60,23 @@ pub struct ModesResult {
     pub shapes: Option<Shapes>,
     /// Number of growing roots by the argument principle, of a machine that holds the fit of a part.
     pub growing: Option<usize>,
+    /// Of a machine with coefficients over the frequency of vibration: its modes, each with those of its own frequency.
+    pub own: Option<OwnModes>,
     /// How the study ended.
     pub end: End,
+}
+
+impl Modes {
+    /// Modes with the coefficients of their own frequency.
+    fn own(&self, system: &System, about: Equilibrium, context: &Context) -> Result<ModesResult, Diagnostic> {
+        let range = own_frequency::range(system, &about, self.frequency)?;
+        let own = own_frequency::own_modes(system, &about, range, &[], &mut |done| context.goes_on(done))?;
+        let modes: Vec<MachineMode> = own.modes.iter().map(|m| m.mode.clone()).collect();
+        let shapes = Shapes::of(system, &modes);
+        let spectrum = Spectrum { polished: modes.len(), modes, ..Spectrum::default() };
+        let end = context.end(own.complete);
+        Ok(ModesResult { about, spectrum, roots: None, shapes, growing: None, own: Some(own), end })
+    }
 }
 
 /// Terms of series that are worth a word beforehand: a count takes seconds.
@@ -84,7 +103,7 @@ impl Study for Modes {
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 "#;
     const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, how much each body \
-        takes part, and the shape along the axis of a machine with several points. about = \"turning\" linearises about the state that turns with the rotor.";
+        takes part, and the shape along the axis of a machine with several points. about = \"turning\" linearises about the state that turns with the rotor. Of a bearing in a table over the frequency of vibration every mode has the coefficients of its own frequency.";
     const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] =
         &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD, region::FREQUENCY_LIMIT];
@@ -99,6 +118,10 @@ impl Study for Modes {
         vec![SpinSpeeds::one(self.speed)]
     }
 
+    fn vibration(&self, _: &System) -> Vibration {
+        Vibration::Own
+    }
+
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         admit_roots(system, self.about, self.speed)?;
         admit_threshold(system, self.speed, self.threshold)
@@ -106,6 +129,10 @@ impl Study for Modes {
 
     fn compute(&self, system: &System, context: &Context) -> Result<ModesResult, Diagnostic> {
         admit_threshold(system, self.speed, self.threshold)?;
+        if over_frequency(system) {
+            admit_roots(system, self.about, self.speed)?;
+            return self.own(system, self.about.find(system, self.speed, None)?, context);
+        }
         let about = self.about.find(system, self.speed, None)?;
         let roots = if in_region(system) {
             let terms: usize = system.domains(self.speed).iter().map(|d| d.terms).sum();
@@ -122,11 +149,13 @@ impl Study for Modes {
         let growing =
             if roots.is_none() && holds_fit(system) { growing(&mut Characteristic::new(system, &about), &spectrum) } else { None };
         let shapes = Shapes::of(system, &spectrum.modes);
-        Ok(ModesResult { about, spectrum, roots, shapes, growing, end: context.end(!context.cancelled()) })
+        Ok(ModesResult { about, spectrum, roots, shapes, growing, own: None, end: context.end(!context.cancelled()) })
     }
 
     fn report(&self, system: &System, result: &ModesResult, name: &str) -> Result<Outcome, Diagnostic> {
-        report::Shown::new(self, system, result).outcome(name)
+        // what is said of masses and of other parts does not depend on the frequency
+        let held = held(system, Frozen::At(result.own.as_ref().map_or(0.0, |o| 0.5 * (o.range.0 + o.range.1))))?;
+        report::Shown::new(self, held.as_ref().unwrap_or(system), result).outcome(name, system)
     }
 
     fn keep(&self, result: Self::Result) -> Kept {

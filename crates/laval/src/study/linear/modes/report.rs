@@ -9,6 +9,7 @@ use crate::outcome::{Arg, Axis, Figure, Message, Outcome, Panel, Points, Rule, T
 use crate::solve::pencil::{Linearised, MachineMode};
 use crate::solve::roots::LEAST;
 use crate::study::Study;
+use crate::study::linear::over_frequency::{self, Searched};
 use crate::study::shared::probes;
 use crate::study::shared::region;
 use crate::study::shared::support::{ROUNDING, growth_error, growth_rounding, hertz, inconsistent};
@@ -37,13 +38,20 @@ impl<'a> Shown<'a> {
         Shown { study, system, result, rounding, undamped, threshold }
     }
 
-    pub fn outcome(&self, name: &str) -> Result<Outcome, Diagnostic> {
+    /// The outcome; `whole` is the machine with all its coefficients.
+    pub fn outcome(&self, name: &str, whole: &System) -> Result<Outcome, Diagnostic> {
         let out = Outcome::new(Modes::KIND, name)
             .end(self.result.end)
             .table(self.table()?)
             .work("eigenproblems", 1)
             .work("polished modes", self.result.spectrum.polished as u64);
-        let mut out = self.findings().into_iter().fold(out, Outcome::finding);
+        let mut findings = self.findings();
+        if let Some(own) = &self.result.own {
+            findings.extend(over_frequency::own_findings(whole, &Searched::at_one(own)));
+            let frequencies: Vec<(usize, f64)> = self.modes().iter().map(MachineMode::frequency).enumerate().collect();
+            over_frequency::mark(whole, &frequencies, &mut findings);
+        }
+        let mut out = findings.into_iter().fold(out, Outcome::finding);
         if let Some(roots) = &self.result.roots {
             out = out.table(region::areas(roots)?);
         }
@@ -98,6 +106,10 @@ impl<'a> Shown<'a> {
                 column(|m| m.residual),
             )
             .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
+        if let Some(own) = &self.result.own {
+            let doc = "distance of its frequency from that of the coefficients, over the eigenvalue";
+            table = table.float("frequency_residual", "", doc, own.modes.iter().map(|m| m.residual).collect());
+        }
         if let Some(found) = &self.result.roots {
             table = table.flag("counted", "it lies in a rectangle whose count agrees", found.counted.clone());
         }

@@ -21,6 +21,7 @@ use crate::solve::support_map::{Root, Spin, SupportMap};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range_or;
 use crate::study::shared::supporting;
+use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use crate::text;
 use laval_num::univariate::root;
@@ -87,6 +88,10 @@ modes = 4
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         // tables are read where they are known
         Vec::new()
+    }
+
+    fn vibration(&self, _: &System) -> Vibration {
+        Vibration::Refused
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
