@@ -54,7 +54,7 @@ fn same(a: &[(usize, f64)], b: &[(usize, f64)]) -> bool {
 
 /// The vibration of a journal where it uses most of the limit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Vibration {
+pub struct JournalVibration {
     /// Slot of the support.
     pub slot: usize,
     /// Speed, rad/s.
@@ -64,7 +64,7 @@ pub struct Vibration {
 }
 
 /// Of every journal, the vibration over the speeds from `low` to `high` (amounts, rad/s) that uses most of the limit; none without a response there.
-pub fn vibrations(all: &[Journal], curve: &Curve, standard: ShaftVibration, (low, high): (f64, f64)) -> Vec<Vibration> {
+pub fn vibrations(all: &[Journal], curve: &Curve, standard: ShaftVibration, (low, high): (f64, f64)) -> Vec<JournalVibration> {
     let slack = 1e-9 * high;
     let inside = |w: f64| (low - slack..=high + slack).contains(&w.abs());
     let one = |j: &Journal| {
@@ -73,7 +73,7 @@ pub fn vibrations(all: &[Journal], curve: &Curve, standard: ShaftVibration, (low
         let peaks = peaks.map(|e| (e.speed, if e.unbounded { f64::INFINITY } else { 2.0 * e.value }));
         let used = |v: &(f64, f64)| if v.1.is_nan() { f64::INFINITY } else { v.1 / standard.limit(v.0) };
         let (speed, peak_to_peak) = points.chain(peaks).max_by(|a, b| used(a).total_cmp(&used(b)))?;
-        Some(Vibration { slot: j.slot, speed, peak_to_peak })
+        Some(JournalVibration { slot: j.slot, speed, peak_to_peak })
     };
     all.iter().filter_map(one).collect()
 }

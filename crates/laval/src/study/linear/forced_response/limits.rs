@@ -3,7 +3,7 @@
 use super::report::Shown;
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, Finding, Line, Message, Table};
-use crate::study::shared::journals::Vibration;
+use crate::study::shared::journals::JournalVibration;
 use crate::study::shared::operation;
 use crate::study::shared::standards::{ShaftVibration, Zone};
 use crate::study::shared::support::inconsistent;
@@ -22,8 +22,8 @@ impl Shown<'_> {
     }
 
     /// The journal that uses most of its limit.
-    fn worst(&self, standard: ShaftVibration) -> Option<&Vibration> {
-        let used = |v: &Vibration| if v.peak_to_peak.is_nan() { f64::INFINITY } else { v.peak_to_peak / standard.limit(v.speed) };
+    fn worst(&self, standard: ShaftVibration) -> Option<&JournalVibration> {
+        let used = |v: &JournalVibration| if v.peak_to_peak.is_nan() { f64::INFINITY } else { v.peak_to_peak / standard.limit(v.speed) };
         self.result.journals.iter().max_by(|a, b| used(a).total_cmp(&used(b)))
     }
 
@@ -60,14 +60,14 @@ impl Shown<'_> {
     pub(super) fn journals_table(&self) -> Result<Option<Table>, Diagnostic> {
         let Some(standard) = self.standard() else { return Ok(None) };
         let rows = &self.result.journals;
-        let limit = |v: &Vibration| if standard.covers(v.speed) { standard.limit(v.speed) } else { f64::NAN };
-        let zone = |v: &Vibration| match standard {
+        let limit = |v: &JournalVibration| if standard.covers(v.speed) { standard.limit(v.speed) } else { f64::NAN };
+        let zone = |v: &JournalVibration| match standard {
             _ if !standard.covers(v.speed) => "not covered",
             ShaftVibration::Zones => standard.zone(v.speed, v.peak_to_peak).word(),
             ShaftVibration::Api617 if standard.zone(v.speed, v.peak_to_peak) == Zone::A => "kept",
             ShaftVibration::Api617 => "exceeded",
         };
-        let column = |f: &dyn Fn(&Vibration) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
+        let column = |f: &dyn Fn(&JournalVibration) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
         let table =
             Table::new("journals", "Vibration of the shaft relative to its bearings, at the operating speed that uses most of the limit")
                 .names("support", "bearing, or other support", rows.iter().map(|v| self.system.slots()[v.slot].name.clone()).collect())

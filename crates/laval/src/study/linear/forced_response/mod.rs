@@ -31,7 +31,7 @@ use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum};
 use crate::study::linear::over_frequency::growth_unassessed;
 use crate::study::shared::half_power::sides;
-use crate::study::shared::journals::{Vibration, journals, vibrations};
+use crate::study::shared::journals::{JournalVibration, journals, vibrations};
 use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::operation;
 use crate::study::shared::size;
@@ -216,7 +216,7 @@ impl ForcedResponse {
         ForcedResponse { speed, margins: false, spin: None }
     }
     /// Vibration of the shaft in its bearings, where `[operation]` names a standard and operating speeds are computed.
-    fn journals(&self, system: &System, found: &Curve) -> Result<Vec<Vibration>, Diagnostic> {
+    fn journals(&self, system: &System, found: &Curve) -> Result<Vec<JournalVibration>, Diagnostic> {
         let standard = operation::among(&system.machine.extras).shaft_vibration;
         let Some((standard, speeds)) = standard.zip(Speeds::of(system)).filter(|_| self.spin.is_none()) else { return Ok(Vec::new()) };
         Ok(vibrations(&journals(system, speeds.high)?, found, standard, (speeds.low, speeds.high)))
@@ -257,7 +257,7 @@ pub struct ForcedResponseResult {
     pub states: EndStates,
     /// Vibration of the shaft in its bearings over the operating speeds, where a standard is to be kept.
     #[serde(default)]
-    pub journals: Vec<Vibration>,
+    pub journals: Vec<JournalVibration>,
     /// How the study ended.
     pub end: End,
 }

@@ -6,7 +6,7 @@ use super::MOST_NAMED;
 use crate::outcome::{Arg, Check, Message, Verdict};
 use crate::solve::statics::supports::supports;
 use crate::solve::statics::unbalance::{Rotor, rotors};
-use crate::study::shared::journals::{Vibration, journals, vibrations};
+use crate::study::shared::journals::{JournalVibration, journals, vibrations};
 use crate::study::shared::standards::{ShaftVibration, Zone, allocated, grade_word, permissible};
 use crate::study::shared::support::probe_name;
 use crate::study::shared::supporting;
@@ -62,13 +62,13 @@ pub(super) fn shaft_vibration(facts: &Facts, speed: Operating) -> Option<Check> 
     };
     // what a nonlinear study found counts before the linear response
     let steady = facts.steady.as_ref().filter(|s| !s.sizes.is_empty());
-    let mut found: Vec<Vibration> = match (steady, &facts.response) {
+    let mut found: Vec<JournalVibration> = match (steady, &facts.response) {
         (Some(s), _) => {
             let probes = facts.system.probes();
             let known = |name: &str| s.sizes.iter().find(|x| x.0 == name).map(|x| x.1);
             let one = |j: &crate::study::shared::journals::Journal| {
                 let peak_to_peak = 2.0 * known(&probe_name(&probes[j.probe?]))?;
-                Some(Vibration { slot: j.slot, speed: facts.sign * speed.high, peak_to_peak })
+                Some(JournalVibration { slot: j.slot, speed: facts.sign * speed.high, peak_to_peak })
             };
             all.iter().filter_map(one).collect()
         }
@@ -81,15 +81,15 @@ pub(super) fn shaft_vibration(facts: &Facts, speed: Operating) -> Option<Check> 
     if found.is_empty() {
         return refused(Message::new("shaft-vibration-unknown"));
     }
-    let used = |v: &Vibration| v.peak_to_peak / standard.limit(v.speed);
+    let used = |v: &JournalVibration| v.peak_to_peak / standard.limit(v.speed);
     found.sort_by_number_down(used);
     let worst = found[0];
     if !standard.covers(speed.low) || !standard.covers(speed.high) {
         return refused(Message::new("shaft-vibration-speed"));
     }
     let name = |slot: usize| Arg::name(&facts.system.slots()[slot].name);
-    let zone = |v: &Vibration| standard.zone(v.speed, v.peak_to_peak);
-    let item = |v: &Vibration| {
+    let zone = |v: &JournalVibration| standard.zone(v.speed, v.peak_to_peak);
+    let item = |v: &JournalVibration| {
         let m = Message::new("item-shaft-vibration").arg("name", name(v.slot)).arg("value", Arg::quantity(v.peak_to_peak, "m"));
         Arg::from(m.arg("zone", Arg::word(if standard == ShaftVibration::Zones { zone(v).word() } else { "none" })))
     };
