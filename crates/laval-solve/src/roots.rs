@@ -501,7 +501,7 @@ const ABOUT_ZERO: f64 = 0.02;
 const SLOW: f64 = 1e-3;
 const CLOSE: f64 = 0.1;
 
-/// The roots at zero: as many in a small square about it as in one ten times as large. `None` where there is none, or they cannot be told from others.
+/// The roots at zero: as many in a small square about it as in one ten times as large. `None` where there is none, or they cannot be distinguished from others.
 fn at_zero(f: &mut Determinant, known: &[Polished], (frequency, mirrored): (f64, bool), budget: u64) -> Option<(AtZero, u64)> {
     // roots that lie together at zero show as some beside it
     let nearest = known.iter().map(|p| p.value.abs()).filter(|d| *d > SLOW * frequency).fold(frequency, f64::min);
