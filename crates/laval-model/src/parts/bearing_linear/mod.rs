@@ -339,12 +339,16 @@ cyy = "3e4 N s/m"
     fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
         if let Some(table) = &self.table {
             // 1 at either end
-            let used = |(first, last): (f64, f64), x: f64| (x - 0.5 * (first + last)).abs() / (0.5 * (last - first));
+            let used = |(first, last): (f64, f64), x: f64| {
+                let ratio = (x - 0.5 * (first + last)).abs() / (0.5 * (last - first));
+                // the ends belong to the table, whatever rounding makes of them
+                if ratio <= 1.0 + ROUNDED { ratio.min(1.0) } else { ratio }
+            };
             out.push(Validity { what: RANGE, ratio: used(table.range(), at.speed) });
             if let (Some(range), Some(_)) = (table.frequencies(), self.frozen) {
                 // of a speed that is no number none is
                 let ratio = used(range, self.frequency(at.speed).0) + 0.0 * at.speed;
-                out.push(Validity { what: FREQUENCIES, ratio: if ratio <= 1.0 + ROUNDED { ratio.min(1.0) } else { ratio } });
+                out.push(Validity { what: FREQUENCIES, ratio });
             }
         }
     }

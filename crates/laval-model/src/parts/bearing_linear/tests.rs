@@ -109,6 +109,23 @@ fn a_table_is_exact_at_its_rows_and_marks_speeds_outside() {
     }
 }
 
+/// Both ends belong to a table, whatever rounding makes of them; what lies a millionth beyond does not.
+#[test]
+fn the_ends_of_a_table_are_inside() {
+    for k in 1..200 {
+        let rpm = std::f64::consts::TAU / 60.0;
+        let (first, last) = (f64::from(10 * k) * rpm, f64::from(1000 * k + 7) * rpm);
+        let table = Table::new(&[first, last], |name| name.starts_with("kxx").then(|| vec![1e6, 2e6])).unwrap();
+        let (p, bearing) = (table.params(), BearingLinear::tabulated(link(), table));
+        for (speed, inside) in [(first, true), (last, true), (first * (1.0 - 1e-4), false), (last * (1.0 + 1e-6), false)] {
+            let at = At { q: &[0.0; 2], v: &[0.0; 2], a: &[0.0; 2], z: &[], phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+            let mut v = Vec::new();
+            bearing.validity(&p, &at, &mut v);
+            assert_eq!(v[0].ratio <= 1.0, inside, "{first} {last} {speed}");
+        }
+    }
+}
+
 #[test]
 fn mistakes_are_reported() {
     let (part, text) = build(|v, _| v.set("table", columns(&[100.0, 300.0, 200.0], &[1e6; 3]), None));
