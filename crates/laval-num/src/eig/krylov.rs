@@ -143,7 +143,7 @@ impl<const P: usize> Planes<P> {
         if SQUARES.contains(&square) {
             return square.sqrt();
         }
-        // squares that overflow or vanish, and what is not finite
+        // squares that overflow or vanish, and numbers that are not finite
         let m = self.0.iter().flatten().fold(0.0, |m: f64, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
         if m == 0.0 || !m.is_finite() {
             return m;

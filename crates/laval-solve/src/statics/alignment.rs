@@ -67,7 +67,7 @@ pub enum Unaligned {
     Few(usize, usize),
     /// Offsets do not change the conditions, or not all of them.
     Independent,
-    /// Newton's method did not end: what is left over what there was.
+    /// Newton's method did not end: residual over its size before.
     Open(f64),
 }
 

@@ -103,7 +103,7 @@ fn constant_over_frequency_is_the_table_over_speed() {
             near(&column(a, table, col), &column(b, table, col), tolerance, &format!("{} {table} {col}", a.kind));
         }
     }
-    // no mode is missing, and stability is said by the studies that know it
+    // no mode is missing, and studies that know the stability report it
     assert_eq!(finding(&with[5], "own_frequency").level, Level::Info);
     assert_eq!(finding(&with[6], "own_frequency").level, Level::Info);
     assert!(with[..5].iter().all(|o| findings(o, "growth_unassessed").len() == 1));
@@ -171,7 +171,7 @@ fn a_stiffness_that_rises_steeply_has_three_modes() {
     assert!(wanted.len() >= 4, "{wanted:?}");
     near(&column(&all[0], "modes", "frequency"), &wanted, 1e-11, "frequencies");
     assert_eq!(finding(&all[0], "own_frequency").level, Level::Info);
-    // the faster ones lie beyond the table, and are said to
+    // the faster ones lie beyond the table, and the findings report it
     let beyond = findings(&all[0], "beyond_frequencies");
     assert_eq!(beyond.len(), usize::from(wanted.iter().any(|f| *f > 400.0)));
 }

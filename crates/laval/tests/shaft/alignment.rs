@@ -236,7 +236,7 @@ fn from_the_file() {
     assert!(run_all(&text(""))[0].tables.iter().all(|t| t.name() != "offsets"));
 }
 
-/// What is wrong is said at its place.
+/// Mistakes are reported at their place.
 #[test]
 fn mistakes() {
     let of = |study: &str| laval::file::load(&text(study)).err().unwrap().0;

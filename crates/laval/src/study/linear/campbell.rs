@@ -316,7 +316,7 @@ orders = [1, 2]
     }
 
     fn report(&self, system: &System, result: &CampbellResult, name: &str) -> Result<Outcome, Diagnostic> {
-        // what is said of other parts does not depend on the frequency
+        // findings about other parts do not depend on the frequency
         let held = held(system, Frozen::At(0.0))?;
         let shown = Shown::new(self, held.as_ref().unwrap_or(system), result);
         let mut outcome =

@@ -148,7 +148,7 @@ pub(super) fn own_findings(system: &System, own: &Searched) -> Vec<Finding> {
     out
 }
 
-/// Marks what is said of modes whose frequency lies outside a table.
+/// Marks findings about modes whose frequency lies outside a table.
 pub(super) fn mark(system: &System, modes: &[(usize, f64)], findings: &mut Vec<Finding>) {
     for (slot, t) in system.over_frequency() {
         let outside: Vec<usize> =

@@ -153,7 +153,7 @@ impl Study for Modes {
     }
 
     fn report(&self, system: &System, result: &ModesResult, name: &str) -> Result<Outcome, Diagnostic> {
-        // what is said of masses and of other parts does not depend on the frequency
+        // findings about masses and other parts do not depend on the frequency
         let held = held(system, Frozen::At(result.own.as_ref().map_or(0.0, |o| 0.5 * (o.range.0 + o.range.1))))?;
         report::Shown::new(self, held.as_ref().unwrap_or(system), result).outcome(name, system)
     }

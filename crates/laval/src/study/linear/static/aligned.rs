@@ -56,7 +56,7 @@ pub(super) const KEPT: Field = Field::optional(
     "names of the supports that keep their offsets in the aligned train, separated by commas; the first two of the machine unless given",
 );
 
-/// What is said of the alignment.
+/// Findings about the alignment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Request {
     /// Offsets that differ from zero.
