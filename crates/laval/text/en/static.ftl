@@ -2,7 +2,7 @@
 static-sag = { $place ->
         [along] { $body } at { $position }
        *[body] { $body }
-    } sags by { $value } on the stiffness of its supports at { $speed }.{ $load ->
+    } is deflected by { $value } on the stiffness of its supports at { $speed }.{ $load ->
         [force] {" "}Constant forces deflect it; the weight acts along the axis.
         [offsets] {" "}Offsets of the supports are included.
         [raised] {" "}Offsets of the supports deflect it; the weight acts along the axis.
@@ -11,7 +11,7 @@ static-sag = { $place ->
 static-rigid-sag = On rigid supports { $place ->
         [along] { $body } at { $position }
        *[body] { $body }
-    } sags by { $value }.
+    } is deflected by { $value }.
 static-load = { $part } carries { $value }, the largest load of a support. The whole machine weighs { $weight }.
 static-moment = The largest bending moment is { $value }: { $body } at { $position }.
 static-vertical = The weight of { $weight } acts along the axis: nothing is deflected, and no bearing carries a lateral load.
