@@ -43,8 +43,9 @@ pub struct Nearest {
 const RESOLVED: f64 = 1e-7;
 /// Distance of the nearest eigenvalue over that of one from which on it is rounding of infinite ones, which may come in chains.
 const INFINITE: f64 = 1e-7;
-/// Steps after which the approximations are looked at, again and again.
-const ROUND: usize = 8;
+/// Steps over wanted eigenvalues from which on the approximations are looked at, and steps after which they are looked at again: a look costs as much as many steps.
+const FIRST: f64 = 1.875;
+const ROUND: usize = 4;
 /// Shifts that are tried, and their distance over the size of the eigenvalues.
 const SHIFTS: i32 = 4;
 const BESIDE: f64 = 1e-6;
@@ -292,7 +293,7 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
         column[k + 1] = T::real(if ended { 0.0 } else { rest });
         columns.push(column);
         let steps = k + 1;
-        if ended || steps >= most || (steps % ROUND == 0 && steps > wanted + wanted / 4) {
+        if ended || steps >= most || (steps % ROUND == 0 && steps as f64 >= FIRST * wanted as f64) {
             let found = resolved(&columns, shift.act(C64::ONE))?;
             if ended || steps >= most || found.values.len() >= wanted {
                 return Ok(if ended { Nearest { radius: f64::INFINITY, ..found } } else { found });
