@@ -11,9 +11,10 @@
 //!
 //! Sources: K. E. Brenan, S. L. Campbell, L. R. Petzold, Numerical Solution of Initial-Value Problems in Differential-Algebraic Equations (1996), section 2.4.
 
+use crate::large::is_large;
 use crate::model::part::At;
 use crate::model::system::System;
-use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::tangent::{SparseTangent, Tangent, TangentScratch};
 use laval_num::dense::{Lu, Mat};
 
 /// The highest derivative that a coordinate has.
@@ -50,6 +51,19 @@ pub(crate) struct FirstOrder {
     pub rates: Mat,
 }
 
+/// Every coordinate has an entry in the mass matrix, which for this is not written as a full one.
+fn all_have_inertia(system: &System, speed: f64, scratch: &mut TangentScratch) -> bool {
+    let (zero, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
+    let here = At { q: &zero, v: &zero, a: &zero, z: &z, phase: 0.3, speed, spin_accel: 0.0, t: 0.0 };
+    let mut tangent = SparseTangent::default();
+    system.tangent(&here, false, &mut tangent, scratch, |_| true);
+    let mut inertia = vec![false; system.n()];
+    for &(i, j, _) in tangent.a.0.iter().filter(|e| e.2 != 0.0) {
+        (inertia[i], inertia[j]) = (true, true);
+    }
+    inertia.into_iter().all(|has| has)
+}
+
 impl Orders {
     /// By the tangents at `speeds`, at rest and at some states away from it, with velocities of the typical size times `rate` (1/s). `None` where all coordinates have inertia.
     ///
@@ -59,6 +73,9 @@ impl Orders {
         let (n, m) = (system.n(), system.m());
         let rows = n + usize::from(free);
         let mut scratch = TangentScratch::default();
+        if is_large(system) && all_have_inertia(system, speeds.first().copied().unwrap_or(0.0), &mut scratch) {
+            return Ok(None);
+        }
         let mut tangents: Vec<Tangent> = Vec::new();
         let mut highest = vec![Highest::Acceleration; n];
         for &speed in speeds {

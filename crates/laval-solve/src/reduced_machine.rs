@@ -46,7 +46,7 @@ fn at(system: &System, [speed, phase, spin_accel]: [f64; 3], which: impl Fn(&Slo
 }
 
 /// Its matrices are K + W N, C + W G and M at every speed, and its loads f0 + W^2 f.
-fn is_plain(system: &System, slot: &Slot) -> bool {
+pub(crate) fn is_plain(system: &System, slot: &Slot) -> bool {
     if slot.physics != Physics::Linear || !slot.states.is_empty() || slot.part.contacts().is_some() || slot.part.movable_masses().is_some()
     {
         return false;

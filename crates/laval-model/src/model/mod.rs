@@ -19,6 +19,7 @@ pub mod part;
 pub mod probe;
 mod probes;
 pub mod projected;
+pub mod rows;
 pub mod slot;
 pub mod spins;
 pub mod station;

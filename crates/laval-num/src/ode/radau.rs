@@ -26,6 +26,12 @@ pub(super) const TI: [[f64; 3]; 3] = [
     [-4.178_718_591_551_905, -0.327_682_820_761_062_4, 0.476_623_554_500_550_44],
     [0.502_872_634_945_786_8, -2.571_926_949_855_605, 0.596_039_204_828_225],
 ];
+/// Coefficient matrix A.
+pub(super) const A: [[f64; 3]; 3] = [
+    [(88.0 - 7.0 * SQRT6) / 360.0, (296.0 - 169.0 * SQRT6) / 1800.0, (-2.0 + 3.0 * SQRT6) / 225.0],
+    [(296.0 + 169.0 * SQRT6) / 1800.0, (88.0 + 7.0 * SQRT6) / 360.0, (-2.0 - 3.0 * SQRT6) / 225.0],
+    [(16.0 - SQRT6) / 36.0, (16.0 + SQRT6) / 36.0, 1.0 / 9.0],
+];
 /// Weights of the stage increments in the error estimate.
 const E: [f64; 3] = [(-13.0 - 7.0 * SQRT6) / 3.0, (-13.0 + 7.0 * SQRT6) / 3.0, -1.0 / 3.0];
 
@@ -72,6 +78,8 @@ pub struct Radau {
     /// Last contraction factor over (1 - itself): lets an iteration stop after one pass.
     eta: f64,
     contraction: f64,
+    /// States that are no integrals.
+    core: usize,
     accepted: Option<(f64, f64)>,
     first: bool,
     after_rejection: bool,
@@ -113,7 +121,7 @@ impl Radau {
 
     /// Simplified Newton iteration for Z = h (A x I) F(Z), in the transformed variables.
     fn newton<S: StiffOde + ?Sized>(&mut self, system: &mut S, h: f64, work: &mut Work) -> Result<Newton, Failure> {
-        let n = self.y0.len();
+        let (n, core) = (self.y0.len(), self.core);
         self.predict(h);
         // below this the iteration only sees rounding
         let floor = (0..n).fold(0.0, |m: f64, i| m.max(self.y0[i].abs() / self.scale.at(i, self.y0[i].abs())));
@@ -128,12 +136,17 @@ impl Radau {
                     self.w[j] = self.y0[j] + self.z[i * n + j];
                 }
                 let t = if i == 2 { self.t1 } else { self.t0 + ci * h };
-                if !evaluate(system, t, &self.w, &mut self.f[i * n..(i + 1) * n], work)? {
+                work.rhs += 1;
+                let f = &mut self.f[i * n..(i + 1) * n];
+                system.rhs_without_integrals(t, &self.w, f)?;
+                if !finite(&f[..core]) {
                     return Ok(Newton::NotFinite);
                 }
             }
             let (real, complex) = (REAL / h, c(COMPLEX.re / h, COMPLEX.im / h));
-            for j in 0..n {
+            self.w[core..].fill(0.0);
+            self.complex[core..].fill(c(0.0, 0.0));
+            for j in 0..core {
                 let f = [self.f[j], self.f[n + j], self.f[2 * n + j]];
                 let g = |row: &[f64; 3]| row[0] * f[0] + row[1] * f[1] + row[2] * f[2];
                 self.w[j] = g(&TI[0]) - real * self.tz[j];
@@ -142,7 +155,7 @@ impl Radau {
             system.solve_real(&mut self.w, &self.dense);
             system.solve_complex(&mut self.complex, &self.dense);
             let mut sum = 0.0;
-            for j in 0..n {
+            for j in 0..core {
                 let s = self.scale.at(j, self.y0[j].abs());
                 for d in [self.w[j], self.complex[j].re, self.complex[j].im] {
                     if d != 0.0 {
@@ -167,7 +180,7 @@ impl Radau {
                 }
             }
             last = size;
-            for j in 0..n {
+            for j in 0..core {
                 self.tz[j] += self.w[j];
                 self.tz[n + j] += self.complex[j].re;
                 self.tz[2 * n + j] += self.complex[j].im;
@@ -182,6 +195,28 @@ impl Radau {
             }
         }
         Ok(Newton::Diverged)
+    }
+
+    /// Increments of the integrals, from their rates at the stages; the last of these stay in `f1`. `false` where one is not finite.
+    fn integrate<S: StiffOde + ?Sized>(&mut self, system: &mut S, h: f64, work: &mut Work) -> Result<bool, Failure> {
+        let (n, core) = (self.y0.len(), self.core);
+        for i in 0..3 {
+            let (t, f) = if i == 2 { (self.t1, &mut self.f1[..]) } else { (self.t0 + C[i] * h, &mut self.f[i * n..(i + 1) * n]) };
+            for j in 0..n {
+                self.w[j] = self.y0[j] + self.z[i * n + j];
+            }
+            if !evaluate(system, t, &self.w, f, work)? {
+                return Ok(false);
+            }
+        }
+        for j in core..n {
+            let f = [self.f[j], self.f[n + j], self.f1[j]];
+            for (i, a) in A.iter().enumerate() {
+                self.z[i * n + j] = h * (a[0] * f[0] + a[1] * f[1] + a[2] * f[2]);
+            }
+            self.y1[j] = self.y0[j] + self.z[2 * n + j];
+        }
+        Ok(finite(&self.y1))
     }
 
     /// Norm of (REAL/h I - J)^-1 (f(t0, y0) + sum E_i Z_i / h), filtered once more where it rejects after a rejection or at the start.
@@ -199,10 +234,10 @@ impl Radau {
         for (e, y) in self.error.iter_mut().zip(&self.y0) {
             *e += y;
         }
-        if !evaluate(system, self.t0, &self.error, &mut self.f1, work)? {
+        if !evaluate(system, self.t0, &self.error, &mut self.f[..n], work)? {
             return Ok(error);
         }
-        for ((e, f), w) in self.error.iter_mut().zip(&self.f1).zip(&self.w) {
+        for ((e, f), w) in self.error.iter_mut().zip(&self.f).zip(&self.w) {
             *e = f + w;
         }
         system.solve_real(&mut self.error, &self.dense);
@@ -239,6 +274,7 @@ impl<S: StiffOde + ?Sized> Method<S> for Radau {
         work: &mut Work,
     ) -> Result<Option<f64>, Failure> {
         let n = y.len();
+        self.core = n - system.integrals();
         self.scale.load(control, n)?;
         let mut finest = f64::INFINITY;
         for (r, a) in self.scale.rel.iter_mut().zip(&mut self.scale.abs) {
@@ -310,7 +346,7 @@ impl<S: StiffOde + ?Sized> Method<S> for Radau {
         for j in 0..n {
             self.y1[j] = self.y0[j] + self.z[2 * n + j];
         }
-        if !finite(&self.y1) {
+        if !finite(&self.y1) || self.core < n && !self.integrate(system, h, work)? {
             return self.rejected(0.2, Cause::NotFinite);
         }
         let error = self.error(system, h, work)?;
@@ -321,7 +357,7 @@ impl<S: StiffOde + ?Sized> Method<S> for Radau {
             let factor = if self.first { 0.1 } else { factor.clamp(MIN_FACTOR, 0.9) };
             return self.rejected(if factor.is_nan() { MIN_FACTOR } else { factor }, Cause::Error);
         }
-        if !evaluate(system, t1, &self.y1, &mut self.f1, work)? {
+        if self.core == n && !evaluate(system, t1, &self.y1, &mut self.f1, work)? {
             return self.rejected(0.2, Cause::NotFinite);
         }
         // the predictive controller of Gustafsson

@@ -38,6 +38,14 @@ pub trait Ode {
     /// Times at which the right side is requested next, in this order, if the step runs to its end: what depends on time alone may be computed for all of
     /// them side by side. Other times may come between.
     fn ahead(&mut self, _times: &[f64]) {}
+    /// Number of the last states that no rate depends on: integrals along the motion. An implicit method computes them after the others.
+    fn integrals(&self) -> usize {
+        0
+    }
+    /// Rates of all states but the [integrals](Ode::integrals), whose entries of `dy` are arbitrary.
+    fn rhs_without_integrals(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        self.rhs(t, y, dy)
+    }
 }
 
 /// A problem an implicit method can solve.

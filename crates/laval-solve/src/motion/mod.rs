@@ -14,7 +14,8 @@
 //! Coordinates without inertia are solved for (`massless`): what has damping is a first-order state, what has neither follows from the others.
 //!
 //! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, column by column (`single`) or, beside memory
-//! states, dense (`compiled`), and only nonlinear parts and memory states are evaluated at every call.
+//! states, dense (`compiled`), and only nonlinear parts and memory states are evaluated at every call. One with many coordinates keeps its matrices as
+//! entries (`large`).
 //!
 //! Theory: `docs/theory/motion-in-time.md#first-order-system`.
 
@@ -22,6 +23,7 @@ pub(super) mod compiled;
 pub(super) mod constant;
 mod direct;
 pub mod envelope;
+mod large;
 mod massless;
 pub(crate) mod one_by_one;
 mod seeded;
@@ -36,6 +38,7 @@ use crate::model::part::{At, Physics, Rows, TimeForm};
 use crate::model::system::{Axis, Drive, System, Workspace};
 use compiled::Compiled;
 use direct::Direct;
+use large::Large;
 use laval_model::text;
 use laval_num::ode::{Failure, Ode};
 use laval_num::refill::refill;
@@ -67,6 +70,8 @@ pub struct Motion<'a> {
     steady: Option<Steady<'a>>,
     /// Of a machine with coordinates without inertia.
     massless: Option<Massless>,
+    /// Of one with many coordinates.
+    large: Option<Box<Large>>,
     elimination: Elimination,
     power: PowerScratch,
 }
@@ -161,6 +166,7 @@ impl<'a> Motion<'a> {
             direct: Direct::new(system, free),
             steady: None,
             massless: None,
+            large: None,
             elimination: Elimination::new(system, free),
             law,
             account: false,
@@ -175,11 +181,14 @@ impl<'a> Motion<'a> {
                 .help(text!("a coordinate follows from inertia, or without it from a damper or a spring that holds it: give the part that owns it a mass or hold it, and give a spin that is free a moment of inertia about the axis"))
         };
         let spin = motion.spin(0.0, &y);
-        motion.direct.evaluate_at_rest(system, 0.0, spin, &y);
         let fastest = fastest_of(&motion.law, spin);
         let speeds = [spin.speed, 0.5 * (spin.speed + fastest), fastest];
         motion.massless = Massless::new(system, free, motion.direct.constant_mass(), &speeds, fastest.max(LEAST_RATE)).map_err(fail)?;
         if motion.massless.is_some() {
+            return Ok(motion);
+        }
+        motion.large = Large::new(system, !free && motion.direct.constant_mass(), spin.speed).map_err(fail)?.map(Box::new);
+        if motion.large.is_some() {
             return Ok(motion);
         }
         motion.accelerate(0.0, &y).map_err(fail)?;
@@ -256,6 +265,10 @@ impl<'a> Motion<'a> {
             .help(text!("use method = \"stiff\"")),
         )
     }
+    /// The machine has many coordinates, and its matrices are kept as entries: no reduction makes its motion quicker.
+    pub fn is_by_entries(&self) -> bool {
+        self.large.is_some()
+    }
     /// The integration uses the matrices compiled for a constant speed.
     pub fn is_compiled(&self) -> bool {
         self.steady.is_some()
@@ -274,10 +287,11 @@ impl<'a> Motion<'a> {
 
     fn accelerate(&mut self, t: f64, y: &[f64]) -> Result<Spin, Failure> {
         let (spin, free) = (self.spin(t, y), self.is_free());
-        match (&mut self.steady, &mut self.massless) {
-            (Some(s), _) => s.evaluate(self.system, t, spin, y, &mut self.direct),
-            (None, Some(m)) => m.evaluate(self.system, free, t, spin, y, &mut self.direct)?,
-            (None, None) => self.direct.evaluate(self.system, t, spin, y)?,
+        match (&mut self.steady, &mut self.massless, &mut self.large) {
+            (Some(s), ..) => s.evaluate(self.system, t, spin, y, &mut self.direct),
+            (_, Some(m), _) => m.evaluate(self.system, free, t, spin, y, &mut self.direct)?,
+            (.., Some(l)) => l.evaluate(self.system, t, spin, y, &mut self.direct)?,
+            _ => self.direct.evaluate(self.system, t, spin, y)?,
         }
         Ok(Spin { accel: if self.is_free() { self.direct.accel[self.system.n()] } else { spin.accel }, ..spin })
     }
@@ -348,6 +362,15 @@ impl<'a> Motion<'a> {
     /// Rates of all states, the account among them, by the way that serves every machine.
     #[inline(never)]
     fn rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        let spin = self.rates_without_account(t, y, dy)?;
+        if let Some(k) = self.account_start() {
+            let p = self.powers_here(t, spin, y)?;
+            dy[k..k + ACCOUNT].copy_from_slice(&[p.dissipated, p.supplied, p.drive, p.weight]);
+        }
+        Ok(())
+    }
+
+    fn rates_without_account(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<Spin, Failure> {
         let (n, m) = (self.system.n(), self.system.m());
         let spin = self.accelerate(t, y)?;
         dy[..n].copy_from_slice(&y[n..2 * n]);
@@ -360,11 +383,7 @@ impl<'a> Motion<'a> {
             dy[k] = spin.speed;
             dy[k + 1] = spin.accel;
         }
-        if let Some(k) = self.account_start() {
-            let p = self.powers_here(t, spin, y)?;
-            dy[k..k + ACCOUNT].copy_from_slice(&[p.dissipated, p.supplied, p.drive, p.weight]);
-        }
-        Ok(())
+        Ok(spin)
     }
 
     /// Applies sudden changes of velocity; internal states that read accelerations follow.
@@ -480,5 +499,17 @@ impl Ode for Motion<'_> {
             return Ok(());
         }
         self.rates(t, y, dy)
+    }
+
+    fn integrals(&self) -> usize {
+        if self.account { ACCOUNT } else { 0 }
+    }
+
+    fn rhs_without_integrals(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        if let (Some(Steady::Single(equations, _)), false) = (&mut self.steady, self.account) {
+            equations.rhs(t, y, dy);
+            return Ok(());
+        }
+        self.rates_without_account(t, y, dy).map(|_| ())
     }
 }

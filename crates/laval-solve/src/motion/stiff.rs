@@ -15,7 +15,8 @@ use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Lu, Mat, Singular};
-use laval_num::ode::{DenseSolver, Failure, StiffOde};
+use laval_num::eig::eigenvalues;
+use laval_num::ode::{DenseSolver, Failure, Ode, StiffOde};
 use laval_num::refill::refill;
 
 /// A field that holds the reals.
@@ -277,6 +278,18 @@ impl Elimination {
 }
 
 impl Motion<'_> {
+    /// Size of the largest eigenvalues of the Jacobian, 1/s. `None` where it cannot be computed.
+    pub(super) fn spectral_radius(&mut self, t: f64, y: &[f64]) -> Option<f64> {
+        if self.large.is_some() {
+            self.linearise(t, y, &mut DenseSolver::default()).ok()?;
+            return self.large.as_ref().map(|l| l.spectral_radius(self.system.n()));
+        }
+        let n = self.dim();
+        let mut jac = Mat::zeros(n, n);
+        self.jacobian(t, y, &mut jac).ok()?;
+        Some(eigenvalues(&jac).ok()?.iter().fold(0.0f64, |r, s| r.max(s.abs())))
+    }
+
     fn keep_tangent(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
         let spin = self.accelerate(t, y)?;
         let free = self.is_free();
@@ -324,12 +337,20 @@ impl StiffOde for Motion<'_> {
         if self.massless.is_some() {
             return dense.set_jacobian(self, t, y);
         }
+        if self.large.is_some() {
+            let spin = self.accelerate(t, y)?;
+            let at = point(self.system, t, spin, y, &self.direct.accel);
+            return self.large.as_mut().map_or(Ok(()), |l| l.linearise(self.system, &at));
+        }
         self.keep_tangent(t, y)
     }
 
     fn factor(&mut self, real: f64, complex: C64, dense: &mut DenseSolver) -> Result<(), Singular> {
         if self.massless.is_some() {
             return dense.factor(real, complex);
+        }
+        if let Some(large) = &mut self.large {
+            return large.factor(real, complex);
         }
         let mut shifted = (std::mem::take(&mut self.elimination.real), std::mem::take(&mut self.elimination.complex));
         let result = self.elimination.factor(real, &mut shifted.0).and_then(|()| self.elimination.factor(complex, &mut shifted.1));
@@ -341,6 +362,9 @@ impl StiffOde for Motion<'_> {
         if self.massless.is_some() {
             return dense.solve_real(b);
         }
+        if let Some(large) = &mut self.large {
+            return large.solve_real(self.system.n(), b);
+        }
         let mut shifted = std::mem::take(&mut self.elimination.real);
         self.elimination.solve(b, &mut shifted);
         self.elimination.real = shifted;
@@ -349,6 +373,9 @@ impl StiffOde for Motion<'_> {
     fn solve_complex(&mut self, b: &mut [C64], dense: &DenseSolver) {
         if self.massless.is_some() {
             return dense.solve_complex(b);
+        }
+        if let Some(large) = &mut self.large {
+            return large.solve_complex(self.system.n(), b);
         }
         let mut shifted = std::mem::take(&mut self.elimination.complex);
         self.elimination.solve(b, &mut shifted);

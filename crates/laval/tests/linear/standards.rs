@@ -224,9 +224,36 @@ fn relative_to_the_bearing() {
     assert!(findings(&forced(""), "shaft_vibration").is_empty());
 }
 
+/// The velocity of the pedestal, root mean square: the same motion as its amplitude in the response, direction by direction; nothing of a bearing on the ground.
+#[test]
+fn housings_on_a_pedestal() {
+    let of = |class: &str| page(&PEDESTAL.replace("[operation]\n", &format!("[operation]\nhousing_vibration = \"{class}\"\n")));
+    let outcome = forced("");
+    let response = outcome.tables.iter().find(|t| t.name() == "response").unwrap();
+    let column = |name: &str, k: usize| response.column(name).unwrap().number(k).unwrap();
+    let rows = (0..response.rows()).filter(|&k| (rpm(2800.0) - 1e-9..rpm(3200.0) + 1e-9).contains(&column("speed", k)));
+    let velocity =
+        rows.map(|k| column("speed", k) * (column("forward.base", k) + column("backward.base", k)) / 2f64.sqrt()).fold(0.0, f64::max);
+    let first = of("group_1_flexible");
+    let c = check(&first, "check-housing-vibration");
+    // the page has other speeds between the same ends
+    assert!((items(c, "value")[0] / velocity - 1.0).abs() < 1e-3, "{} {velocity}", items(c, "value")[0]);
+    let verdicts: Vec<Verdict> =
+        ["group_2_rigid", "group_1_rigid", "group_1_flexible"].map(|g| check(&of(g), "check-housing-vibration").verdict).to_vec();
+    let expected = |b: [f64; 3]| match b.iter().filter(|b| velocity > 1e-3 * **b).count() {
+        0 | 1 => Verdict::Passed,
+        2 => Verdict::Attention,
+        _ => Verdict::Failed,
+    };
+    assert_eq!(verdicts, [[1.4, 2.8, 4.5], [2.3, 4.5, 7.1], [3.5, 7.1, 11.0]].map(expected).to_vec());
+    let grounded = jeffcott("", 4.0, "[operation]\nspeed = 250.0\nhousing_vibration = \"group_1_rigid\"\n");
+    let c = check(&page(&grounded), "check-housing-vibration").clone();
+    assert_eq!((c.verdict, c.result.key.as_str()), (Verdict::NotComputed, "housing-vibration-none"));
+}
+
 #[test]
 fn without_an_operating_speed() {
-    for line in ["balance_grade = \"G2.5\"", "shaft_vibration = \"api_617\""] {
+    for line in ["housing_vibration = \"group_1_rigid\"", "balance_grade = \"G2.5\"", "shaft_vibration = \"api_617\""] {
         let text = format!(
             "[machine]\nname = \"t\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 1.0\n{}[operation]\n{line}\n",
             bearing("a", 0.0).replace("rotor", "d").replace(", at = 0.0", "")

@@ -76,6 +76,7 @@ check-resonance = Nearest resonance
 check-jump = Nearest jump or bifurcation
 check-vibration = Vibration
 check-shaft-vibration = Shaft vibration in bearings
+check-housing-vibration = Vibration of bearing housings
 check-balance = Balance quality
 check-velocity = Vibration velocity
 check-forces = Forces
@@ -344,6 +345,20 @@ shaft-vibration-detail = { $standard ->
         [yes] ; largest stable response of the nonlinear machine
        *[no] {""}
     }
+item-housing-vibration = { $name } { $value } rms{ $zone ->
+        [none] {""}
+       *[other] , zone { $zone }
+    }
+housing-vibration-detail = ISO 20816-3, { $standard ->
+        [group_1_rigid] group 1 on rigid supports
+        [group_1_flexible] group 1 on flexible supports
+        [group_2_rigid] group 2 on rigid supports
+       *[group_2_flexible] group 2 on flexible supports
+    }, boundary of zones B and C; limit at { $speed }. Unbalance alone, of what the bearings stand on{ $nonlinear ->
+        [yes] ; largest stable response of the nonlinear machine
+       *[no] {""}
+    }
+housing-vibration-none = no bearing stands on a body that moves
 shaft-vibration-no-bearing = no support between what turns and what does not
 shaft-vibration-unknown = no response relative to the bearings is known
 shaft-vibration-speed = the standard does not cover these operating speeds

@@ -288,6 +288,7 @@ run-up-grows = орнықсыз аралықтарда ауытқу { $factor } 
 run-up-diverges = қозғалыс шексіз өседі
 axis-operating-range = жұмыстық айналу жиіліктері
 check-shaft-vibration = Мойынтіректердегі білік дірілі
+check-housing-vibration = Мойынтірек корпустарының дірілі
 check-balance = Теңгеру сапасы
 check-velocity = Тербеліс жылдамдығы
 velocity-is = ең үлкені { $value } (шың мәні)
@@ -336,6 +337,20 @@ shaft-vibration-detail = { $standard ->
         [yes] ; сызықты емес машинаның ең үлкен орнықты жауабы
        *[no] {""}
     }
+item-housing-vibration = { $name } { $value } (орташа квадраттық){ $zone ->
+        [none] {""}
+       *[other] , { $zone } аймағы
+    }
+housing-vibration-detail = ISO 20816-3, { $standard ->
+        [group_1_rigid] қатаң тіректегі 1-топ
+        [group_1_flexible] икемді тіректегі 1-топ
+        [group_2_rigid] қатаң тіректегі 2-топ
+       *[group_2_flexible] икемді тіректегі 2-топ
+    }, B және C аймақтарының шекарасы; шек { $speed } кезінде. Тек теңгерімсіздік, мойынтіректер тұрған денелер{ $nonlinear ->
+        [yes] ; сызықты емес машинаның ең үлкен орнықты жауабы
+       *[no] {""}
+    }
+housing-vibration-none = бірде-бір мойынтірек қозғалатын денеде тұрған жоқ
 shaft-vibration-no-bearing = айналатын мен айналмайтын арасында тірек жоқ
 shaft-vibration-unknown = мойынтіректерге қатысты жауап белгісіз
 shaft-vibration-speed = стандарт бұл жұмыс айналу жиіліктерін қамтымайды

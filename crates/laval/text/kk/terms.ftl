@@ -647,3 +647,6 @@ term-1600-mm-s-crankshaft-drives-of-large-slow-engines-elastically-mounted = 160
 term-4000-mm-s-crankshaft-drives-of-large-slow-engines-rigidly-mounted = 4000 мм/с: қатты орнатылған ірі баяу қозғалтқыштардың иінді механизмдері
 term-zones-a-to-d-of-iso-7919-3-coupled-industrial-machines-with-fluid-film-bearings-1000-to-30-000-rpm = ISO 7919-3 бойынша A–D аймақтары (сырғанау мойынтіректері бар қосылған өнеркәсіптік машиналар, 1000–30 000 айн/мин)
 term-api-617-25-4-m-times-the-square-root-of-12-000-rpm-over-the-speed-at-most-25-4-m = API 617: 25,4 мкм көбейтілген 12 000 айн/мин мен айналу жиілігі қатынасының түбірі, ең көбі 25,4 мкм
+term-15-to-300-kw-or-electrical-with-a-shaft-height-of-160-to-315-mm-rigid-supports = 15-тен 300 кВт-қа дейін, немесе айналу осінің биіктігі 160-тан 315 мм-ге дейінгі электр машиналары; қатаң тіректер
+term-above-300-kw-or-electrical-with-a-shaft-height-of-315-mm-and-more-rigid-supports = 300 кВт-тан жоғары, немесе айналу осінің биіктігі 315 мм және одан жоғары электр машиналары; қатаң тіректер
+term-the-same-on-flexible-supports = сол, икемді тіректерде

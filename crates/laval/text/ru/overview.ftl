@@ -75,6 +75,7 @@ check-resonance = Ближайший резонанс
 check-jump = Ближайший скачок или бифуркация
 check-vibration = Вибрация
 check-shaft-vibration = Вибрация вала в подшипниках
+check-housing-vibration = Вибрация корпусов подшипников
 check-balance = Качество балансировки
 check-velocity = Виброскорость
 check-forces = Силы
@@ -347,6 +348,20 @@ shaft-vibration-detail = { $standard ->
         [yes] ; наибольший устойчивый отклик нелинейной машины
        *[no] {""}
     }
+item-housing-vibration = { $name } { $value } (СКЗ){ $zone ->
+        [none] {""}
+       *[other] , зона { $zone }
+    }
+housing-vibration-detail = ISO 20816-3, { $standard ->
+        [group_1_rigid] группа 1 на жёстких опорах
+        [group_1_flexible] группа 1 на податливых опорах
+        [group_2_rigid] группа 2 на жёстких опорах
+       *[group_2_flexible] группа 2 на податливых опорах
+    }, граница зон B и C; предел при { $speed }. Только дисбаланс, того, на чём стоят подшипники{ $nonlinear ->
+        [yes] ; наибольший устойчивый отклик нелинейной машины
+       *[no] {""}
+    }
+housing-vibration-none = ни один подшипник не стоит на подвижном теле
 shaft-vibration-no-bearing = нет опоры между вращающимся и невращающимся
 shaft-vibration-unknown = отклик относительно подшипников неизвестен
 shaft-vibration-speed = стандарт не распространяется на эти рабочие частоты вращения

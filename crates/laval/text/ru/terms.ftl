@@ -523,3 +523,6 @@ term-1600-mm-s-crankshaft-drives-of-large-slow-engines-elastically-mounted = 160
 term-4000-mm-s-crankshaft-drives-of-large-slow-engines-rigidly-mounted = 4000 мм/с: кривошипные механизмы крупных тихоходных двигателей на жёстком основании
 term-zones-a-to-d-of-iso-7919-3-coupled-industrial-machines-with-fluid-film-bearings-1000-to-30-000-rpm = зоны A–D ISO 7919-3 (сопряжённые промышленные машины с подшипниками скольжения, от 1000 до 30 000 об/мин)
 term-api-617-25-4-m-times-the-square-root-of-12-000-rpm-over-the-speed-at-most-25-4-m = API 617: 25,4 мкм, умноженные на корень из отношения 12 000 об/мин к частоте вращения, не более 25,4 мкм
+term-15-to-300-kw-or-electrical-with-a-shaft-height-of-160-to-315-mm-rigid-supports = от 15 до 300 кВт, или электрические с высотой оси вращения от 160 до 315 мм; жёсткие опоры
+term-above-300-kw-or-electrical-with-a-shaft-height-of-315-mm-and-more-rigid-supports = свыше 300 кВт, или электрические с высотой оси вращения от 315 мм; жёсткие опоры
+term-the-same-on-flexible-supports = то же на податливых опорах

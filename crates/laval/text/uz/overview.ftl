@@ -288,6 +288,7 @@ run-up-grows = noturg‘un oraliqlarda g‘alayon { $factor } martagacha o‘sad
 run-up-diverges = harakat cheksiz uzoqlashadi
 axis-operating-range = ish tezliklari
 check-shaft-vibration = Podshipniklardagi val tebranishi
+check-housing-vibration = Podshipnik korpuslarining tebranishi
 check-balance = Muvozanatlash sifati
 check-velocity = Tebranish tezligi
 velocity-is = eng kattasi { $value } (amplituda)
@@ -333,6 +334,20 @@ shaft-vibration-detail = { $standard ->
         [yes] ; nochiziqli mashinaning eng katta turg‘un javobi
        *[no] {""}
     }
+item-housing-vibration = { $name } { $value } (o‘rtacha kvadratik){ $zone ->
+        [none] {""}
+       *[other] , { $zone } zona
+    }
+housing-vibration-detail = ISO 20816-3, { $standard ->
+        [group_1_rigid] qattiq tayanchdagi 1-guruh
+        [group_1_flexible] egiluvchan tayanchdagi 1-guruh
+        [group_2_rigid] qattiq tayanchdagi 2-guruh
+       *[group_2_flexible] egiluvchan tayanchdagi 2-guruh
+    }, B va C zonalar chegarasi; chegara { $speed } da. Faqat nomuvozanat, podshipniklar turgan jismlar{ $nonlinear ->
+        [yes] ; nochiziqli mashinaning eng katta turg‘un javobi
+       *[no] {""}
+    }
+housing-vibration-none = birorta podshipnik harakatlanadigan jismda turmaydi
 shaft-vibration-no-bearing = aylanuvchi va aylanmaydigan orasida tayanch yo‘q
 shaft-vibration-unknown = podshipniklarga nisbatan javob noma’lum
 shaft-vibration-speed = standart bu ish tezliklarini qamrab olmaydi

@@ -523,3 +523,6 @@ term-1600-mm-s-crankshaft-drives-of-large-slow-engines-elastically-mounted = 160
 term-4000-mm-s-crankshaft-drives-of-large-slow-engines-rigidly-mounted = 4000 mm/s: qattiq o‘rnatilgan yirik sekin dvigatellarning krivoship mexanizmlari
 term-zones-a-to-d-of-iso-7919-3-coupled-industrial-machines-with-fluid-film-bearings-1000-to-30-000-rpm = ISO 7919-3 bo‘yicha A–D zonalar (sirpanish podshipnikli ulangan sanoat mashinalari, 1000–30 000 ayl/min)
 term-api-617-25-4-m-times-the-square-root-of-12-000-rpm-over-the-speed-at-most-25-4-m = API 617: 25,4 mkm va 12 000 ayl/min ning tezlikka nisbati ildizi ko‘paytmasi, ko‘pi bilan 25,4 mkm
+term-15-to-300-kw-or-electrical-with-a-shaft-height-of-160-to-315-mm-rigid-supports = 15 dan 300 kVt gacha, yoki aylanish o‘qi balandligi 160 dan 315 mm gacha bo‘lgan elektr mashinalar; qattiq tayanchlar
+term-above-300-kw-or-electrical-with-a-shaft-height-of-315-mm-and-more-rigid-supports = 300 kVt dan yuqori, yoki aylanish o‘qi balandligi 315 mm va undan ortiq elektr mashinalar; qattiq tayanchlar
+term-the-same-on-flexible-supports = xuddi shu, egiluvchan tayanchlarda

@@ -308,3 +308,68 @@ fn a_singular_matrix_only_shortens_the_step() {
     assert_eq!(run.end, End::Reached);
     assert!(run.work.rejected > 0 && (y[0] / (rate * 0.5).exp() - 1.0).abs() < 1e-6);
 }
+
+/// Van der Pol's oscillator (mu = 50) with the integral of its square behind it, and how often each right side was evaluated.
+struct WithIntegral {
+    behind: bool,
+    whole: u64,
+    core: u64,
+}
+
+impl Ode for WithIntegral {
+    fn dim(&self) -> usize {
+        3
+    }
+    fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        self.rhs_without_integrals(t, y, dy)?;
+        (self.whole, self.core) = (self.whole + 1, self.core - 1);
+        dy[2] = y[0] * y[0];
+        Ok(())
+    }
+    fn integrals(&self) -> usize {
+        usize::from(self.behind)
+    }
+    fn rhs_without_integrals(&mut self, _: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        self.core += 1;
+        (dy[0], dy[1]) = (y[1], 50.0 * (1.0 - y[0] * y[0]) * y[1] - y[0]);
+        if self.behind {
+            dy[2] = f64::NAN
+        } else {
+            dy[2] = y[0] * y[0]
+        }
+        Ok(())
+    }
+}
+
+impl StiffOde for WithIntegral {
+    fn jacobian(&mut self, _: f64, y: &[f64], jac: &mut Mat) -> Result<(), Failure> {
+        (jac[(0, 1)], jac[(1, 0)], jac[(1, 1)]) = (1.0, -100.0 * y[0] * y[1] - 1.0, 50.0 * (1.0 - y[0] * y[0]));
+        if !self.behind {
+            jac[(2, 0)] = 2.0 * y[0];
+        }
+        Ok(())
+    }
+}
+
+/// An integral is what it is as a state among others, to the tolerance; its rate is evaluated at the stages of accepted steps alone.
+#[test]
+fn integrals_follow_the_states() {
+    let run = |behind: bool, tolerance: f64| {
+        let mut system = WithIntegral { behind, whole: 0, core: 0 };
+        let mut y = [2.0, 0.0, 0.0];
+        let run = integrate(&mut Radau::new(), &mut system, 0.0, &mut y, 60.0, &Control::new(tolerance, tolerance), &mut ());
+        assert_eq!(run.end, End::Reached);
+        (y, system, run.work)
+    };
+    let (exact, ..) = run(false, 1e-12);
+    for (tolerance, most) in [(1e-6, 1e-4), (1e-9, 1e-7)] {
+        let (y, system, work) = run(true, tolerance);
+        assert!(exact[2] > 50.0 && distance(&y, &exact) < most, "{y:?} {exact:?}");
+        assert!(
+            system.core > 2 * system.whole && system.whole <= 3 * (work.steps + work.rejected) + 20,
+            "{} {}",
+            system.core,
+            system.whole
+        );
+    }
+}

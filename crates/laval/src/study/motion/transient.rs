@@ -304,7 +304,7 @@ impl Transient {
     /// A machine of many coordinates as one of few.
     fn reduced(&self, timed: &System) -> Option<ReducedMachine> {
         match self.law(timed) {
-            SpinLaw::Programme(p) => ReducedMachine::of(timed, p.largest_speed()),
+            SpinLaw::Programme(p) => history::reduced(timed, p),
             SpinLaw::Free => None,
         }
     }

@@ -1,6 +1,6 @@
-//! Vibration of the shaft relative to its bearings, from a linear response.
+//! Vibration of the shaft relative to its bearings, and of what these stand on, from a linear response.
 
-use super::standards::ShaftVibration;
+use super::standards::VibrationStandard;
 use super::supporting;
 use crate::diagnostic::Diagnostic;
 use crate::model::station::Pair;
@@ -16,9 +16,9 @@ use serde::{Deserialize, Serialize};
 pub struct Journal {
     /// Slot of the support.
     pub slot: usize,
-    /// Displacement of the shaft relative to what the support stands on.
+    /// Displacement of the shaft relative to what the support stands on; of a housing, its own.
     pub relative: Pair,
-    /// The probe that measures the same, of a support on the ground.
+    /// The probe that measures the same.
     pub probe: Option<usize>,
 }
 
@@ -40,10 +40,28 @@ pub fn journals(system: &System, speed: f64) -> Result<Vec<Journal>, Diagnostic>
     let one = |s: crate::solve::statics::supports::Support| {
         let map = &system.slots()[s.slot].map;
         let relative = Pair([map.first()?.clone(), map.get(1)?.clone()]);
-        let alike = |p: &crate::model::probe::Probe| !p.is_tilt() && [0, 1].iter().all(|&k| same(&relative.0[k], &p.rows.0[k]));
-        Some(Journal { slot: s.slot, probe: system.probes().iter().position(alike), relative })
+        Some(Journal { slot: s.slot, probe: probe(system, &relative), relative })
     };
     Ok(supports(system, &state).into_iter().filter_map(one).collect())
+}
+
+/// What the supports of a machine stand on, with the displacement there; nothing of a support on the ground.
+///
+/// # Errors
+/// A machine without state of rest at this speed.
+pub fn housings(system: &System, speed: f64) -> Result<Vec<Journal>, Diagnostic> {
+    let stands = |g: usize| !system.slots()[system.coordinates()[g].slot].part.body().is_some_and(|b| b.turns());
+    let one = |mut j: Journal| {
+        j.relative.0.iter_mut().for_each(|row| row.retain(|x| stands(x.0)));
+        let moves = j.relative.0.iter().all(|row| !row.is_empty());
+        j.probe = probe(system, &j.relative);
+        moves.then_some(j)
+    };
+    Ok(journals(system, speed)?.into_iter().filter_map(one).collect())
+}
+
+fn probe(system: &System, place: &Pair) -> Option<usize> {
+    system.probes().iter().position(|p| !p.is_tilt() && [0, 1].iter().all(|&k| same(&place.0[k], &p.rows.0[k])))
 }
 
 /// The same combination up to its sign.
@@ -64,7 +82,7 @@ pub struct JournalVibration {
 }
 
 /// Of every journal, the vibration over the speeds from `low` to `high` (amounts, rad/s) that uses most of the limit; none without a response there.
-pub fn vibrations(all: &[Journal], curve: &Curve, standard: ShaftVibration, (low, high): (f64, f64)) -> Vec<JournalVibration> {
+pub fn vibrations(all: &[Journal], curve: &Curve, standard: VibrationStandard, (low, high): (f64, f64)) -> Vec<JournalVibration> {
     let slack = 1e-9 * high;
     let inside = |w: f64| (low - slack..=high + slack).contains(&w.abs());
     let one = |j: &Journal| {

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Extra, Field, FieldKind};
 use crate::model::system::System;
-use crate::study::shared::standards::{self, ShaftVibration};
+use crate::study::shared::standards::{self, VibrationStandard};
 use crate::text;
 
 /// Lines of a typical block.
@@ -53,6 +53,7 @@ pub const FIELDS: &[Field] = &[
     ),
     standards::BALANCE_GRADE,
     standards::SHAFT_VIBRATION,
+    standards::HOUSING_VIBRATION,
 ];
 
 /// How the machine is run.
@@ -71,7 +72,9 @@ pub struct Operation {
     /// Balance quality grade, m/s.
     pub balance_grade: Option<f64>,
     /// Standard whose limits of shaft vibration are assessed.
-    pub shaft_vibration: Option<ShaftVibration>,
+    pub shaft_vibration: Option<VibrationStandard>,
+    /// Standard whose limits of housing vibration are assessed.
+    pub housing_vibration: Option<VibrationStandard>,
 }
 
 fn read(extra: &Extra) -> Operation {
@@ -83,7 +86,8 @@ fn read(extra: &Extra) -> Operation {
         instability_margin: v.number("instability_margin"),
         decrement: v.number("decrement"),
         balance_grade: v.choice("balance_grade").and_then(standards::grade),
-        shaft_vibration: v.choice("shaft_vibration").and_then(ShaftVibration::of),
+        shaft_vibration: v.choice("shaft_vibration").and_then(VibrationStandard::of),
+        housing_vibration: v.choice("housing_vibration").and_then(VibrationStandard::of),
     }
 }
 
@@ -107,7 +111,11 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
             out.push(Diagnostic::error("operation.speed", message).at(extra.values.span_of("run_up_time")).help(text!("add speed")));
         }
         let standing = system.machine.speed.is_none_or(|w| w == 0.0);
-        let standards = [("balance_grade", operation.balance_grade.is_some()), ("shaft_vibration", operation.shaft_vibration.is_some())];
+        let standards = [
+            ("balance_grade", operation.balance_grade.is_some()),
+            ("shaft_vibration", operation.shaft_vibration.is_some()),
+            ("housing_vibration", operation.housing_vibration.is_some()),
+        ];
         for (field, _) in standards.into_iter().filter(|f| f.1 && standing) {
             let message = text!("{field} needs an operating speed, which neither [operation] nor [machine] gives", field);
             out.push(Diagnostic::error("operation.speed", message).at(extra.values.span_of(field)).help(text!("add speed")));

@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::outcome::{Arg, Finding, Line, Message, Table};
 use crate::study::shared::journals::JournalVibration;
 use crate::study::shared::operation;
-use crate::study::shared::standards::{ShaftVibration, Zone};
+use crate::study::shared::standards::{VibrationStandard, Zone};
 use crate::study::shared::support::inconsistent;
 
 /// Columns of the boundaries over the speed, with their meanings: half of the value peak to peak, as amplitudes are.
@@ -17,12 +17,12 @@ const ZONES: [(&str, &str); 3] = [
 const LIMIT: (&str, &str) = ("api_limit", "amplitude at the limit of API 617");
 
 impl Shown<'_> {
-    fn standard(&self) -> Option<ShaftVibration> {
+    fn standard(&self) -> Option<VibrationStandard> {
         operation::among(&self.system.machine.extras).shaft_vibration.filter(|_| !self.result.journals.is_empty())
     }
 
     /// The journal that uses most of its limit.
-    fn worst(&self, standard: ShaftVibration) -> Option<&JournalVibration> {
+    fn worst(&self, standard: VibrationStandard) -> Option<&JournalVibration> {
         let used = |v: &JournalVibration| if v.peak_to_peak.is_nan() { f64::INFINITY } else { v.peak_to_peak / standard.limit(v.speed) };
         self.result.journals.iter().max_by(|a, b| used(a).total_cmp(&used(b)))
     }
@@ -61,11 +61,11 @@ impl Shown<'_> {
         let Some(standard) = self.standard() else { return Ok(None) };
         let rows = &self.result.journals;
         let limit = |v: &JournalVibration| if standard.covers(v.speed) { standard.limit(v.speed) } else { f64::NAN };
-        let zone = |v: &JournalVibration| match standard {
-            _ if !standard.covers(v.speed) => "not covered",
-            ShaftVibration::Zones => standard.zone(v.speed, v.peak_to_peak).word(),
-            ShaftVibration::Api617 if standard.zone(v.speed, v.peak_to_peak) == Zone::A => "kept",
-            ShaftVibration::Api617 => "exceeded",
+        let zone = |v: &JournalVibration| match () {
+            () if !standard.covers(v.speed) => "not covered",
+            () if standard.has_zones() => standard.zone(v.speed, v.peak_to_peak).word(),
+            () if standard.zone(v.speed, v.peak_to_peak) == Zone::A => "kept",
+            () => "exceeded",
         };
         let column = |f: &dyn Fn(&JournalVibration) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
         let table =
@@ -91,7 +91,7 @@ impl Shown<'_> {
     /// Boundaries over the speed, as amplitudes.
     pub(super) fn boundaries(&self) -> Vec<(&'static str, &'static str, Vec<f64>)> {
         let Some(standard) = self.standard().filter(|_| !self.study.speed.is_one()) else { return Vec::new() };
-        let columns: &[(&'static str, &'static str)] = if standard == ShaftVibration::Zones { &ZONES } else { &[LIMIT] };
+        let columns: &[(&'static str, &'static str)] = if standard == VibrationStandard::Zones { &ZONES } else { &[LIMIT] };
         let at = |k: usize, w: f64| if standard.covers(w) { 0.5 * standard.boundaries(w)[k] } else { f64::NAN };
         let points = &self.result.curve.points;
         columns.iter().enumerate().map(|(k, (name, doc))| (*name, *doc, points.iter().map(|r| at(k, r.speed)).collect())).collect()

@@ -14,8 +14,11 @@ use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Station, System};
 use crate::outcome::quantity;
-use crate::solve::motion::Motion;
+use crate::solve::large::is_large;
 use crate::solve::motion::trajectory::{Choice, Plan, Trajectory, simulate};
+use crate::solve::motion::{Motion, SpinLaw};
+use crate::solve::programme::Programme;
+use crate::solve::reduced_machine::ReducedMachine;
 use crate::study::Context;
 use crate::study::shared::size::{KEPT, LISTED, Size};
 use crate::study::shared::watch;
@@ -86,6 +89,13 @@ pub(in crate::study) fn method(values: &Values) -> Choice {
         Some("stiff") => Choice::Stiff,
         _ => Choice::Auto,
     }
+}
+
+/// A machine of many coordinates as one of few, where its motion is not computed by entries: with movable masses, memory states or coordinates without inertia.
+pub(in crate::study) fn reduced(timed: &System, programme: Programme) -> Option<ReducedMachine> {
+    let fastest = programme.largest_speed();
+    let by_entries = is_large(timed) && Motion::new(timed, SpinLaw::Programme(programme)).is_ok_and(|m| m.is_by_entries());
+    if by_entries { None } else { ReducedMachine::of(timed, fastest) }
 }
 
 /// What the record of a motion takes.

@@ -33,7 +33,6 @@ use crate::solve::motion::envelope::Window;
 use crate::solve::motion::trajectory::{Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
-use crate::solve::reduced_machine::ReducedMachine;
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::NARROWEST;
@@ -176,7 +175,7 @@ hold = "2 s"
                 .help(text!("use a transient study, or take the free drive away")));
         }
         let timed = system.timed(Speeds::Changing)?;
-        let reduced = ReducedMachine::of(&timed, self.programme.largest_speed());
+        let reduced = history::reduced(&timed, self.programme.clone());
         let system: &System = reduced.as_ref().map_or(&timed, |r| &r.system);
         let motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
         history::admit(&motion, self.settings.method)
@@ -186,7 +185,7 @@ hold = "2 s"
         self.admit(system)?;
         let s = &self.settings;
         let (exact, timed) = (system, system.timed(Speeds::Changing)?);
-        let reduced = ReducedMachine::of(&timed, self.programme.largest_speed());
+        let reduced = history::reduced(&timed, self.programme.clone());
         let system: &System = reduced.as_ref().map_or(&timed, |r| &r.system);
         let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
         let no_account = motion.keep_account().err();

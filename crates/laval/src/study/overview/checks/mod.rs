@@ -34,12 +34,7 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
         let vibration = balls::vibration(facts, speed);
         let assessed = vibration.as_ref().is_some_and(|c| c.verdict != Verdict::NotComputed);
         out.extend(vibration);
-        out.extend(
-            facts
-                .operation
-                .shaft_vibration
-                .map(|_| Check::new("check-shaft-vibration", Message::new("shaft-vibration-unknown"), Verdict::NotComputed)),
-        );
+        out.extend(standards::vibration_without(facts, "shaft-vibration-unknown"));
         out.push(validity(facts));
         out.extend(balls::balls(facts));
         out.extend(standards::balance(facts, speed));
@@ -64,11 +59,10 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     if unstable {
         // the response exists, and no machine stays on it
         out.push(Check::new("check-vibration", Message::new("vibration-unstable"), Verdict::NotComputed));
-        let also = facts.operation.shaft_vibration.is_some();
-        out.extend(also.then(|| Check::new("check-shaft-vibration", Message::new("vibration-unstable"), Verdict::NotComputed)));
+        out.extend(standards::vibration_without(facts, "vibration-unstable"));
     } else {
         out.extend(vibration(facts));
-        out.extend(standards::shaft_vibration(facts, speed));
+        out.extend(standards::vibration(facts, speed));
         out.extend(forces(facts));
     }
     out.extend(standards::balance(facts, speed));

@@ -1,4 +1,4 @@
-//! Balance quality (ISO 21940-11) and vibration of the shaft in its bearings (ISO 7919-3, API 617).
+//! Balance quality (ISO 21940-11), vibration of the shaft in its bearings (ISO 7919-3, API 617) and of what these stand on (ISO 20816-3).
 
 use super::super::operating::Operating;
 use super::super::{Facts, Known};
@@ -6,8 +6,8 @@ use super::MOST_NAMED;
 use crate::outcome::{Arg, Check, Message, Verdict};
 use crate::solve::statics::supports::supports;
 use crate::solve::statics::unbalance::{Rotor, rotors};
-use crate::study::shared::journals::{JournalVibration, journals, vibrations};
-use crate::study::shared::standards::{ShaftVibration, Zone, allocated, grade_word, permissible};
+use crate::study::shared::journals::{Journal, JournalVibration, housings, journals, vibrations};
+use crate::study::shared::standards::{VibrationStandard, Zone, allocated, grade_word, permissible, rms_velocity};
 use crate::study::shared::support::probe_name;
 use crate::study::shared::supporting;
 use laval_num::order::SortByNumber;
@@ -50,14 +50,29 @@ fn one(facts: &Facts, rotor: &Rotor, grade: f64) -> Check {
     Check { detail: Some(detail), required: Some(required.into()), ..Check::new("check-balance", result, verdict) }
 }
 
-/// Vibration of the journals over the operating speeds against the standard of `[operation]`.
-pub(super) fn shaft_vibration(facts: &Facts, speed: Operating) -> Option<Check> {
-    const WHAT: &str = "check-shaft-vibration";
-    let standard = facts.operation.shaft_vibration?;
-    let refused = |why: Message| Some(Check::new(WHAT, why, Verdict::NotComputed));
-    let all = match journals(facts.system, facts.sign * speed.high) {
+/// Vibration of the journals and of what their bearings stand on, over the operating speeds, against the standards of `[operation]`.
+pub(super) fn vibration(facts: &Facts, speed: Operating) -> impl Iterator<Item = Check> {
+    assessed(facts).map(move |(what, standard)| one_standard(facts, speed, what, standard))
+}
+
+/// The same where no response is assessed, for this reason.
+pub(super) fn vibration_without(facts: &Facts, why: &str) -> impl Iterator<Item = Check> {
+    assessed(facts).map(move |(what, _)| Check::new(what, Message::new(why), Verdict::NotComputed))
+}
+
+fn assessed(facts: &Facts) -> impl Iterator<Item = (&'static str, VibrationStandard)> {
+    let o = &facts.operation;
+    let all = [("check-shaft-vibration", o.shaft_vibration), ("check-housing-vibration", o.housing_vibration)];
+    all.into_iter().filter_map(|(what, standard)| Some((what, standard?)))
+}
+
+fn one_standard(facts: &Facts, speed: Operating, what: &str, standard: VibrationStandard) -> Check {
+    let refused = |why: Message| Check::new(what, why, Verdict::NotComputed);
+    let of_housings = standard.is_of_housings();
+    let at = facts.sign * speed.high;
+    let all = match if of_housings { housings(facts.system, at) } else { journals(facts.system, at) } {
         Ok(all) if !all.is_empty() => all,
-        Ok(_) => return refused(Message::new("shaft-vibration-no-bearing")),
+        Ok(_) => return refused(Message::new(if of_housings { "housing-vibration-none" } else { "shaft-vibration-no-bearing" })),
         Err(d) => return refused(Message::new("why-refused").arg("reason", d.message)),
     };
     // what a nonlinear study found counts before the linear response
@@ -66,9 +81,9 @@ pub(super) fn shaft_vibration(facts: &Facts, speed: Operating) -> Option<Check> 
         (Some(s), _) => {
             let probes = facts.system.probes();
             let known = |name: &str| s.sizes.iter().find(|x| x.0 == name).map(|x| x.1);
-            let one = |j: &crate::study::shared::journals::Journal| {
+            let one = |j: &Journal| {
                 let peak_to_peak = 2.0 * known(&probe_name(&probes[j.probe?]))?;
-                Some(JournalVibration { slot: j.slot, speed: facts.sign * speed.high, peak_to_peak })
+                Some(JournalVibration { slot: j.slot, speed: at, peak_to_peak })
             };
             all.iter().filter_map(one).collect()
         }
@@ -89,9 +104,15 @@ pub(super) fn shaft_vibration(facts: &Facts, speed: Operating) -> Option<Check> 
     }
     let name = |slot: usize| Arg::name(&facts.system.slots()[slot].name);
     let zone = |v: &JournalVibration| standard.zone(v.speed, v.peak_to_peak);
+    // housings are assessed by their velocity
+    let size = |speed: f64, peak_to_peak: f64| match of_housings {
+        true => Arg::quantity(rms_velocity(speed, peak_to_peak), "m/s"),
+        false => Arg::quantity(peak_to_peak, "m"),
+    };
     let item = |v: &JournalVibration| {
-        let m = Message::new("item-shaft-vibration").arg("name", name(v.slot)).arg("value", Arg::quantity(v.peak_to_peak, "m"));
-        Arg::from(m.arg("zone", Arg::word(if standard == ShaftVibration::Zones { zone(v).word() } else { "none" })))
+        let key = if of_housings { "item-housing-vibration" } else { "item-shaft-vibration" };
+        let m = Message::new(key).arg("name", name(v.slot)).arg("value", size(v.speed, v.peak_to_peak));
+        Arg::from(m.arg("zone", Arg::word(if standard.has_zones() { zone(v).word() } else { "none" })))
     };
     let sizes = Arg::List(found.iter().take(MOST_NAMED).map(item).collect());
     let verdict = match found.iter().map(zone).max() {
@@ -102,11 +123,10 @@ pub(super) fn shaft_vibration(facts: &Facts, speed: Operating) -> Option<Check> 
     // the linear response passes through a part that would hold it
     let closes = steady.is_none() && facts.response.as_ref().and_then(Known::get).is_some_and(|r| !r.observed.closed.is_empty());
     let verdict = if closes && verdict == Verdict::Passed { Verdict::Attention } else { verdict };
-    let limit = Arg::quantity(standard.limit(worst.speed), "m");
-    let detail = Message::new("shaft-vibration-detail")
+    let detail = Message::new(if of_housings { "housing-vibration-detail" } else { "shaft-vibration-detail" })
         .arg("standard", Arg::word(standard.word()))
         .arg("speed", Arg::speed(worst.speed))
         .arg("nonlinear", Arg::word(if steady.is_some() { "yes" } else { "no" }));
-    let required = Some(Arg::from(Message::new("required-below").arg("limit", limit)));
-    Some(Check { detail: Some(detail), required, ..Check::new(WHAT, Message::new("shaft-vibration-sizes").arg("sizes", sizes), verdict) })
+    let required = Some(Arg::from(Message::new("required-below").arg("limit", size(worst.speed, standard.limit(worst.speed)))));
+    Check { detail: Some(detail), required, ..Check::new(what, Message::new("shaft-vibration-sizes").arg("sizes", sizes), verdict) }
 }

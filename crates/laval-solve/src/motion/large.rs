@@ -1,0 +1,324 @@
+//! Machines with many coordinates: matrices as entries, whose factors cost in proportion to the number of coordinates.
+//!
+//! ```text
+//! T(s) = A0 + s A1 + s^2 A2    over coordinates and internal states, the Laplace transform of the linearised equations
+//! M a = -r(q, v, a = 0, z)
+//! (s I - J) x = b:    T(s) (dq, dz) = A2 (b_v + s b_q) + A1 b_q + (0, b_z),    dv = s dq - b_q
+//! ```
+//!
+//! For machines of constant mass without memory states. M is factored once, T(s) for each length of a step.
+
+use super::direct::{Direct, linear_rows, singular};
+use super::point;
+use crate::equilibrium::nonlinear_states;
+use crate::large::is_large;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::{At, Rows};
+use crate::model::rows::LinearRows;
+use crate::model::system::{System, Workspace};
+use crate::model::tangent::{SparseTangent, TangentScratch};
+use crate::programme::Spin;
+use crate::reduced_machine::is_plain;
+use laval_num::complex::C64;
+use laval_num::dense::Singular;
+use laval_num::factor::{Factors, Number, Selection};
+use laval_num::ode::Failure;
+use std::sync::Arc;
+
+/// Speeds at which the linear parts are kept: of the stages of a step, and of its start.
+const KEPT: usize = 4;
+/// Pivot over the largest below which the mass matrix is singular to rounding.
+const SINGULAR: f64 = 1e-13;
+/// Applications of J that its spectral radius is estimated by, after as many before them.
+const GROWTH: i32 = 16;
+
+/// The machine by entries.
+pub(super) struct Large {
+    /// Linear parts at the speeds of late, the last one first; one for all speeds of parts that allow for it.
+    models: Vec<Linear>,
+    any_speed: bool,
+    scratch: LinearScratch<f64>,
+    coordinates: Arc<Selection>,
+    mass: Factors<f64>,
+    factored: Vec<f64>,
+    /// Global indices of the internal states in the order of the unknowns.
+    states: Vec<usize>,
+    z: Vec<f64>,
+    sum: Vec<f64>,
+    plain: Workspace<f64>,
+    tangent: SparseTangent,
+    tangents: TangentScratch,
+    terms: [Vec<f64>; 3],
+    /// A1 and A2 in the columns of coordinates.
+    rates: Rates,
+    shifted: Shifted,
+}
+
+/// Linear parts at a speed, and their rows where these serve.
+struct Linear {
+    model: LinearModel<f64>,
+    rows: Option<LinearRows>,
+}
+
+impl Linear {
+    fn new(system: &System, speed: f64, plain: bool, mut model: LinearModel<f64>, scratch: &mut LinearScratch<f64>) -> Self {
+        system.linear(system.params(), speed, Form::Time, &mut model, scratch);
+        Linear { rows: LinearRows::new(&model, plain), model }
+    }
+}
+
+/// Speed at which the matrices of any speed are assembled where the machine stands, rad/s: loads that turn show in it.
+const ANY: f64 = 100.0;
+
+/// Factors of T at a real and a complex place, and room for right sides.
+#[derive(Default)]
+struct Shifted {
+    at: (f64, C64),
+    real: Factors<f64>,
+    complex: Factors<C64>,
+    rows: [Vec<f64>; 2],
+    complex_rows: [Vec<C64>; 2],
+}
+
+/// Rows of A1 and A2: column and both values, and where each row ends.
+#[derive(Default)]
+struct Rates {
+    ends: Vec<usize>,
+    entries: Vec<(usize, f64, f64)>,
+}
+
+impl Rates {
+    fn fill(&mut self, model: &LinearModel<f64>, [_, a1, a2]: &[Vec<f64>; 3], n: usize) {
+        self.ends.clear();
+        self.entries.clear();
+        for i in 0..model.pattern().n() {
+            let row = model.pattern().row(i).take_while(|x| x.1 < n).map(|(e, j)| (j, a1[e], a2[e]));
+            self.entries.extend(row.filter(|x| x.1 != 0.0 || x.2 != 0.0));
+            self.ends.push(self.entries.len());
+        }
+    }
+    /// `A1 x + A2 y`.
+    fn apply<T: Number>(&self, x: &[T], y: &[T], out: &mut Vec<T>) {
+        out.clear();
+        let mut from = 0;
+        out.extend(self.ends.iter().map(|&end| {
+            let row = &self.entries[from..end];
+            from = end;
+            row.iter().fold(T::ZERO, |sum, &(j, a1, a2)| sum + x[j].times(a1) + y[j].times(a2))
+        }));
+    }
+}
+
+impl Large {
+    /// `None` of a machine that is not large, or not of this kind; `constant` says that its mass matrix is. Its linear parts are assembled at `speed`.
+    ///
+    /// # Errors
+    /// A singular mass matrix.
+    pub fn new(system: &System, constant: bool, speed: f64) -> Result<Option<Self>, Failure> {
+        if !(constant && is_large(system) && system.slots().iter().all(|s| s.memory == 0)) {
+            return Ok(None);
+        }
+        let plain = system.slots().iter().filter(|s| s.is_linear()).all(|s| is_plain(system, s));
+        let mut scratch = LinearScratch::default();
+        let speed = if plain && speed == 0.0 { ANY } else { speed };
+        let linear = Linear::new(system, speed, plain, LinearModel::default(), &mut scratch);
+        let plain = plain && linear.rows.is_some();
+        let model = &linear.model;
+        let mut out = Large {
+            coordinates: model.selection(&(0..system.n()).collect::<Vec<_>>()),
+            states: model.states().iter().copied().chain(nonlinear_states(system)).collect(),
+            models: vec![linear],
+            any_speed: plain,
+            scratch,
+            mass: Factors::default(),
+            factored: Vec::new(),
+            z: Vec::new(),
+            sum: Vec::new(),
+            plain: Workspace::default(),
+            tangent: SparseTangent::default(),
+            tangents: TangentScratch::default(),
+            terms: Default::default(),
+            rates: Rates::default(),
+            shifted: Shifted::default(),
+        };
+        out.factor_mass(system)?;
+        // NaN fails
+        if !(out.mass.pivot_ratio() > SINGULAR) {
+            return Err(singular(system, system.n() - 1, &out.factored));
+        }
+        Ok(Some(out))
+    }
+
+    /// Assembles the linear parts at a speed, or finds them.
+    fn assemble(&mut self, system: &System, speed: f64) -> Result<(), Failure> {
+        if self.any_speed {
+            self.models[0].model.speed = speed;
+            return Ok(());
+        }
+        // also where both are NaN
+        if let Some(k) = self.models.iter().position(|m| m.model.speed.to_bits() == speed.to_bits()) {
+            self.models[..=k].rotate_right(1);
+            return Ok(());
+        }
+        let reused = if self.models.len() < KEPT { None } else { self.models.pop() };
+        let linear = Linear::new(system, speed, false, reused.map(|l| l.model).unwrap_or_default(), &mut self.scratch);
+        self.models.insert(0, linear);
+        if self.models[0].model.mass_values() == self.factored { Ok(()) } else { self.factor_mass(system) }
+    }
+
+    fn factor_mass(&mut self, system: &System) -> Result<(), Failure> {
+        let values = self.models[0].model.mass_values();
+        self.factored.clear();
+        self.factored.extend_from_slice(values);
+        self.mass.factor(&self.coordinates.inner, &self.coordinates.taken(values)).map_err(|s| singular(system, s.column, values))
+    }
+
+    /// Fills `accel` and `rate` of `out`.
+    ///
+    /// # Errors
+    /// A mass matrix that is singular at this speed.
+    pub fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) -> Result<(), Failure> {
+        self.assemble(system, spin.speed)?;
+        let n = system.n();
+        let Linear { model, rows } = &self.models[0];
+        let at = point(system, t, spin, y, &out.zero);
+        let (force, rate) = (&mut out.accel[..n], &mut out.rate[..]);
+        rate.fill(0.0);
+        match rows {
+            Some(rows) => {
+                self.z.clear();
+                self.z.extend(model.states().iter().map(|&i| at.z[i]));
+                self.sum.resize(model.held(), 0.0);
+                rows.residual(&At { z: &self.z, ..at }, &mut self.sum);
+                force.copy_from_slice(&self.sum[..n]);
+                model.states().iter().zip(&self.sum[n..]).for_each(|(&i, r)| rate[i] = *r);
+            }
+            None => {
+                force.fill(0.0);
+                linear_rows(system, model, &at, force, rate, &mut self.z, &mut self.sum);
+            }
+        }
+        let mut ignored = 0.0;
+        let mut rows = Rows { force: &mut *force, rate: &mut *rate, spin: &mut ignored };
+        system.residual(system.params(), &at, &mut rows, &mut self.plain, |s| !s.is_linear());
+        force.iter_mut().for_each(|f| *f = -*f);
+        self.mass.solve(force);
+        for (k, &i) in model.states().iter().enumerate() {
+            let row = model.pattern().row(n + k).take_while(|x| x.1 < n);
+            rate[i] += row.map(|(e, j)| model.mass_values()[e] * force[j]).sum::<f64>();
+        }
+        Ok(())
+    }
+
+    /// A0, A1, A2 at a point with the right accelerations.
+    pub fn linearise(&mut self, system: &System, at: &At<f64>) -> Result<(), Failure> {
+        self.assemble(system, at.speed)?;
+        let Large { models, states, tangent: t, tangents, terms, .. } = self;
+        let (model, n) = (&models[0].model, system.n());
+        let (pattern, held) = (model.pattern(), model.held());
+        *terms = model.polynomial();
+        system.tangent(at, false, t, tangents, |s| !s.is_linear());
+        let mut unknown = vec![usize::MAX; system.m()];
+        states.iter().enumerate().for_each(|(k, &z)| unknown[z] = n + k);
+        let mut add = |power: usize, i: usize, j: usize, x: f64| {
+            if let Some(e) = pattern.index(i, j) {
+                terms[power][e] += x;
+            }
+        };
+        for (power, (top, bottom)) in [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)].into_iter().enumerate() {
+            top.0.iter().for_each(|&(i, j, x)| add(power, i, j, x));
+            bottom.0.iter().for_each(|&(i, j, x)| add(power, unknown[i], j, -x));
+        }
+        t.z.0.iter().for_each(|&(i, j, x)| add(0, i, unknown[j], x));
+        t.rate_z.0.iter().for_each(|&(i, j, x)| add(0, unknown[i], unknown[j], -x));
+        (held..pattern.n()).for_each(|i| add(1, i, i, 1.0));
+        self.rates.fill(&self.models[0].model, &self.terms, n);
+        Ok(())
+    }
+
+    /// Factors T at both shifts.
+    pub fn factor(&mut self, real: f64, complex: C64) -> Result<(), Singular> {
+        let plan = self.models[0].model.plan();
+        self.shifted.at = (real, complex);
+        self.shifted.real.factor(plan, &at(&self.terms, real))?;
+        self.shifted.complex.factor(plan, &at(&self.terms, complex))
+    }
+
+    /// Solves `(s I - J) x = b` in place at the real shift.
+    pub fn solve_real(&mut self, n: usize, b: &mut [f64]) {
+        let Shifted { at, real, rows, .. } = &mut self.shifted;
+        solve((n, &self.states, &self.rates), at.0, real, b, rows);
+    }
+
+    /// The same at the complex one.
+    pub fn solve_complex(&mut self, n: usize, b: &mut [C64]) {
+        let Shifted { at, complex, complex_rows, .. } = &mut self.shifted;
+        solve((n, &self.states, &self.rates), at.1, complex, b, complex_rows);
+    }
+
+    /// Size of the largest eigenvalues of J, 1/s, by its powers, in coordinates whose masses are one. Of what is linearised; internal states are left out.
+    pub fn spectral_radius(&self, n: usize) -> f64 {
+        let (model, plan) = (&self.models[0].model, &self.coordinates.inner);
+        let pattern = model.pattern();
+        let scale: Vec<f64> = (0..n).map(|i| model.mass(i, i).abs().sqrt()).collect();
+        let [a0, a1, _] = &self.terms;
+        let applied = |q: &[f64], v: &[f64]| -> Vec<f64> {
+            let row = |i: usize| pattern.row(i).take_while(|x| x.1 < n).map(|(e, j)| a0[e] * q[j] + a1[e] * v[j]).sum::<f64>();
+            let mut force: Vec<f64> = (0..plan.n()).map(|i| -row(i)).collect();
+            self.mass.solve(&mut force);
+            force
+        };
+        // displacements in units of the radius found so far, so that both halves count
+        let (mut unit, mut x) = (1.0f64, [vec![0.0; n], vec![0.0; n]]);
+        x[1].iter_mut().enumerate().for_each(|(i, v)| *v = (1.0 + 0.3 * (1.7 * i as f64).sin()) * if i % 2 == 0 { 1.0 } else { -1.0 });
+        let norm = |x: &[Vec<f64>; 2], unit: f64| -> f64 {
+            let square = |x: &[f64]| x.iter().zip(&scale).map(|(x, s)| (x * s) * (x * s)).sum::<f64>();
+            (unit * unit * square(&x[0]) + square(&x[1])).sqrt()
+        };
+        let mut rate = 0.0;
+        for _ in 0..2 {
+            let (mut growth, mut last) = (0.0, norm(&x, unit));
+            for _ in 0..GROWTH {
+                let force = applied(&x[0], &x[1]);
+                let [q, v] = x;
+                (x, _) = ([v, force], q);
+                let size = norm(&x, unit);
+                growth += (size / last).ln();
+                x.iter_mut().flatten().for_each(|x| *x /= size);
+                last = 1.0;
+            }
+            rate = (growth / f64::from(GROWTH)).exp();
+            unit = rate;
+        }
+        rate
+    }
+}
+
+/// `A0 + s A1 + s^2 A2`.
+fn at<T: Number>([a0, a1, a2]: &[Vec<f64>; 3], s: T) -> Vec<T> {
+    let square = s * s;
+    a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| T::real(a0) + s.times(a1) + square.times(a2)).collect()
+}
+
+/// Solves `(s I - J) x = b` in place with the factors of T(s); what stands behind the states are integrals.
+fn solve<T: Number>((n, states, rates): (usize, &[usize], &Rates), s: T, factors: &Factors<T>, b: &mut [T], rows: &mut [Vec<T>; 2]) {
+    let [moved, right] = rows;
+    moved.clear();
+    moved.extend((0..n).map(|i| b[n + i] + s * b[i]));
+    rates.apply(&b[..n], moved, right);
+    for (k, &z) in states.iter().enumerate() {
+        right[n + k] += b[2 * n + z];
+    }
+    factors.solve(right);
+    for i in 0..n {
+        let dq = right[i];
+        b[n + i] = s * dq - b[i];
+        b[i] = dq;
+    }
+    for (k, &z) in states.iter().enumerate() {
+        b[2 * n + z] = right[n + k];
+    }
+    for x in &mut b[2 * n + states.len()..] {
+        *x = *x / s;
+    }
+}
