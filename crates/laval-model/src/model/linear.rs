@@ -241,6 +241,12 @@ impl<S: Scalar> LinearModel<S> {
     pub(super) fn entry(&self, e: usize) -> [S; 5] {
         [self.stiffness[e], self.circulatory[e], self.damping[e], self.gyroscopic[e], self.spin_accel_stiffness[e]]
     }
+    /// Adds what places are multiplied by while the spin accelerates to `A0` of the polynomial.
+    pub fn add_spin_accel(&self, spin_accel: S, a0: &mut [S]) {
+        if !spin_accel.is_nothing() {
+            a0.iter_mut().zip(&self.spin_accel_stiffness).for_each(|(a, &k)| *a += spin_accel * k);
+        }
+    }
     /// The mass matrix alone, entry by entry of the pattern.
     pub fn mass_values(&self) -> &[S] {
         &self.mass

@@ -217,6 +217,7 @@ impl Large {
         let (model, n) = (&models[0].model, system.n());
         let (pattern, held) = (model.pattern(), model.held());
         *terms = model.polynomial();
+        model.add_spin_accel(at.spin_accel, &mut terms[0]);
         system.tangent(at, false, t, tangents, |s| !s.is_linear());
         let mut unknown = vec![usize::MAX; system.m()];
         states.iter().enumerate().for_each(|(k, &z)| unknown[z] = n + k);

@@ -112,7 +112,7 @@ fn solves_are_those_of_the_full_jacobian() {
                 left -= z[j].scale(full[(i, j)]);
                 size += (full[(i, j)] * x[j]).abs();
             }
-            assert!(real_left.abs() <= 1e-7 * size && left.abs() <= 1e-7 * size, "{i}: {real_left:e} {left:?} {size:e}");
+            assert!(real_left.abs() <= 1e-8 * size && left.abs() <= 1e-8 * size, "{i}: {real_left:e} {left:?} {size:e}");
         }
     }
 }
