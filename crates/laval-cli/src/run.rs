@@ -373,7 +373,9 @@ impl<'a> Run<'a> {
 
     /// The first page, from the machine and what its studies found.
     fn overview(&mut self) {
-        if CANCEL.load(Ordering::Relaxed) {
+        // tables and figures hold nothing of it
+        let shown = !self.args.quiet || self.formats.iter().any(|f| matches!(f, Format::Json | Format::Html));
+        if !shown || CANCEL.load(Ordering::Relaxed) {
             return;
         }
         let context = Context { name: "summary", cancel: &CANCEL, progress: &Silent, work_limit: u64::MAX, keep: None };

@@ -44,6 +44,15 @@ def two_discs(rs: object, elements: int) -> object:
     return rs.Rotor(shaft, discs, bearings, rated_w=SPEED)
 
 
+def rotating(np: object, rotor: object, node: int) -> object:
+    """A force of an unbalance of 0.1 g m at a node over one second."""
+    t = np.linspace(0.0, 1.0, 10_000)
+    force = np.zeros((len(t), rotor.ndof))
+    for place, wave in ((0, np.cos), (1, np.sin)):
+        force[:, rotor.number_dof * node + place] = 1e-4 * SPEED**2 * wave(SPEED * t)
+    return force
+
+
 def lowest(rotor: object, machine: object, laval: object) -> float:
     """Largest relative difference of the four lowest frequencies."""
     theirs = sorted(w for w in rotor.run_modal(speed=SPEED, num_modes=24).wd if w > 1.0)
@@ -77,6 +86,18 @@ def main() -> None:
                 f"response to a force, {SPEEDS} speeds",
                 lambda r: r.run_unbalance_response(node=first, unbalance_magnitude=1e-4, unbalance_phase=0.0, frequency=speeds),
                 laval.studies.harmonic_force(place=place, direction="forward", speed=span),
+            ),
+            (
+                "critical speeds, 20 stiffnesses",
+                lambda r: r.run_ucs(stiffness_range=(5, 10), num=20),
+                laval.studies.support_stiffness_map(stiffness=laval.span("1e5 N/m", "1e10 N/m", points=20)),
+            ),
+            (
+                "motion of 1 s, 10 000 points",
+                lambda r: r.run_time_response(SPEED, rotating(np, r, first), np.linspace(0.0, 1.0, 10_000)),
+                laval.studies.transient(
+                    duration="1 s", points=10_000, speed=SPEED, relative_tolerance=1e-6, kick={f"shaft.node_{first + 1}.x'": "20 mm/s"}
+                ),
             ),
         ]
         for name, theirs, study in analyses:

@@ -375,6 +375,9 @@ def operation(
     resonance_margin: Quantity | None = None,
     instability_margin: Quantity | None = None,
     decrement: Quantity | None = None,
+    balance_grade: Literal["G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000"] | None = None,
+    shaft_vibration: Literal["iso_7919_3", "api_617"] | None = None,
+    housing_vibration: Literal["group_1_rigid", "group_1_flexible", "group_2_rigid", "group_2_flexible"] | None = None,
 ) -> Extra:
     """At which speeds the machine runs, how it gets there, and which margins it must keep: the first page of the report assesses them. Limits on vibration and forces are in [limits].
 
@@ -389,6 +392,12 @@ def operation(
             a pure number, between 0 and 1
         decrement: least logarithmic decrement of every natural mode at the operating speed (optional).
             a pure number, above 0 and at most 100
+        balance_grade: balance quality grade of ISO 21940-11: the unbalance of every rotor, and its share in the planes of two bearings, is assessed at the highest operating speed (optional).
+            "G0.4" (0.4 mm/s: gyroscopes, spindles of high-precision systems) or "G1" (1 mm/s: grinding-machine drives, tape drives) or "G2.5" (2.5 mm/s: compressors, gas and steam turbines, machine-tool drives, fast electric motors) or "G6.3" (6.3 mm/s: centrifuges and separators, fans, pumps, gears, general machinery) or "G16" (16 mm/s: drive shafts, crushers, agricultural machinery) or "G40" (40 mm/s: car wheels, wheel rims, crankshaft drives balanced in themselves) or "G100" (100 mm/s: complete reciprocating engines of cars and locomotives) or "G250" (250 mm/s: crankshaft drives not balanced in themselves, rigidly mounted) or "G630" (630 mm/s: crankshaft drives of large four-stroke engines) or "G1600" (1600 mm/s: crankshaft drives of large slow engines, elastically mounted) or "G4000" (4000 mm/s: crankshaft drives of large slow engines, rigidly mounted)
+        shaft_vibration: standard whose limits on the vibration of the shaft relative to its bearings, peak to peak, are assessed over the operating speeds (optional).
+            "iso_7919_3" (zones A to D of ISO 7919-3 (coupled industrial machines with fluid-film bearings, 1000 to 30 000 rpm)) or "api_617" (API 617: 25.4 µm times the square root of 12 000 rpm over the speed, at most 25.4 µm)
+        housing_vibration: group of ISO 20816-3 whose zones A to D for the vibration of bearing housings are assessed over the operating speeds: of bodies that bearings stand on (optional).
+            "group_1_rigid" (above 300 kW, or electrical with a shaft height of 315 mm and more; rigid supports) or "group_1_flexible" (the same on flexible supports) or "group_2_rigid" (15 to 300 kW, or electrical with a shaft height of 160 to 315 mm; rigid supports) or "group_2_flexible" (the same on flexible supports)
 
     In a machine file::
 

@@ -32,7 +32,7 @@ def disc(
     skew_phase: Quantity | None = None,
     centre_of_mass: Quantity | None = None,
 ) -> Part:
-    """A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling and dynamic unbalance. Other parts attach to it.
+    """A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling and dynamic unbalance. Other parts attach to it. With mass = 0 it is a point without inertia, as between two springs in series.
 
     Args:
         name: by which others refer to it.
@@ -84,7 +84,7 @@ def foundation(
     stiffness: Lateral,
     damping: Lateral | None = None,
 ) -> Part:
-    """A foundation block on elastic supports to the ground, movable in x and y. Other parts attach to it.
+    """A foundation block on elastic supports to the ground, movable in x and y. Other parts attach to it. With mass = 0 it is a point without inertia on its supports.
 
     Args:
         name: by which others refer to it.

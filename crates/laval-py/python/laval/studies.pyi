@@ -47,14 +47,29 @@ def static(
     name: str | None = None,
     speed: Quantity | None = None,
     supports: str | None = None,
+    offset_x: Named | None = None,
+    offset_y: Named | None = None,
+    couplings: str | None = None,
+    aligned_for: Literal["moment_and_shear", "moment"] | None = None,
+    kept: str | None = None,
 ) -> Study:
-    """The machine at rest under its weight (axis = "horizontal" in [machine]) and constant forces: deflection, slope, shear force and bending moment along its shafts, loads of its bearings, mass and moments of inertia. Twice: with the stiffness that the bearings have at a speed, and on rigid supports in their places.
+    """The machine at rest under its weight (axis = "horizontal" in [machine]) and constant forces: deflection, slope, shear force and bending moment along its shafts, loads of its bearings, mass and moments of inertia. Twice: with the stiffness that the bearings have at a speed, and on rigid supports in their places. With offsets of its supports, their influence on the loads, and the heights at which couplings carry nothing.
 
     Args:
         name: by which others refer to it.
         speed: speed whose coefficients the bearings have; the machine's when left out, or 0 without one (optional).
             a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
         supports: names of the parts that support the rotor, separated by commas; every part with stiffness between what turns and what does not, unless given (optional).
+            a text
+        offset_x: offsets of supports in x against what they stand on, as { "bearing 2" = "0.2 mm" }; positive in the direction of x (optional).
+            a length (mm, m, µm), between -1 m and 1 m; one value, or { name = .., name = .. }
+        offset_y: heights of supports in y against what they stand on, as { "bearing 2" = "0.2 mm" }; positive where they are raised (optional).
+            a length (mm, m, µm), between -1 m and 1 m; one value, or { name = .., name = .. }
+        couplings: couplings whose faces coincide and are parallel once the shafts are aligned, separated by commas: parts that join two turning bodies, or nodes of a shaft as "shaft at 1200 mm"; the heights of the supports that this takes are computed (optional).
+            a text
+        aligned_for: loads of the couplings that vanish in the aligned train (default moment_and_shear).
+            "moment_and_shear" (neither bending moment nor shear force at the couplings, as of a train with two bearings on each shaft) or "moment" (no bending moment at the couplings, as where a shaft has one bearing and hangs on its coupling)
+        kept: names of the supports that keep their offsets in the aligned train, separated by commas; the first two of the machine unless given (optional).
             a text
 
     In a machine file::
