@@ -217,3 +217,49 @@ fn coefficients_of_the_short_bearing() {
         }
     }
 }
+
+/// A bearing with two axial grooves beside the load, L/D = 0.5, as printed in table 1a of I. F. Santos, Tribology of Machine Elements (course 41524, Technical University of Denmark, 2023):
+/// S = mu N L D/W (R/c)^2, eccentricity, attitude angle in degrees, Kxx, Kxy, Kyx, Kyy in W/c, Bxx, Bxy, Byx, Byy in W/(c w); x along the load, y a quarter turn on in the direction of rotation.
+const GROOVED: [[f64; 11]; 8] = [
+    [2.634, 0.165, 72.36, 1.61, 6.74, -3.01, 1.91, 13.36, 2.00, 2.00, 6.28],
+    [1.656, 0.244, 65.85, 1.69, 5.06, -2.20, 1.95, 9.93, 2.15, 2.15, 4.80],
+    [0.917, 0.372, 57.45, 2.12, 4.01, -1.30, 1.85, 7.70, 2.06, 2.06, 3.23],
+    [0.580, 0.477, 51.01, 2.67, 3.70, -0.78, 1.75, 6.96, 1.94, 1.94, 2.40],
+    [0.378, 0.570, 45.43, 3.33, 3.64, -0.43, 1.68, 6.76, 1.87, 1.87, 1.89],
+    [0.244, 0.655, 40.25, 4.21, 3.74, -0.13, 1.64, 6.87, 1.82, 1.82, 1.54],
+    [0.151, 0.734, 35.20, 5.48, 3.98, 0.15, 1.61, 7.26, 1.79, 1.79, 1.27],
+    [0.086, 0.809, 30.04, 7.51, 4.42, 0.47, 1.59, 8.03, 1.79, 1.79, 1.03],
+];
+
+/// The load that belongs to S, over mu W R L^3/(4 c^2), and the coefficients with the load along -y.
+fn printed(row: &[f64; 11], ratio: f64) -> (f64, [f64; 8]) {
+    let turned = |xx: f64, xy: f64, yx: f64, yy: f64| [yy, -yx, -xy, xx];
+    let [k, b] = [3, 7].map(|i| turned(row[i], row[i + 1], row[i + 2], row[i + 3]));
+    let mut all = [0.0; 8];
+    all[..4].copy_from_slice(&k);
+    all[4..].copy_from_slice(&b);
+    (1.0 / (PI * row[0] * ratio * ratio), all)
+}
+
+/// The printed rows against a plain film of the same length and against the part, as the page says.
+#[test]
+fn printed_rows_of_a_bearing_with_two_grooves() {
+    let table = rows("| printed e | printed attitude |");
+    assert_eq!(table.len(), GROOVED.len());
+    for (row, said) in GROOVED.iter().zip(table) {
+        let (load, coefficients) = printed(row, 0.5);
+        let film = extrapolated(0.5, row[1]);
+        let (part, e) = of_the_part(0.5, load);
+        assert_eq!(said[..2], row[1..3]);
+        let more = 100.0 * (size(film) / load - 1.0);
+        let (turned, short) = (attitude(film) - row[2], e);
+        assert!(
+            (more - said[2]).abs() < 0.7 && (turned - said[3]).abs() < 0.1 && (short - said[4]).abs() < 1e-3,
+            "{said:?}: {more} {turned} {short}"
+        );
+        for k in 0..8 {
+            let off = 100.0 * (part[k] / coefficients[k] - 1.0);
+            assert!((off - said[5 + k]).abs() < 0.7, "{said:?}, coefficient {k}: {off}");
+        }
+    }
+}
