@@ -15,11 +15,11 @@ use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
 use laval_num::ode::{DenseSolver, Ode, StiffOde};
 
-/// A shaft on cubic bearings with a cavity part filled with liquid, whose waves are internal states; on request a table over the speed, whose matrices have to be assembled at each speed, and
+/// A lying shaft on cubic bearings with a cavity part filled with liquid, whose waves are internal states; on request a table over the speed, whose matrices have to be assembled at each speed, and
 /// a load of another spin.
 fn with_liquid(table: bool, other: bool) -> System {
     let mut text = String::from(
-        "[machine]\nname = \"bowl\"\nspeed = 300.0\naxis = \"vertical\"\n\
+        "[machine]\nname = \"bowl\"\nspeed = 300.0\naxis = \"horizontal\"\n\
          [[part]]\nkind = \"shaft\"\nname = \"s\"\nelements = 24\nrotating_damping = 1e-5\nsection = { length = [0.7], outer_diameter = [0.05] }\n\
          [[part]]\nkind = \"disc\"\nname = \"bowl\"\non = { body = \"s\", at = 0.5 }\nmass = 9.0\npolar_inertia = 0.1\ndiametral_inertia = 0.07\nunbalance = 3e-4\n\
          [[part]]\nkind = \"liquid\"\nname = \"milk\"\nin = \"bowl\"\nmodel = \"strip\"\ncavity_radius = 0.1\ncavity_height = 0.08\ndensity = 1030.0\nfill = { free_surface_radius = 0.09 }\nwave_damping = 5.0\n",
