@@ -236,7 +236,7 @@ impl<S: Scalar> LinearModel<S> {
             false => [-self.stiffness[e], if i == j { S::one() } else { -self.damping[e] }, -self.mass[e]],
         }
     }
-    /// What stands in one entry of the pattern beside the mass matrix, as it is written into the rows of coordinates and of states: factors of places, of places times speed, of
+    /// One entry of the pattern beside the mass matrix, in the rows of coordinates and of states: factors of places, of places times speed, of
     /// velocities, of velocities times speed and of places times spin acceleration.
     pub(super) fn entry(&self, e: usize) -> [S; 5] {
         [self.stiffness[e], self.circulatory[e], self.damping[e], self.gyroscopic[e], self.spin_accel_stiffness[e]]

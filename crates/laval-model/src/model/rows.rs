@@ -1,4 +1,4 @@
-//! The linear parts of a machine by rows, for many evaluations at points of a motion: what is zero is left out.
+//! The linear parts of a machine by rows, for many evaluations at points of a motion; zeros are left out.
 
 use super::linear::{LinearModel, Loads};
 use super::part::At;

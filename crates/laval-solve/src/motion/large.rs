@@ -34,7 +34,7 @@ const GROWTH: i32 = 16;
 
 /// The machine by entries.
 pub(super) struct Large {
-    /// Linear parts at the speeds of late, the last one first; one for all speeds of parts that allow for it.
+    /// Linear parts at the latest speeds, the last one first; one for all speeds where the matrices of all parts are those of any speed.
     models: Vec<Linear>,
     any_speed: bool,
     scratch: LinearScratch<f64>,
@@ -257,7 +257,7 @@ impl Large {
         solve((n, &self.states, &self.rates), at.1, complex, b, complex_rows);
     }
 
-    /// Size of the largest eigenvalues of J, 1/s, by its powers, in coordinates whose masses are one. Of what is linearised; internal states are left out.
+    /// Size of the largest eigenvalues of J, 1/s, by its powers at the last linearisation, in coordinates whose masses are one; internal states are left out.
     pub fn spectral_radius(&self, n: usize) -> f64 {
         let (model, plan) = (&self.models[0].model, &self.coordinates.inner);
         let pattern = model.pattern();
@@ -301,7 +301,7 @@ fn at<T: Number>([a0, a1, a2]: &[Vec<f64>; 3], s: T) -> Vec<T> {
     a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| T::real(a0) + s.times(a1) + square.times(a2)).collect()
 }
 
-/// Solves `(s I - J) x = b` in place with the factors of T(s); what stands behind the states are integrals.
+/// Solves `(s I - J) x = b` in place with the factors of T(s); the numbers behind the states are integrals.
 fn solve<T: Number>((n, states, rates): (usize, &[usize], &Rates), s: T, factors: &Factors<T>, b: &mut [T], rows: &mut [Vec<T>; 2]) {
     let [moved, right] = rows;
     moved.clear();

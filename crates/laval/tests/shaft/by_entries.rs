@@ -68,7 +68,7 @@ fn the_equations_balance() {
         let mut motion = Motion::new(&system, ramp(40.0, 400.0)).unwrap();
         assert!(motion.is_by_entries());
         let y = state(&system, motion.dim());
-        // one after the other, so that what is kept of a speed is used and used again
+        // one after the other, so that the matrices of a speed are used several times
         for t in [0.4, 1.1, 0.4, 1.7, 0.9, 1.3, 1.1] {
             let rates = motion.accelerations(t, &y).unwrap().rates.to_vec();
             let forces = |at: &At<f64>| {
