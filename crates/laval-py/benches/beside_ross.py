@@ -96,7 +96,7 @@ def main() -> None:
             (
                 "motion of 1 s, 10 000 points",
                 lambda r: r.run_time_response(SPEED, rotating(np, r, first), np.linspace(0.0, 1.0, 10_000)),
-                laval.studies.transient(duration="1 s", points=10_000, speed=SPEED, relative_tolerance=1e-6),
+                laval.studies.transient(duration="1 s", points=10_000, speed=SPEED, relative_tolerance=1e-6, absolute_tolerance=1e-7),
             ),
         ]
         for name, theirs, study in analyses:
