@@ -534,23 +534,34 @@ fn tangents(
     let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
     let (mut t, mut ts) = (SparseTangent::default(), TangentScratch::default());
     system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
-    let mut unknown = vec![usize::MAX; system.m()];
-    states.iter().enumerate().for_each(|(k, &z)| unknown[z] = n + k);
     let mut out = [(); 3].map(|()| vec![C64::ZERO; pattern.entries()]);
-    let mut add = |power: usize, i: usize, j: usize, x: f64| {
+    each_tangent_entry(&t, pattern, (n, first), states, |power, e, x| out[power][e].re += x);
+    out.iter_mut().for_each(|all| sectors.polarise_entries(pattern, all));
+    out
+}
+
+/// Calls `add` with the power of s, the entry of the pattern and the value of all that nonlinear parts add to T(s): over n coordinates and `states`, of which those from unknown `first` on are theirs.
+pub(crate) fn each_tangent_entry(
+    t: &SparseTangent,
+    pattern: &Pattern,
+    (n, first): (usize, usize),
+    states: &[usize],
+    mut add: impl FnMut(usize, usize, f64),
+) {
+    let mut unknown = vec![usize::MAX; states.iter().max().map_or(0, |z| z + 1)];
+    states.iter().enumerate().for_each(|(k, &z)| unknown[z] = n + k);
+    let mut place = |power: usize, i: usize, j: usize, x: f64| {
         if let Some(e) = pattern.index(i, j) {
-            out[power][e].re += x;
+            add(power, e, x);
         }
     };
     for (power, (top, bottom)) in [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)].into_iter().enumerate() {
-        top.0.iter().for_each(|&(i, j, x)| add(power, i, j, x));
-        bottom.0.iter().for_each(|&(i, j, x)| add(power, unknown[i], j, -x));
+        top.0.iter().for_each(|&(i, j, x)| place(power, i, j, x));
+        bottom.0.iter().for_each(|&(i, j, x)| place(power, unknown[i], j, -x));
     }
-    t.z.0.iter().for_each(|&(i, j, x)| add(0, i, unknown[j], x));
-    t.rate_z.0.iter().for_each(|&(i, j, x)| add(0, unknown[i], unknown[j], -x));
-    (first..pattern.n()).for_each(|i| add(1, i, i, 1.0));
-    out.iter_mut().for_each(|all| sectors.polarise_entries(pattern, all));
-    out
+    t.z.0.iter().for_each(|&(i, j, x)| place(0, i, unknown[j], x));
+    t.rate_z.0.iter().for_each(|&(i, j, x)| place(0, unknown[i], unknown[j], -x));
+    (first..pattern.n()).for_each(|i| place(1, i, i, 1.0));
 }
 
 /// `A0 + s A1 + s^2 A2`, and its derivative.

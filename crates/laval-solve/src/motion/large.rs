@@ -10,6 +10,7 @@
 
 use super::direct::{Direct, linear_rows, singular};
 use super::point;
+use crate::characteristic::each_tangent_entry;
 use crate::equilibrium::nonlinear_states;
 use crate::large::is_large;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
@@ -215,24 +216,10 @@ impl Large {
         self.assemble(system, at.speed)?;
         let Large { models, states, tangent: t, tangents, terms, .. } = self;
         let (model, n) = (&models[0].model, system.n());
-        let (pattern, held) = (model.pattern(), model.held());
         *terms = model.polynomial();
         model.add_spin_accel(at.spin_accel, &mut terms[0]);
         system.tangent(at, false, t, tangents, |s| !s.is_linear());
-        let mut unknown = vec![usize::MAX; system.m()];
-        states.iter().enumerate().for_each(|(k, &z)| unknown[z] = n + k);
-        let mut add = |power: usize, i: usize, j: usize, x: f64| {
-            if let Some(e) = pattern.index(i, j) {
-                terms[power][e] += x;
-            }
-        };
-        for (power, (top, bottom)) in [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)].into_iter().enumerate() {
-            top.0.iter().for_each(|&(i, j, x)| add(power, i, j, x));
-            bottom.0.iter().for_each(|&(i, j, x)| add(power, unknown[i], j, -x));
-        }
-        t.z.0.iter().for_each(|&(i, j, x)| add(0, i, unknown[j], x));
-        t.rate_z.0.iter().for_each(|&(i, j, x)| add(0, unknown[i], unknown[j], -x));
-        (held..pattern.n()).for_each(|i| add(1, i, i, 1.0));
+        each_tangent_entry(t, model.pattern(), (n, model.held()), states, |power, e, x| terms[power][e] += x);
         self.rates.fill(&self.models[0].model, &self.terms, n);
         Ok(())
     }
