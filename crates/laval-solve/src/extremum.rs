@@ -1,8 +1,9 @@
 //! Maxima and minima of amplitudes between computed responses, shared by all bodies.
 //!
-//! Equations: the logarithm of an amplitude is interpolated by a polynomial p through the responses next to its extremum; the response is computed at
-//! the zero of p', or beside it where one is known too near for their difference to say anything, and joins the others, until the zero stays. Responses
-//! hold all bodies: what one body's search computed serves those whose extrema lie beside it.
+//! Equations: the logarithm of an amplitude is interpolated by a polynomial p through the responses next to its extremum. Where the zero of p' and the
+//! value there stay when the farthest response is left out, they are the extremum; else the response is computed at the zero, or beside it where one is
+//! known too near for their difference to say anything, and joins the others. Responses hold all bodies: what one body's search computed serves those
+//! whose extrema lie beside it, so that the number of responses hardly grows with that of the bodies.
 //!
 //! Validity: amplitudes that are smooth between the responses; otherwise golden section and parabolas take over.
 
@@ -15,6 +16,8 @@ use laval_num::univariate::{maximum, root};
 
 /// Most responses an interpolation uses.
 const NODES: usize = 8;
+/// Fewest responses whose agreement with one less is believed.
+const FEWEST: usize = 6;
 /// Interpolations tried before golden section.
 const TRIES: usize = 8;
 /// Distance of responses, over the width of the bracket, below which the slope between them is rounding.
@@ -24,6 +27,8 @@ const STAYS: f64 = 1e-8;
 const NEARLY: f64 = 1e-5;
 /// Difference between the logarithms of the amplitude at the extremum and of what was foretold, above which it is not believed.
 const FORETOLD: f64 = 1e-10;
+/// The same between two interpolations, of which no response is a witness.
+const AGREE: f64 = 1e-12;
 
 /// Responses computed in the search for extrema.
 pub(super) struct Search<'a> {
@@ -70,16 +75,25 @@ impl<'a> Search<'a> {
                 (1..known.len().checked_sub(1)?).filter(|&k| inside(known[k].0)).max_by(|&a, &b| known[a].1.total_cmp(&known[b].1))?;
             let origin = known[best];
             let p = Polynomial::through(&known, origin, unit);
-            let at = |w: f64| p.at((w - origin.0) / unit);
-            let slope = |w: f64| at(w).1;
-            let ends = (known[best - 1].0, known[best + 1].0);
-            let w = root(|w| Some(slope(w)), (ends.0, slope(ends.0)), (ends.1, slope(ends.1)), 0.0).filter(|&w| inside(w))?;
+            let place = |w: f64| (w - origin.0) / unit;
+            let ends = [known[best - 1].0, known[best + 1].0].map(place);
+            let t = p.stationary(ends)?;
+            let (w, top) = (origin.0 + t * unit, p.at(t).0);
+            if !inside(w) {
+                return None;
+            }
+            let moves = |q: &Polynomial| q.stationary(ends).map_or(f64::INFINITY, |other| (other - t).abs());
+            let [less, lesser] = [1, 2].map(|k| p.without(k));
+            let settled = p.nodes.len() >= FEWEST && moves(&less) <= STAYS && moves(&lesser) <= STAYS.sqrt();
+            if settled && (less.at(t).0 - top).abs() <= AGREE {
+                return Some((w, origin.1 + top));
+            }
             let moved = last.map_or(f64::INFINITY, |l| (w - l).abs() / unit);
             let next = probe(&known, w, APART * unit).filter(|&x| moved > STAYS && inside(x));
             if turn == TRIES || next.is_none() {
                 // what was not foretold is not smooth
                 let value = sign * self.at(w, sight)?.ln();
-                let foretold = (value - origin.1 - at(w).0).abs() <= FORETOLD;
+                let foretold = (value - origin.1 - top).abs() <= FORETOLD;
                 return (foretold && (next.is_none() || moved <= NEARLY)).then_some((w, value));
             }
             let probe = next?;
@@ -127,6 +141,18 @@ impl Polynomial {
             nodes.push(t);
         }
         Polynomial { nodes, coefficients }
+    }
+
+    /// Without the last nodes, the farthest ones.
+    fn without(&self, count: usize) -> Self {
+        let keep = self.nodes.len().saturating_sub(count);
+        Polynomial { nodes: self.nodes[..keep].to_vec(), coefficients: self.coefficients[..keep].to_vec() }
+    }
+
+    /// Where its slope vanishes between these ends, at which it has opposite signs.
+    fn stationary(&self, [from, to]: [f64; 2]) -> Option<f64> {
+        let slope = |t: f64| self.at(t).1;
+        root(|t| Some(slope(t)), (from, slope(from)), (to, slope(to)), 0.0)
     }
 
     /// Value and slope.

@@ -80,6 +80,13 @@ impl Slot {
     pub fn is_linear(&self) -> bool {
         self.physics != Physics::Nonlinear
     }
+    /// The coordinates of the machine that it sees, ascending.
+    pub fn coordinates(&self) -> Vec<usize> {
+        let mut own: Vec<usize> = self.map.iter().flatten().map(|x| x.0).collect();
+        own.sort_unstable();
+        own.dedup();
+        own
+    }
     /// The speed of its spin when the machine turns at `speed`.
     #[inline(always)]
     pub fn speed<S: Scalar>(&self, params: &[S], speed: S) -> S {

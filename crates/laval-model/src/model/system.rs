@@ -267,6 +267,12 @@ impl System {
     pub fn observe(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Observed)> {
         self.each(at, ws, |slot, l, out| slot.part.observe(&self.params[slot.params.clone()], l, out))
     }
+    /// Those of one part.
+    pub fn observe_part(&self, part: usize, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<Observed> {
+        let (slot, mut out) = (&self.slots[part], Vec::new());
+        self.with_local(slot, at, ws, |l| slot.part.observe(&self.params[slot.params.clone()], l, &mut out));
+        out
+    }
     /// Use of validity at a point, as (part, statement).
     pub fn validity(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Validity)> {
         self.each(at, ws, |slot, l, out| slot.part.validity(&self.params[slot.params.clone()], l, out))

@@ -15,6 +15,7 @@
 mod augmented;
 mod branch;
 mod branch_point;
+mod chord;
 mod corner;
 mod cross;
 mod event;
@@ -26,6 +27,7 @@ mod trace;
 
 pub use branch::{Branch, Counters, End, Kind, Point, Refusal, Side, Special, Status};
 pub use branch_point::BranchPoint;
+pub use chord::Chord;
 pub use cross::{Crossing, cross, zero_between};
 pub use event::Test;
 pub use fold::{FoldPoint, fold};

@@ -71,6 +71,11 @@ pub fn isotropic(stations: usize) -> String {
 
 /// On isotropic bearings whose force grows with the cube of the displacement.
 pub fn cubic(stations: usize) -> System {
+    load(&cubic_text(stations)).system
+}
+
+/// The file of it.
+pub fn cubic_text(stations: usize) -> String {
     let mut text = elements(stations, false);
     for k in [0, stations - 1] {
         text += &format!(
@@ -78,5 +83,5 @@ pub fn cubic(stations: usize) -> System {
              [[part]]\nkind = \"damper\"\nname = \"c{k}\"\nbetween = [\"n{k}\", \"ground\"]\ndamping = 250.0\n"
         );
     }
-    load(&text).system
+    text
 }

@@ -6,6 +6,7 @@ use crate::model::station::Pair;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// A periodic motion: complex amplitudes of every coordinate and state at every order.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -70,6 +71,26 @@ impl Orbit {
                 a[i] -= w * w * x.re;
             }
             for (z, &amplitude) in z.iter_mut().zip(states) {
+                *z += (amplitude * turn).re;
+            }
+        }
+    }
+
+    /// The same of some coordinates and states, in vectors of as many.
+    pub fn at_some(&self, coordinates: &[usize], states: Range<usize>, tau: f64, [q, v, a, z]: [&mut [f64]; 4]) {
+        for x in [&mut *q, &mut *v, &mut *a, &mut *z] {
+            x.fill(0.0);
+        }
+        for ((&k, amplitudes), own) in self.orders.iter().zip(&self.coordinates).zip(&self.states) {
+            let w = k as f64 * self.frequency;
+            let turn = C64::cis(k as f64 * tau);
+            for (j, &i) in coordinates.iter().enumerate() {
+                let x = amplitudes[i] * turn;
+                q[j] += x.re;
+                v[j] -= w * x.im;
+                a[j] -= w * w * x.re;
+            }
+            for (z, &amplitude) in z.iter_mut().zip(&own[states.clone()]) {
                 *z += (amplitude * turn).re;
             }
         }

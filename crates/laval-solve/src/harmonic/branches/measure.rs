@@ -13,6 +13,7 @@ use crate::model::system::{System, Workspace};
 use laval_num::complex::C64;
 use laval_num::refill::refill;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// A quantity with a size at every instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,11 +64,23 @@ impl Measure {
         }
     }
 
+    /// The coordinates and states that it depends on.
+    pub(super) fn coordinates(self, system: &System) -> (Vec<usize>, Range<usize>) {
+        match self {
+            Measure::Probe(k) => (system.probes()[k].rows.0.iter().flatten().map(|x| x.0).collect(), 0..0),
+            Measure::Force(slot) => (system.slots()[slot].coordinates(), system.slots()[slot].states.clone()),
+        }
+    }
+
     /// Both components at an instant.
     pub(super) fn at<S: Evaluate>(self, system: &System, params: &[S], now: &Instant<S>) -> [S; 2] {
         match self {
             Measure::Probe(k) => system.probes()[k].scaled(now.q),
-            Measure::Force(slot) => Local::new().force(&system.slots()[slot], params, now),
+            Measure::Force(slot) => {
+                let slot = &system.slots()[slot];
+                let own = Instant { z: &now.z[slot.states.clone()], ..*now };
+                Local::new().force(slot, &slot.map, params, &own)
+            }
         }
     }
 
@@ -193,14 +206,27 @@ struct Track<'a> {
     v: Vec<f64>,
     a: Vec<f64>,
     z: Vec<f64>,
+    /// Coordinates of the part whose force is measured, and what it sees as combinations of these.
+    own: Vec<usize>,
+    map: Vec<Vec<(usize, f64)>>,
     local: Local<f64>,
 }
 
 impl<'a> Track<'a> {
     fn new(measure: Measure, system: &'a System, orbit: &'a Orbit, turns: usize) -> Self {
-        let (n, m) = if matches!(measure, Measure::Force(_)) { (system.n(), system.m()) } else { (0, 0) };
-        let of = |n: usize| vec![0.0; n];
-        Track { measure, system, orbit, turns, q: of(n), v: of(n), a: of(n), z: of(m), local: Local::new() }
+        let mut track = Track { measure, system, orbit, turns, q: vec![], v: vec![], a: vec![], z: vec![], own: vec![], map: vec![], local: Local::new() };
+        if let Measure::Force(slot) = measure {
+            let slot = &system.slots()[slot];
+            let own = slot.coordinates();
+            let place = |i: usize| own.partition_point(|&o| o < i);
+            track.map = slot.map.iter().map(|row| row.iter().map(|&(i, g)| (place(i), g)).collect()).collect();
+            for x in [&mut track.q, &mut track.v, &mut track.a] {
+                x.resize(own.len(), 0.0);
+            }
+            track.z.resize(slot.states.len(), 0.0);
+            track.own = own;
+        }
+        track
     }
 
     /// Both components at base phase `tau`.
@@ -209,10 +235,11 @@ impl<'a> Track<'a> {
         match self.measure {
             Measure::Probe(k) => orbit.probe_at(&system.probes()[k], tau)[0],
             Measure::Force(slot) => {
-                orbit.at(tau, &mut self.q, &mut self.v, &mut self.a, &mut self.z);
+                let slot = &system.slots()[slot];
+                orbit.at_some(&self.own, slot.states.clone(), tau, [&mut self.q, &mut self.v, &mut self.a, &mut self.z]);
                 let phase = self.turns as f64 * tau;
                 let now = Instant { q: &self.q, v: &self.v, a: &self.a, z: &self.z, phase, speed: orbit.speed };
-                self.local.force(&system.slots()[slot], system.params(), &now)
+                self.local.force(slot, &self.map, system.params(), &now)
             }
         }
     }
@@ -240,21 +267,22 @@ impl<S: Evaluate> Local<S> {
     }
 
     /// What a part puts on its first pair of coordinates, N; a body what it does without its own inertia.
-    fn force(&mut self, slot: &Slot, params: &[S], now: &Instant<S>) -> [S; 2] {
+    /// Its coordinates are those of `map` among those of the instant, whose states are its own.
+    fn force(&mut self, slot: &Slot, map: &[Vec<(usize, f64)>], params: &[S], now: &Instant<S>) -> [S; 2] {
         let Local { q, v, a, rows, rate, blocks } = self;
-        gather(&slot.map, now.q, q);
-        gather(&slot.map, now.v, v);
+        gather(map, now.q, q);
+        gather(map, now.v, v);
         if slot.layout.body {
             refill(a, slot.map.len(), S::zero());
         } else {
-            gather(&slot.map, now.a, a);
+            gather(map, now.a, a);
             a.iter_mut().zip(&slot.weight).for_each(|(a, g)| *a += S::cst(*g));
         }
         refill(rows, slot.map.len(), S::zero());
         refill(rate, slot.states.len(), S::zero());
         let mut spin = S::zero();
         let point =
-            At { q, v, a, z: &now.z[slot.states.clone()], phase: S::cst(now.phase), speed: now.speed, spin_accel: S::zero(), t: S::zero() };
+            At { q, v, a, z: now.z, phase: S::cst(now.phase), speed: now.speed, spin_accel: S::zero(), t: S::zero() };
         let at = slot.turned(params, point);
         let mut out = Rows { force: rows, rate, spin: &mut spin };
         S::residual(&*slot.part, &params[slot.params.clone()], &at, &mut out, blocks);

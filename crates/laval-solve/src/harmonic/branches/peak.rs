@@ -23,7 +23,7 @@ pub struct Peak {
     pub bracket: (f64, f64),
     /// Slope left, `d (a^2) / ds / (2 a0^2)` per scaled arclength, a0 the value at the point of the branch.
     pub slope: f64,
-    /// Scaled residual of the balance there.
+    /// Scaled residual of the balance there; of an interpolation the largest of the motions it goes through.
     pub residual: f64,
 }
 

@@ -68,7 +68,7 @@ impl Measuring<'_> {
                 let share = force[i] / before[i].min(after[i]);
                 let least = force[i] <= force[i - 1] && force[i] < force[i + 1];
                 if least && share < 4.0 * VANISHING && held(i) {
-                    let found = self.refined(branch, i, measure, Sense::Least, request);
+                    let found = self.refined(response, (b, i), measure, Sense::Least, request);
                     vanishing.extend(found.map(|p| {
                         let share = p.value / before[i].min(after[i]);
                         (p, share)
@@ -81,7 +81,7 @@ impl Measuring<'_> {
         vanishing.retain(|v| joint && v.1 < VANISHING);
         vanishing.sort_by_number(|a| a.1);
         vanishing.truncate(MOST);
-        let top = self.summit(response, request, measure, &values)?;
+        let top = self.summit(response, request, measure, &values, false)?;
         let speed = response.branches[top.at.0].points[top.at.1].speed;
         Some(Extremes { slot, largest: (top.value, speed), refined: top.refined, vanishing })
     }

@@ -58,8 +58,15 @@ pub(super) struct Summit {
 const COMPETES: f64 = 0.9;
 
 impl Measuring<'_> {
-    /// The largest of values by branch and point; NaN where a state does not count.
-    pub(super) fn summit(&mut self, response: &Response, request: &Request, measure: Measure, values: &[Vec<f64>]) -> Option<Summit> {
+    /// The largest of values by branch and point; NaN where a state does not count. Its peak is refined, on request by corrections of its own.
+    pub(super) fn summit(
+        &mut self,
+        response: &Response,
+        request: &Request,
+        measure: Measure,
+        values: &[Vec<f64>],
+        own: bool,
+    ) -> Option<Summit> {
         let all = values.iter().enumerate().flat_map(|(b, v)| v.iter().enumerate().map(move |(i, v)| (*v, b, i)));
         let (value, b, i) = all.filter(|v| !v.0.is_nan()).max_by(|x, y| x.0.total_cmp(&y.0))?;
         let mut refined: Option<Peak> = None;
@@ -70,8 +77,12 @@ impl Measuring<'_> {
                 let top = |i: &usize| v[*i] >= COMPETES * value && !(v[*i] < v[i - 1]) && !(v[*i] <= v[i + 1]);
                 tops.extend((1..v.len().saturating_sub(1)).filter(top).map(|i| (b, i)).filter(|t| *t != first));
             }
-            for (b, i) in tops {
-                let found = self.refined(&response.branches[b], i, measure, Sense::Largest, request);
+            for top in tops {
+                let found = if own {
+                    self.confirmed(response, top, measure, request)
+                } else {
+                    self.refined(response, top, measure, Sense::Largest, request)
+                };
                 refined = [refined, found].into_iter().flatten().max_by(|x, y| x.value.total_cmp(&y.value));
             }
         }
@@ -81,9 +92,9 @@ impl Measuring<'_> {
     }
 
     /// The largest value of a probe, of values by branch and point.
-    fn largest_of(&mut self, response: &Response, request: &Request, k: usize, values: &[Vec<f64>]) -> Option<Largest> {
+    fn largest_of(&mut self, response: &Response, request: &Request, k: usize, values: &[Vec<f64>], confirm: bool) -> Option<Largest> {
         let owner = probes::owner(&self.probes[k]);
-        let s = self.summit(response, request, Measure::Probe(self.which[k]), values)?;
+        let s = self.summit(response, request, Measure::Probe(self.which[k]), values, confirm)?;
         let (branch, i) = (&response.branches[s.at.0], s.at.1);
         let left = (!matches!(branch.end, End::Reached | End::Closed)).then(|| branch.points.last().map(|p| p.speed)).flatten();
         let at_end = s.refined.is_none() && (i == 0 || i + 1 == branch.points.len() && left.is_none());
@@ -115,8 +126,22 @@ impl Measuring<'_> {
                 values.push(own);
             }
         }
-        let found = own.iter().zip(&values);
-        let largest: Vec<Largest> = found.filter_map(|(&k, values)| self.largest_of(response, request, k, values)).collect();
+        let mut largest: Vec<Largest> = Vec::new();
+        // index among these, and what it is the largest of
+        let mut top: Option<(usize, usize)> = None;
+        for (j, values) in values.iter().enumerate() {
+            let Some(found) = self.largest_of(response, request, own[j], values, false) else { continue };
+            if top.is_none_or(|t| found.best().0 > largest[t.0].best().0) {
+                top = Some((largest.len(), j));
+            }
+            largest.push(found);
+        }
+        // the value that is reported first has evidence of its own
+        if let Some((at, j)) = top.filter(|t| largest[t.0].refined.is_some())
+            && let Some(confirmed) = self.largest_of(response, request, own[j], &values[j], true)
+        {
+            largest[at] = confirmed;
+        }
         let most = largest.iter().map(|l| l.best().0).fold(f64::NEG_INFINITY, f64::max);
         let rising = rising.filter(|r| r.size > most);
         (largest, rising)

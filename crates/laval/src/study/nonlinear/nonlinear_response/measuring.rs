@@ -7,6 +7,7 @@ use crate::model::probe::Probe;
 use crate::model::system::{Pair, System, Workspace};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
+use crate::solve::harmonic::branches::around::{Around, Without};
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::branches::response::{Request, Response, Traced};
@@ -14,6 +15,7 @@ use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
 use crate::study::shared::support::larger;
 use crate::study::shared::validity::Uses;
+use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 /// Measures the states of a response.
@@ -27,6 +29,8 @@ pub(super) struct Measuring<'a> {
     pub(super) which: Vec<usize>,
     /// Slots of parts whose force is measured.
     force_slots: Vec<usize>,
+    /// By branch and point; none where motions are not smooth.
+    around: HashMap<(usize, usize), Option<Around>>,
     pub(super) measured: Measured,
 }
 
@@ -46,7 +50,7 @@ impl<'a> Measuring<'a> {
         }
         let bodies = system.stations().iter().map(|s| (s.name.clone(), s.lateral.clone())).collect();
         let (probes, which) = (probes::all(system), probes::ordered(system));
-        Ok(Measuring { system, balances, bodies, probes, which, force_slots: Measure::forces(system), measured: Measured::default() })
+        Ok(Measuring { system, balances, bodies, probes, which, force_slots: Measure::forces(system), around: HashMap::new(), measured: Measured::default() })
     }
 
     /// All that is measured of a response.
@@ -61,9 +65,29 @@ impl<'a> Measuring<'a> {
     }
 
     /// A largest or least value next to a point of a branch.
-    pub(super) fn refined(&mut self, branch: &Traced, i: usize, measure: Measure, sense: Sense, request: &Request) -> Option<Peak> {
+    pub(super) fn refined(
+        &mut self,
+        response: &Response,
+        (b, i): (usize, usize),
+        measure: Measure,
+        sense: Sense,
+        request: &Request,
+    ) -> Option<Peak> {
+        let branch = &response.branches[b];
         let at = self.balance_of(branch);
-        refine(&mut self.balances[at], branch, i, measure, sense, request.speeds)
+        let balance = &mut self.balances[at];
+        let around = self.around.entry((b, i)).or_insert_with(|| Around::new(balance, branch, i));
+        match around.as_ref().map_or(Err(Without::Kink), |a| a.peak(self.system, measure, sense)) {
+            Ok(peak) => Some(peak),
+            Err(Without::Apart) => None,
+            Err(Without::Kink) => refine(balance, branch, i, measure, sense, request.speeds),
+        }
+    }
+
+    /// The same by corrections of its own, a narrow bracket about the value.
+    pub(super) fn confirmed(&mut self, response: &Response, (b, i): (usize, usize), measure: Measure, request: &Request) -> Option<Peak> {
+        let branch = &response.branches[b];
+        refine(self.balance_mut(branch), branch, i, measure, Sense::Largest, request.speeds)
     }
 
     /// The whole motion of a state.
@@ -189,34 +213,55 @@ impl<'a> Measuring<'a> {
         let samples = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
         let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
         let system = self.system;
-        let mut look = |tau: f64, uses: Option<&mut Uses>| -> (Vec<f64>, Vec<(usize, Observed)>) {
+        let instant = |tau: f64| (divisor * tau, tau / orbit.frequency);
+        let h = TAU / (samples * parts) as f64;
+        // part and place among what it shows, of every quantity
+        let mut owners: Vec<(usize, usize)> = Vec::new();
+        for j in 0..samples {
+            let tau = h * j as f64;
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-            let at = At { q: &q, v: &v, a: &a, z: &z, phase: divisor * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
-            if let Some(uses) = uses {
+            let (phase, t) = instant(tau);
+            let at = At { q: &q, v: &v, a: &a, z: &z, phase, speed: orbit.speed, spin_accel: 0.0, t };
+            if parts > 1 || j % 4 == 0 {
                 uses.see(system, &at, &mut ws);
             }
+            let mut seen = system.observe(&at, &mut ws);
+            if owners.is_empty() {
+                let mut count = 0;
+                for k in 0..seen.len() {
+                    count = if k > 0 && seen[k].0 == seen[k - 1].0 { count + 1 } else { 0 };
+                    owners.extend((seen[k].1.name != Observed::DISPLACEMENT).then_some((seen[k].0, count)));
+                }
+            }
             // displacements of bodies have columns of their own
-            let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != Observed::DISPLACEMENT).collect();
-            (seen.iter().map(|(_, o)| o.value.abs()).collect(), seen)
-        };
-        let h = TAU / (samples * parts) as f64;
-        for j in 0..samples {
-            let (values, seen) = look(h * j as f64, (parts > 1 || j % 4 == 0).then_some(&mut uses));
+            seen.retain(|(_, o)| o.name != Observed::DISPLACEMENT);
             if self.measured.observed.is_empty() {
                 self.measured.observed =
                     seen.iter().map(|(slot, o)| (format!("{} {}", system.slots()[*slot].name, o.name), o.unit.to_string())).collect();
             }
-            series.push(values);
+            series.push(seen.iter().map(|(_, o)| o.value.abs()).collect());
         }
         let mut largest = vec![f64::NAN; self.measured.observed.len()];
         for (k, l) in largest.iter_mut().enumerate() {
             let Some((top, beside)) = crest(&series, k) else { continue };
             *l = series[top][k];
-            if *l > 0.0 {
-                let tau = h * (top as f64 + beside);
-                let mut near = |shift: f64| look(tau + shift * h, None).0.get(k).copied().unwrap_or(f64::NAN);
-                *l = larger(*l, vertex([near(-CLOSER), near(0.0), near(CLOSER)]).1);
-            }
+            let Some(&(part, place)) = owners.get(k).filter(|_| *l > 0.0) else { continue };
+            let (slot, tau) = (&system.slots()[part], h * (top as f64 + beside));
+            let own = slot.coordinates();
+            let mut local = [0; 3].map(|_| vec![0.0; own.len()]);
+            // its part alone: the whole machine for each quantity would take the square of its size
+            let mut near = |shift: f64| -> f64 {
+                let tau = tau + shift * h;
+                let [x, rate, second] = &mut local;
+                orbit.at_some(&own, slot.states.clone(), tau, [x, rate, second, &mut z[slot.states.clone()]]);
+                for (j, &i) in own.iter().enumerate() {
+                    (q[i], v[i], a[i]) = (x[j], rate[j], second[j]);
+                }
+                let (phase, t) = instant(tau);
+                let at = At { q: &q, v: &v, a: &a, z: &z, phase, speed: orbit.speed, spin_accel: 0.0, t };
+                system.observe_part(part, &at, &mut ws).get(place).map_or(f64::NAN, |o| o.value.abs())
+            };
+            *l = larger(*l, vertex([near(-CLOSER), near(0.0), near(CLOSER)]).1);
         }
         (largest, uses)
     }
