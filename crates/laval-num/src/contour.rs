@@ -361,7 +361,7 @@ impl<'a, F: Function> Search<'a, F> {
         for start in self.beside_the_path().into_iter().chain(inside) {
             while left > 0 {
                 let Some(mut z) = self.newton(start, size) else { break };
-                if self.mirrored && z.im.abs() <= 1e-10 * z.re.abs() {
+                if self.mirrored && z.im.abs() <= self.noise.max(1e-10) * z.re.abs() {
                     z.im = 0.0;
                 }
                 if self.mirrored && cell.half && z.im < 0.0 {

@@ -30,6 +30,8 @@ const SHRUNK: f64 = 1e-4;
 const CONFIRMED: f64 = 1e-12;
 /// Relative step below which Newton's method has converged when its steps stop decreasing.
 const NEAR: f64 = 1e-9;
+/// Steps are rounding at this multiple of what rounding of T moves a root by.
+const MOVES: f64 = 4.0;
 
 /// T(s) about one equilibrium.
 pub struct Characteristic<'a> {
@@ -438,6 +440,18 @@ impl<'a> Characteristic<'a> {
         self.polished(start, border, f64::INFINITY, |_, test| test.g / test.slope)
     }
 
+    /// By how much rounding of the entries of T can move a root, to first order, 1/s.
+    pub fn rounding(&mut self, root: &Polished) -> f64 {
+        self.moved_by_rounding(root.value, &root.right, &root.left, root.by_s)
+    }
+
+    fn moved_by_rounding(&mut self, s: C64, right: &[C64], left: &[C64], by_s: C64) -> f64 {
+        let [value, _] = self.entries(s);
+        let row = |i: usize| self.pattern.row(i).map(|(e, j)| value[e].abs() * right[j].abs()).sum::<f64>();
+        let size: f64 = left.iter().enumerate().map(|(i, y)| y.abs() * row(i)).sum();
+        f64::EPSILON * size / by_s.abs()
+    }
+
     fn border_at(&mut self, s: C64, sector: Option<Sector>) -> Option<Border> {
         self.border(s, &self.members(sector))
     }
@@ -493,7 +507,13 @@ impl<'a> Characteristic<'a> {
             }
             // in turning axes T is evaluated at s + i W, and its rounding is that of the sum
             let resolved = 1e-14 * (size + self.shift(Sector::Forward).abs());
-            let small = confirmed || length <= 1e-15 * size || (length >= 0.5 * last && (length <= NEAR * size || length <= resolved));
+            let rounding = |t: &mut Self| {
+                let (right, left) = (border.spread(&test.right, &border.cols, t.size()), border.spread(&test.left, &border.rows, t.size()));
+                MOVES * t.moved_by_rounding(s, &right, &left, test.slope)
+            };
+            let small = confirmed
+                || length <= 1e-15 * size
+                || (length >= 0.5 * last && (length <= NEAR * size || length <= resolved || length <= rounding(self)));
             if small {
                 let right = border.spread(&test.right, &border.cols, self.size());
                 let left = border.spread(&test.left, &border.rows, self.size());

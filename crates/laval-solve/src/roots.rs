@@ -396,10 +396,14 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             starts.extend(resonances(&mut t, &f.of.members, mirrored, (1.2 * largest, frequency)));
         }
         let mut known: Vec<Polished> = Vec::new();
-        let keep = |p: Polished, known: &mut Vec<Polished>| {
+        let keep = |t: &mut Characteristic, p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
-            // also where the axes turn, whose rounding is that of the speed
-            if mirrored && p.value.im.abs() <= 4.0 * (f64::EPSILON * p.value.re.abs().max(speed.abs()) + p.step) {
+            // also where the axes turn, whose rounding is that of the speed; stiff elements of a fine division round the frequencies of soft bearings
+            let im = p.value.im.abs();
+            if mirrored
+                && (im <= 4.0 * (f64::EPSILON * p.value.re.abs().max(speed.abs()) + p.step)
+                    || im <= SAME * p.value.re.abs() && im <= 4.0 * t.rounding(&p))
+            {
                 p.value.im = 0.0;
             }
             // of a real function the upper half is enough
@@ -412,7 +416,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let upper = |s: C64| if mirrored && s.im < 0.0 { s.conj() } else { s };
         let near: Vec<Near> = starts.into_iter().map(|s| Near { value: upper(s), root: None }).collect();
         for p in polish_all(&mut t, &near, sector).into_iter().flatten() {
-            keep(p, &mut known);
+            keep(&mut t, p, &mut known);
         }
         let (pieces, margin) = rectangles(&domains, speed, request.margin, frequency, request.growing, sector);
         out.margin = out.margin.max(margin);
@@ -457,7 +461,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 let polished = t.polish(z, sector).filter(near);
                 if let Some(p) = polished.or_else(|| beside.find_map(|d| t.polish_beside_pole(z + d, sector).filter(near))) {
                     moved |= holds(&growth, &band, region.mirrored, z) != holds(&growth, &band, region.mirrored, p.value);
-                    keep(p, &mut known);
+                    keep(&mut t, p, &mut known);
                 }
             }
             // the proof is for the roots as they are handed on: the same where each is one that was found, on the same side of the edge

@@ -1,6 +1,6 @@
 //! How the cost of whole studies grows with the number of stations of a shaft, on one core: a chain of discs on two nonlinear bearings. Prints the time of one run each.
 //!
-//! `cargo bench -p laval --bench chains`
+//! `cargo bench -p laval --bench chains [-- STATIONS...]`
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -13,17 +13,15 @@ use laval::study::Context;
 use processor::processor;
 use std::time::Instant;
 
-const STUDIES: [(&str, &str); 2] = [("nonlinear_response", ""), ("forced_response", "")];
+const STUDIES: [&str; 2] = ["nonlinear_response", "forced_response"];
 
 fn main() {
     println!("processor: {}", processor());
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
-    let chosen = |s: &str| !wanted.iter().any(|w| w.parse::<usize>().is_err() && !w.starts_with("--")) || wanted.iter().any(|w| w == s);
-    let sizes: Vec<usize> = wanted.iter().filter_map(|w| w.parse().ok()).collect();
+    let sizes: Vec<usize> = std::env::args().filter_map(|w| w.parse().ok()).collect();
     let sizes = if sizes.is_empty() { vec![11, 21, 51, 101, 201] } else { sizes };
-    for (kind, more) in STUDIES.into_iter().filter(|s| chosen(s.0)) {
+    for kind in STUDIES {
         for &stations in &sizes {
-            let text = cubic_text(stations) + &format!("[[study]]\nkind = \"{kind}\"\nspeed = {{ from = 100, to = 400 }}\n{more}\n");
+            let text = cubic_text(stations) + &format!("[[study]]\nkind = \"{kind}\"\nspeed = {{ from = 100, to = 400 }}\n");
             let loaded = match laval::file::load(&text) {
                 Ok(loaded) => loaded,
                 Err(d) => return println!("{d:?}"),

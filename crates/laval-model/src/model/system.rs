@@ -210,20 +210,25 @@ impl System {
     /// `at` holds global vectors of lengths [`System::n`] and [`System::m`].
     pub fn residual<S: Evaluate>(&self, params: &[S], at: &At<S>, out: &mut Rows<S>, ws: &mut Workspace<S>, which: impl Fn(&Slot) -> bool) {
         for slot in self.slots.iter().filter(|s| which(s)) {
-            self.slot_local(slot, at, ws);
-            let n = slot.map.len();
-            spend(((10 + 10 * n) * size_of::<S>() / size_of::<f64>()) as u64);
-            refill(&mut ws.force, n, S::zero());
-            refill(&mut ws.rate, slot.states.len(), S::zero());
-            let mut spin = S::zero();
-            let local = slot.turned(params, At { q: &ws.q, v: &ws.v, a: &ws.a, z: &at.z[slot.states.clone()], ..*at });
-            let mut rows = Rows { force: &mut ws.force, rate: &mut ws.rate, spin: &mut spin };
-            S::residual(&*slot.part, &params[slot.params.clone()], &local, &mut rows, &mut ws.blocks);
-            *out.spin += slot.torque(params, spin);
-            scatter(&slot.map, &ws.force, out.force);
-            for (r, &x) in out.rate[slot.states.clone()].iter_mut().zip(&ws.rate) {
-                *r += x;
-            }
+            self.part_residual(slot, params, at, out, ws);
+        }
+    }
+
+    /// Adds that of one part.
+    pub fn part_residual<S: Evaluate>(&self, slot: &Slot, params: &[S], at: &At<S>, out: &mut Rows<S>, ws: &mut Workspace<S>) {
+        self.slot_local(slot, at, ws);
+        let n = slot.map.len();
+        spend(((10 + 10 * n) * size_of::<S>() / size_of::<f64>()) as u64);
+        refill(&mut ws.force, n, S::zero());
+        refill(&mut ws.rate, slot.states.len(), S::zero());
+        let mut spin = S::zero();
+        let local = slot.turned(params, At { q: &ws.q, v: &ws.v, a: &ws.a, z: &at.z[slot.states.clone()], ..*at });
+        let mut rows = Rows { force: &mut ws.force, rate: &mut ws.rate, spin: &mut spin };
+        S::residual(&*slot.part, &params[slot.params.clone()], &local, &mut rows, &mut ws.blocks);
+        *out.spin += slot.torque(params, spin);
+        scatter(&slot.map, &ws.force, out.force);
+        for (r, &x) in out.rate[slot.states.clone()].iter_mut().zip(&ws.rate) {
+            *r += x;
         }
     }
 
@@ -358,7 +363,8 @@ impl System {
     }
 }
 
-fn turn<S: Scalar>(kinds: impl Iterator<Item = DofKind>, x: &mut [S], angle: S) {
+/// Turns the pairs of a vector, whose entries are of these kinds, by `angle` (rad) about the axis, in place.
+pub fn turn<S: Scalar>(kinds: impl Iterator<Item = DofKind>, x: &mut [S], angle: S) {
     let (s, c) = angle.sin_cos();
     for (i, kind) in kinds.enumerate() {
         if kind.leads_pair() && i + 1 < x.len() {

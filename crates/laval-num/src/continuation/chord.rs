@@ -61,3 +61,54 @@ impl Chord {
         (distance(&guess, &node.y) <= 0.25 * self.length).then(|| tracer.point(&node))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Failure;
+    use super::*;
+    use crate::dense::Mat;
+
+    /// `x^2 + (p/3)^2 = 1`.
+    struct Ellipse;
+
+    impl Zero for Ellipse {
+        fn dim(&self) -> usize {
+            1
+        }
+        fn scale(&self, out: &mut [f64]) {
+            out.fill(1.0);
+        }
+        fn parameter_scale(&self) -> f64 {
+            3.0
+        }
+        fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
+            r[0] = x[0] * x[0] + p * p / 9.0 - 1.0;
+            if let Some(jac) = jac {
+                jac[(0, 0)] = 2.0 * x[0];
+            }
+            if let Some(dr_dp) = dr_dp {
+                dr_dp[0] = 2.0 * p / 9.0;
+            }
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn every_place_has_its_point_also_at_a_fold() {
+        // a circle in scaled unknowns: the chord between the angles -40 and 40 degrees about the fold at p = 3
+        let at = |angle: f64| ([angle.to_radians().sin()], 3.0 * angle.to_radians().cos());
+        let (a, b) = (at(-40.0), at(40.0));
+        let chord = Chord::new(&Ellipse, (&a.0, a.1), (&b.0, b.1)).unwrap();
+        assert!((chord.length() - 2.0 * 40f64.to_radians().sin()).abs() < 1e-15);
+        for angle in [-50.0, -40.0, -13.0, 0.0, 25.0, 40.0] {
+            let (x, p) = at(angle);
+            let place = chord.place(&x, p);
+            assert!((place - 0.5 - 0.5 * angle.to_radians().sin() / 40f64.to_radians().sin()).abs() < 1e-15);
+            let found = chord.point(&mut Ellipse, place, (&[x[0] + 0.05], p - 0.2)).unwrap();
+            assert!((found.x[0] - x[0]).abs() < 1e-14 && (found.p - p).abs() < 1e-14, "{angle}: {found:?}");
+        }
+        assert!(Chord::new(&Ellipse, (&a.0, a.1), (&a.0, a.1)).is_none());
+        // beyond the circle no point has this place
+        assert!(chord.point(&mut Ellipse, 1.4, (&[1.0], 0.0)).is_none());
+    }
+}

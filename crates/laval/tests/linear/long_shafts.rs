@@ -1,12 +1,18 @@
 //! Shafts of many stations: sparse results against dense ones and closed forms, and how the work grows with the number of stations.
 
 use crate::common::files::{findings, load, run_all};
-use crate::common::shaft::{DENSITY, LENGTH, MODULUS, RADIUS, SUPPORT, cubic, isotropic, shaft};
+use crate::common::shaft::{DENSITY, LENGTH, MODULUS, RADIUS, SUPPORT, cubic, cubic_text, isotropic, shaft};
 use laval::model::blocks::Grid;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
 use laval::model::system::System;
 use laval::solve::characteristic::{Characteristic, Equilibrium, Frame};
 use laval::solve::criticals::criticals;
+use laval::solve::harmonic::balance::orbit::Orbit;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::branches::around::Peaks;
+use laval::solve::harmonic::branches::branch::State;
+use laval::solve::harmonic::branches::measure::Measure;
+use laval::solve::harmonic::branches::peak::{Sense, refine};
 use laval::solve::harmonic::branches::response::{Request as Response, respond};
 use laval::solve::linear_response::response;
 use laval::solve::pencil::Linearised;
@@ -135,7 +141,7 @@ fn units(f: impl FnOnce()) -> u64 {
     stop.spent()
 }
 
-/// Twice the stations are twice the work: of responses, of the test function whose zeros are roots, of the modes up to a frequency and of following them over the speed.
+/// Twice the stations are twice the work: of responses, of the test function whose zeros are roots, of the modes up to a frequency of following them over the speed, and of whole studies.
 #[test]
 fn work_grows_with_the_number_of_stations() {
     let spent = |stations: usize| {
@@ -168,6 +174,16 @@ fn work_grows_with_the_number_of_stations() {
         [responses, test, modes, branches]
     };
     let (short, long) = (spent(60), spent(120));
+    let study = |kind: &str, stations: usize| {
+        let text = cubic_text(stations) + &format!("[[study]]\nkind = \"{kind}\"\nspeed = {{ from = 150, to = 300 }}\n");
+        let loaded = laval::file::load(&text).unwrap();
+        units(|| assert!(loaded.studies[0].study.run(&loaded.system, &laval::study::Context::quiet(kind)).is_ok()))
+    };
+    // whole studies: what is measured of every station beside what is solved for
+    for kind in ["nonlinear_response", "forced_response"] {
+        let (s, l) = (study(kind, 20), study(kind, 40));
+        assert!(s > 0 && l as f64 <= 2.5 * s as f64, "{kind}: {s} {l}");
+    }
     for (s, l) in short.iter().zip(&long) {
         assert!(*s > 0 && *l as f64 <= 2.5 * *s as f64, "{short:?} {long:?}");
     }
@@ -243,6 +259,55 @@ fn jumps_converge_with_the_stations() {
             assert!((3.0..5.0).contains(&ratio), "jump {k}: {found:?}");
         }
     }
+}
+
+/// Near the fold two exponents are real and small beside what rounds in stiff short elements: they are real to the count too, so that stability is known.
+#[test]
+fn stability_beside_a_fold_of_a_fine_division() {
+    let system = cubic(201);
+    let found = respond(&system, &Response::over(242.7, 243.7), &AtomicBool::new(false), &|_| {}).unwrap();
+    let points = || found.branches.iter().flat_map(|b| &b.points);
+    assert!(found.unassessed.is_none() && points().all(|p| p.exponents.is_some()), "{:?}", found.unassessed);
+    let real = |p: &State| p.exponents.iter().flat_map(|e| &e.values).filter(|s| s.im == 0.0 && s.re.abs() < 3.0).count();
+    assert!(points().filter(|p| real(p) == 2).count() > 3);
+    assert!(points().any(State::stable) && points().any(State::unstable));
+}
+
+/// Peaks of all probes and forces from motions that they share are those that corrections of their own lead to.
+#[test]
+fn peaks_that_share_motions_are_those_found_one_by_one() {
+    let mut checked = 0;
+    for (text, speeds) in
+        [(cubic_text(13), (100.0, 400.0)), (cubic_text(7).replace("law = \"isotropic\"", "law = \"per_axis\""), (150.0, 300.0))]
+    {
+        let system = load(&text).system;
+        let request = Response { stability: false, ..Response::over(speeds.0, speeds.1) };
+        let found = respond(&system, &request, &AtomicBool::new(false), &|_| {}).unwrap();
+        let measures: Vec<Measure> =
+            (0..system.probes().len()).map(Measure::Probe).chain(Measure::forces(&system).into_iter().map(Measure::Force)).collect();
+        for branch in &found.branches {
+            let mut balance = Balance::new(&system, branch.discretisation.whole(), speeds, None).unwrap();
+            let mut peaks = Peaks::default();
+            for &measure in &measures {
+                let orbits: Vec<Orbit> = branch.points.iter().map(|p| Orbit::of(&mut balance, &p.x, p.speed).unwrap()).collect();
+                let sizes: Vec<f64> = orbits.iter().map(|o| measure.largest(&system, o, 1).0).collect();
+                let most = sizes.iter().fold(0.0f64, |a, b| a.max(*b));
+                for i in (1..sizes.len() - 1).filter(|&i| sizes[i] > sizes[i - 1] && sizes[i] > sizes[i + 1] && sizes[i] > 1e-6 * most) {
+                    let own = refine(&mut balance, branch, i, measure, Sense::Largest, speeds);
+                    let shared = peaks.beside(&mut balance, (branch, i), measure, Sense::Largest, speeds);
+                    let (Some(own), Some(shared)) = (own, shared) else { continue };
+                    assert!(
+                        (shared.value / own.value - 1.0).abs() < 1e-9 && (shared.speed / own.speed - 1.0).abs() < 1e-8,
+                        "{measure:?} {own:?} {shared:?}"
+                    );
+                    let (low, high) = (shared.bracket.0.min(shared.bracket.1), shared.bracket.0.max(shared.bracket.1));
+                    assert!((low..=high).contains(&shared.speed) && shared.slope.abs() < 1e-6);
+                    checked += 1;
+                }
+            }
+        }
+    }
+    assert!(checked > 40, "{checked}");
 }
 
 /// Without damping no mode grows: roots lie on the axis to rounding, and the map of a long shaft says so. A limit below all modes is no error.

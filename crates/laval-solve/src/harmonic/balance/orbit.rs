@@ -101,6 +101,17 @@ impl Orbit {
         if self.rest.is_empty() { [0.0; 2] } else { pair.of(&self.rest) }
     }
 
+    /// A pair, from rest, at base phase `tau`.
+    pub fn pair_at(&self, pair: &Pair, tau: f64) -> [f64; 2] {
+        let [x, y] = self.rest_of(pair);
+        let each = self.orders.iter().zip(&self.coordinates);
+        each.fold([-x, -y], |[x, y], (&k, amplitudes)| {
+            let turn = C64::cis(k as f64 * tau);
+            let [a, b] = pair.amplitudes(amplitudes);
+            [x + (a * turn).re, y + (b * turn).re]
+        })
+    }
+
     /// What a probe measures, from rest, with its first and second derivative in the base phase, at base phase `tau`.
     pub fn probe_at(&self, probe: &Probe, tau: f64) -> [[f64; 2]; 3] {
         let mut out = [[0.0; 2]; 3];

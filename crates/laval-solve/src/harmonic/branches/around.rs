@@ -10,12 +10,13 @@
 use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::problem::Balance;
 use crate::harmonic::branches::measure::Measure;
-use crate::harmonic::branches::peak::{Peak, Sense};
+use crate::harmonic::branches::peak::{Peak, Sense, refine};
 use crate::harmonic::branches::response::Traced;
 use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::continuation::{Chord, Point};
 use laval_num::univariate::root;
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// Points of the branch beyond those beside a point that are interpolated through.
@@ -29,9 +30,37 @@ const CHOICE: usize = 200;
 /// Half the step of the difference that is the slope of a measure.
 const STEP: f64 = 1e-5;
 
+/// The peaks of one branch.
+#[derive(Default)]
+pub struct Peaks {
+    /// By point; none where motions are not smooth.
+    around: HashMap<usize, Option<Around>>,
+}
+
+impl Peaks {
+    /// The peak (or least value) of a measure next to point `i`, where it is larger (less) than at the points beside; where motions are not smooth by
+    /// corrections of its own in a range of speeds. `None` where it lies beyond a fold or the end of the branch.
+    pub fn beside(
+        &mut self,
+        balance: &mut Balance,
+        (branch, i): (&Traced, usize),
+        measure: Measure,
+        sense: Sense,
+        speeds: (f64, f64),
+    ) -> Option<Peak> {
+        let system = balance.system;
+        let around = self.around.entry(i).or_insert_with(|| Around::new(balance, branch, i));
+        match around.as_ref().map_or(Err(Without::Kink), |a| a.peak(system, measure, sense)) {
+            Ok(peak) => Some(peak),
+            Err(Without::Apart) => None,
+            Err(Without::Kink) => refine(balance, branch, i, measure, sense, speeds),
+        }
+    }
+}
+
 /// Why a measure has no peak around a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Without {
+enum Without {
     /// The motions are not smooth there.
     Kink,
     /// It does not fall on both sides, or only beyond a fold.
@@ -48,7 +77,7 @@ struct Motion {
 }
 
 /// Motions around a point of a branch.
-pub struct Around {
+struct Around {
     motions: Vec<Motion>,
     /// Place of the point itself.
     middle: f64,
@@ -60,7 +89,7 @@ pub struct Around {
 
 impl Around {
     /// Around point `i` of a branch; `None` at its ends, where it turns sharply, and where motions are not smooth.
-    pub fn new(balance: &mut Balance, branch: &Traced, i: usize) -> Option<Self> {
+    fn new(balance: &mut Balance, branch: &Traced, i: usize) -> Option<Self> {
         let (before, after) = (branch.points.get(i.checked_sub(1)?)?, branch.points.get(i + 1)?);
         let chord = Chord::new(balance, (&before.x, before.speed), (&after.x, after.speed))?;
         let place = |k: usize| chord.place(&branch.points[k].x, branch.points[k].speed);
@@ -92,7 +121,7 @@ impl Around {
     ///
     /// # Errors
     /// Where it has none.
-    pub fn peak(&self, system: &System, measure: Measure, sense: Sense) -> Result<Peak, Without> {
+    fn peak(&self, system: &System, measure: Measure, sense: Sense) -> Result<Peak, Without> {
         let mut own = Own::new(self, system, measure);
         let sign = if sense == Sense::Largest { 1.0 } else { -1.0 };
         let sampled = own.largest(self.middle).0;
@@ -148,8 +177,7 @@ impl Around {
         let (mut size, mut missed) = (0.0f64, 0.0f64);
         for (k, amplitudes) in orbit.coordinates.iter().enumerate() {
             for (i, z) in amplitudes.iter().enumerate() {
-                let foretold =
-                    self.motions.iter().zip(&weights).fold(C64::zero(), |sum, (m, w)| sum + m.orbit.coordinates[k][i].scale(*w));
+                let foretold = self.motions.iter().zip(&weights).fold(C64::zero(), |sum, (m, w)| sum + m.orbit.coordinates[k][i].scale(*w));
                 (size, missed) = (size.max(z.abs()), missed.max((*z - foretold).abs()));
             }
         }
@@ -176,7 +204,8 @@ impl<'a> Own<'a> {
         let (like, place) = (&around.motions[0].orbit, f64::NAN);
         let zeros = |of: &Vec<Vec<C64>>| of.iter().map(|x| vec![C64::zero(); x.len()]).collect();
         let (amplitudes, own) = (zeros(&like.coordinates), zeros(&like.states));
-        let orbit = Orbit { orders: like.orders.clone(), coordinates: amplitudes, states: own, rest: like.rest.clone(), ..Orbit::default() };
+        let orbit =
+            Orbit { orders: like.orders.clone(), coordinates: amplitudes, states: own, rest: like.rest.clone(), ..Orbit::default() };
         Own { around, system, measure, coordinates, states, orbit, place }
     }
 

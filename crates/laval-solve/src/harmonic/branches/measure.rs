@@ -214,7 +214,19 @@ struct Track<'a> {
 
 impl<'a> Track<'a> {
     fn new(measure: Measure, system: &'a System, orbit: &'a Orbit, turns: usize) -> Self {
-        let mut track = Track { measure, system, orbit, turns, q: vec![], v: vec![], a: vec![], z: vec![], own: vec![], map: vec![], local: Local::new() };
+        let mut track = Track {
+            measure,
+            system,
+            orbit,
+            turns,
+            q: vec![],
+            v: vec![],
+            a: vec![],
+            z: vec![],
+            own: vec![],
+            map: vec![],
+            local: Local::new(),
+        };
         if let Measure::Force(slot) = measure {
             let slot = &system.slots()[slot];
             let own = slot.coordinates();
@@ -281,8 +293,7 @@ impl<S: Evaluate> Local<S> {
         refill(rows, slot.map.len(), S::zero());
         refill(rate, slot.states.len(), S::zero());
         let mut spin = S::zero();
-        let point =
-            At { q, v, a, z: now.z, phase: S::cst(now.phase), speed: now.speed, spin_accel: S::zero(), t: S::zero() };
+        let point = At { q, v, a, z: now.z, phase: S::cst(now.phase), speed: now.speed, spin_accel: S::zero(), t: S::zero() };
         let at = slot.turned(params, point);
         let mut out = Rows { force: rows, rate, spin: &mut spin };
         S::residual(&*slot.part, &params[slot.params.clone()], &at, &mut out, blocks);

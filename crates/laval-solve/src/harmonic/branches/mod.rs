@@ -1,7 +1,7 @@
 //! Branches of the response to unbalance, and what is read off them.
 pub mod agreement;
-pub mod bifurcation;
 pub mod around;
+pub mod bifurcation;
 pub mod branch;
 pub mod families;
 pub mod measure;

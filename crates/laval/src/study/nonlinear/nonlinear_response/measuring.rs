@@ -7,7 +7,7 @@ use crate::model::probe::Probe;
 use crate::model::system::{Pair, System, Workspace};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
-use crate::solve::harmonic::branches::around::{Around, Without};
+use crate::solve::harmonic::branches::around::Peaks;
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::branches::response::{Request, Response, Traced};
@@ -29,8 +29,8 @@ pub(super) struct Measuring<'a> {
     pub(super) which: Vec<usize>,
     /// Slots of parts whose force is measured.
     force_slots: Vec<usize>,
-    /// By branch and point; none where motions are not smooth.
-    around: HashMap<(usize, usize), Option<Around>>,
+    /// By branch.
+    peaks: HashMap<usize, Peaks>,
     pub(super) measured: Measured,
 }
 
@@ -50,7 +50,16 @@ impl<'a> Measuring<'a> {
         }
         let bodies = system.stations().iter().map(|s| (s.name.clone(), s.lateral.clone())).collect();
         let (probes, which) = (probes::all(system), probes::ordered(system));
-        Ok(Measuring { system, balances, bodies, probes, which, force_slots: Measure::forces(system), around: HashMap::new(), measured: Measured::default() })
+        Ok(Measuring {
+            system,
+            balances,
+            bodies,
+            probes,
+            which,
+            force_slots: Measure::forces(system),
+            peaks: HashMap::new(),
+            measured: Measured::default(),
+        })
     }
 
     /// All that is measured of a response.
@@ -76,12 +85,7 @@ impl<'a> Measuring<'a> {
         let branch = &response.branches[b];
         let at = self.balance_of(branch);
         let balance = &mut self.balances[at];
-        let around = self.around.entry((b, i)).or_insert_with(|| Around::new(balance, branch, i));
-        match around.as_ref().map_or(Err(Without::Kink), |a| a.peak(self.system, measure, sense)) {
-            Ok(peak) => Some(peak),
-            Err(Without::Apart) => None,
-            Err(Without::Kink) => refine(balance, branch, i, measure, sense, request.speeds),
-        }
+        self.peaks.entry(b).or_default().beside(balance, (branch, i), measure, sense, request.speeds)
     }
 
     /// The same by corrections of its own, a narrow bracket about the value.
@@ -162,8 +166,6 @@ impl<'a> Measuring<'a> {
         if orbit.orders.is_empty() {
             return vec![[f64::NAN; 8]; self.bodies.len()];
         }
-        let (n, m) = (self.system.n(), self.system.m());
-        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let slow = |x: &Pair| {
             let whirls = (1..divisor).map(|k| orbit.whirl(x, k));
             whirls.fold(0.0, |m, (forward, backward)| larger(larger(m, forward.abs()), backward.abs()))
@@ -177,25 +179,20 @@ impl<'a> Measuring<'a> {
         let mut out: Vec<[f64; 8]> = self.bodies.iter().map(start).collect();
         let samples = SAMPLES * divisor;
         let h = TAU / samples as f64;
-        // by instant, body after body: squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
-        let mut squares = |tau: f64| -> Vec<f64> {
-            orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-            let of = |(_, pair): &(String, Pair)| {
-                let ([x0, y0], [x, y]) = (orbit.rest_of(pair), pair.of(&q));
-                let (x, y) = (x - x0, y - y0);
-                [x * x + y * y, x * x, y * y]
-            };
-            self.bodies.iter().flat_map(of).collect()
+        // squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
+        let squares = |pair: &Pair, tau: f64| -> [f64; 3] {
+            let [x, y] = orbit.pair_at(pair, tau);
+            [x * x + y * y, x * x, y * y]
         };
-        let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(h * j as f64)).collect();
-        for (b, o) in out.iter_mut().enumerate() {
-            for (which, k) in [(1, 3 * b), (2, 3 * b + 1), (5, 3 * b + 2)] {
+        for (o, (_, pair)) in out.iter_mut().zip(&self.bodies) {
+            let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(pair, h * j as f64).to_vec()).collect();
+            for (k, which) in [1, 2, 5].into_iter().enumerate() {
                 o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
-                    let mut near = |shift: f64| squares(h * (top as f64 + beside + shift * CLOSER))[k];
+                    let near = |shift: f64| squares(pair, h * (top as f64 + beside + shift * CLOSER))[k];
                     larger(series[top][k], vertex([near(-1.0), near(0.0), near(1.0)]).1).sqrt()
                 });
             }
-            o[4] = (series.iter().map(|s| s[3 * b]).sum::<f64>() / samples as f64).sqrt();
+            o[4] = (series.iter().map(|s| s[0]).sum::<f64>() / samples as f64).sqrt();
         }
         out
     }
