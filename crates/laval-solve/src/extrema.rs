@@ -2,7 +2,7 @@
 
 use super::characteristic::Equilibrium;
 use super::criticals::criticals;
-use super::extremum::Search;
+use super::extremum::{BESIDE, Search};
 use super::linear_response::{Ahead, Response, is_known, response};
 use super::locate::State;
 use super::sweep::{Strongest, sweep};
@@ -116,8 +116,6 @@ const NARROW: f64 = 1e-9;
 /// Multiple of [`NARROW`] at which the amplitude beside a pole has fallen, and by how much at least.
 const FAR: f64 = 1e3;
 const STEEP: f64 = 30.0;
-/// Responses beyond the neighbours of an extremum that guide its search.
-const BESIDE: usize = 2;
 
 /// The amplitude still grows as 1/distance where a resonance of damping ratio [`NARROW`] is already round.
 fn pole(value: impl Fn(f64) -> Option<f64>, speed: f64) -> bool {
@@ -221,7 +219,8 @@ pub fn curve(
     }
     let largest = |p: &Probe| out.points.iter().map(|r| r.size(p)).fold(0.0, f64::max);
     let loudest = out.points.iter().map(|r| loudest(r, probes)).fold(0.0, f64::max);
-    let mut search = Search::new(system, state);
+    let computed = |w: f64| response(system, state, w).ok().flatten();
+    let mut search = Search::new(&computed);
     for (probe, sight) in probes.iter().enumerate() {
         // what moves by rounding alone has no resonance
         if largest(sight) <= still(loudest, sight) {

@@ -1,27 +1,29 @@
-//! Maxima and minima of amplitudes between computed responses, shared by all bodies.
+//! Maxima and minima of amplitudes between computed responses, and where they have a given value, shared by all bodies.
 //!
 //! Equations: the logarithm of an amplitude is interpolated by a polynomial p through the responses next to its extremum. Where the zero of p' and the
 //! value there stay when the farthest response is left out, they are the extremum; else the response is computed at the zero, or beside it where one is
 //! known too near for their difference to say anything, and joins the others. Responses hold all bodies: what one body's search computed serves those
-//! whose extrema lie beside it, so that the number of responses hardly grows with that of the bodies.
+//! whose extrema lie beside it, so that the number of responses hardly grows with that of the bodies. Places of a given value are zeros of p less its logarithm.
 //!
 //! Validity: amplitudes that are smooth between the responses; otherwise golden section and parabolas take over.
 
-use super::linear_response::{Response, response};
-use super::locate::State;
+use super::linear_response::Response;
 use crate::model::probe::Probe;
-use crate::model::system::System;
 use laval_num::order::SortByNumber;
 use laval_num::univariate::{maximum, root};
 
 /// Most responses an interpolation uses.
 const NODES: usize = 8;
+/// Responses beyond the neighbours of an extremum that guide its search.
+pub const BESIDE: usize = 2;
 /// Fewest responses whose agreement with one less is believed.
 const FEWEST: usize = 6;
 /// Interpolations tried before golden section.
 const TRIES: usize = 8;
 /// Distance of responses, over the width of the bracket, below which the slope between them is rounding.
 const APART: f64 = 1e-3;
+/// Relative difference of two speeds of a given amplitude that are one.
+const SAME: f64 = 1e-12;
 /// Move of the extremum, over the width of the bracket, that ends the search; and the one that is taken where rounding keeps it moving.
 const STAYS: f64 = 1e-8;
 const NEARLY: f64 = 1e-5;
@@ -30,22 +32,69 @@ const FORETOLD: f64 = 1e-10;
 /// The same between two interpolations, of which no response is a witness.
 const AGREE: f64 = 1e-12;
 
-/// Responses computed in the search for extrema.
-pub(super) struct Search<'a> {
-    system: &'a System,
-    state: State<'a>,
+/// Responses computed in the search.
+pub struct Search<'a> {
+    response: &'a dyn Fn(f64) -> Option<Response>,
     /// By speed.
     points: Vec<Response>,
 }
 
 impl<'a> Search<'a> {
-    pub fn new(system: &'a System, state: State<'a>) -> Self {
-        Search { system, state, points: Vec::new() }
+    /// With the response at a speed, or a frequency that is its `speed`.
+    pub fn new(response: &'a dyn Fn(f64) -> Option<Response>) -> Self {
+        Search { response, points: Vec::new() }
     }
 
     /// Amplitude at a speed; none where the response does not exist.
     pub fn at(&self, speed: f64, probe: &Probe) -> Option<f64> {
-        response(self.system, self.state, speed).ok().flatten().map(|r| r.size(probe))
+        (self.response)(speed).map(|r| r.size(probe))
+    }
+
+    /// Responses known in an interval and beside it, by speed, as logarithms of an amplitude.
+    fn known(&self, around: &[Response], (from, to): (f64, f64), sight: &Probe) -> Vec<(f64, f64)> {
+        let own = self.points.iter().filter(|r| r.speed > from && r.speed < to);
+        let mut known: Vec<(f64, f64)> = around.iter().chain(own).map(|r| (r.speed, r.size(sight).ln())).collect();
+        known.retain(|k| k.1.is_finite());
+        known.sort_by_number(|a| a.0);
+        known.dedup_by(|a, b| a.0 == b.0);
+        known
+    }
+
+    /// Computes the response at a speed and keeps it.
+    fn compute(&mut self, speed: f64, sight: &Probe) -> Option<(f64, f64)> {
+        let next = (self.response)(speed)?;
+        let value = next.size(sight).ln();
+        self.points.insert(self.points.partition_point(|r| r.speed < speed), next);
+        value.is_finite().then_some((speed, value))
+    }
+
+    /// Where between two speeds, given with amplitudes above and below it, the amplitude of a probe has a value; `around` are responses there and next to them.
+    pub fn level(&mut self, around: &[Response], ends: [(f64, f64); 2], sight: &Probe, value: f64) -> Option<f64> {
+        let (low, high) = (ends[0].0.min(ends[1].0), ends[0].0.max(ends[1].0));
+        let mut known = self.known(around, (low, high), sight);
+        known.extend(ends.map(|(w, size)| (w, size.ln())));
+        known.sort_by_number(|a| a.0);
+        known.dedup_by(|a, b| a.0 == b.0);
+        let (unit, level) = (high - low, value.ln());
+        for _ in 0..TRIES {
+            let crossed = |w: &[(f64, f64)]| w[0].0 >= low && w[1].0 <= high && (w[0].1 > level) != (w[1].1 > level);
+            let pair = known.windows(2).find(|w| crossed(w))?;
+            let origin = if (pair[0].1 - level).abs() < (pair[1].1 - level).abs() { pair[0] } else { pair[1] };
+            let ends = [pair[0].0, pair[1].0].map(|w| (w - origin.0) / unit);
+            let p = Polynomial::through(&known, origin, unit);
+            let t = p.reaches(level - origin.1, ends)?;
+            let w = origin.0 + t * unit;
+            let moves = |k: usize| p.without(k).reaches(level - origin.1, ends).map_or(f64::INFINITY, |other| (other - t).abs() * unit);
+            if p.nodes.len() >= FEWEST && moves(1) <= SAME * w.abs() && moves(2) <= SAME.sqrt() * unit {
+                return Some(w);
+            }
+            if known.iter().any(|k| (k.0 - w).abs() <= SAME * w.abs()) {
+                return Some(w);
+            }
+            let next = self.compute(w, sight)?;
+            known.insert(known.partition_point(|k| k.0 < w), next);
+        }
+        None
     }
 
     /// The speed and the amplitude of a probe at its one maximum (or minimum) between the neighbours of `around[middle]`, which is above (below)
@@ -64,11 +113,8 @@ impl<'a> Search<'a> {
     fn interpolated(&mut self, around: &[Response], (from, to): (f64, f64), sight: &Probe, sign: f64) -> Option<(f64, f64)> {
         let unit = to - from;
         let inside = |w: f64| w > from && w < to;
-        let log = |r: &Response| (r.speed, sign * r.size(sight).ln());
-        let mut known: Vec<(f64, f64)> = around.iter().chain(self.points.iter().filter(|r| inside(r.speed))).map(log).collect();
-        known.retain(|k| k.1.is_finite());
-        known.sort_by_number(|a| a.0);
-        known.dedup_by(|a, b| a.0 == b.0);
+        let mut known = self.known(around, (from, to), sight);
+        known.iter_mut().for_each(|k| k.1 *= sign);
         let mut last: Option<f64> = None;
         for turn in 0..=TRIES {
             let best =
@@ -97,13 +143,8 @@ impl<'a> Search<'a> {
                 return (foretold && (next.is_none() || moved <= NEARLY)).then_some((w, value));
             }
             let probe = next?;
-            let next = response(self.system, self.state, probe).ok().flatten()?;
-            let (_, value) = log(&next);
-            self.points.insert(self.points.partition_point(|r| r.speed < probe), next);
-            if !value.is_finite() {
-                return None;
-            }
-            known.insert(known.partition_point(|k| k.0 < probe), (probe, value));
+            let (_, value) = self.compute(probe, sight)?;
+            known.insert(known.partition_point(|k| k.0 < probe), (probe, sign * value));
             last = Some(w);
         }
         None
@@ -147,6 +188,12 @@ impl Polynomial {
     fn without(&self, count: usize) -> Self {
         let keep = self.nodes.len().saturating_sub(count);
         Polynomial { nodes: self.nodes[..keep].to_vec(), coefficients: self.coefficients[..keep].to_vec() }
+    }
+
+    /// Where it has a value between these ends, at which it is above and below.
+    fn reaches(&self, value: f64, [from, to]: [f64; 2]) -> Option<f64> {
+        let f = |t: f64| self.at(t).0 - value;
+        root(|t| Some(f(t)), (from, f(from)), (to, f(to)), 0.0)
     }
 
     /// Where its slope vanishes between these ends, at which it has opposite signs.

@@ -14,7 +14,7 @@ pub mod ensemble;
 mod equilibrium;
 pub mod exact;
 pub mod extrema;
-mod extremum;
+pub mod extremum;
 mod follow;
 pub mod harmonic;
 pub mod harmonic_force;

@@ -1,6 +1,6 @@
 //! How the cost of whole studies grows with the number of stations of a shaft, on one core: a chain of discs on two nonlinear bearings. Prints the time of one run each.
 //!
-//! `cargo bench -p laval --bench chains [-- STATIONS...]`
+//! `cargo bench -p laval --bench chains [-- STATIONS... KINDS...]`
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -13,15 +13,25 @@ use laval::study::Context;
 use processor::processor;
 use std::time::Instant;
 
-const STUDIES: [&str; 2] = ["nonlinear_response", "forced_response"];
+/// Kinds with their fields.
+const STUDIES: [(&str, &str); 6] = [
+    ("modes", ""),
+    ("campbell", "speed = { from = 20, to = 400, points = 50 }"),
+    ("critical_speeds", "speed = { from = 20, to = 1000 }"),
+    ("forced_response", "speed = { from = 100, to = 400 }"),
+    ("nonlinear_response", "speed = { from = 100, to = 400 }"),
+    ("transient", "duration = \"0.2 s\"\npoints = 1000"),
+];
 
 fn main() {
     println!("processor: {}", processor());
-    let sizes: Vec<usize> = std::env::args().filter_map(|w| w.parse().ok()).collect();
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let chosen = |kind: &str| !words.iter().any(|w| STUDIES.iter().any(|s| s.0 == w)) || words.iter().any(|w| w == kind);
+    let sizes: Vec<usize> = words.iter().filter_map(|w| w.parse().ok()).collect();
     let sizes = if sizes.is_empty() { vec![11, 21, 51, 101, 201] } else { sizes };
-    for kind in STUDIES {
+    for (kind, fields) in STUDIES.into_iter().filter(|s| chosen(s.0)) {
         for &stations in &sizes {
-            let text = cubic_text(stations) + &format!("[[study]]\nkind = \"{kind}\"\nspeed = {{ from = 100, to = 400 }}\n");
+            let text = cubic_text(stations) + &format!("[[study]]\nkind = \"{kind}\"\n{fields}\n");
             let loaded = match laval::file::load(&text) {
                 Ok(loaded) => loaded,
                 Err(d) => return println!("{d:?}"),

@@ -24,13 +24,14 @@ use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{Curve, Extremum, curve, seeds};
+use crate::solve::extremum::Search;
 use crate::solve::linear_response::{Response, response};
 use crate::solve::locate::State;
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum};
 use crate::study::linear::over_frequency::growth_unassessed;
-use crate::study::shared::half_power::sides;
+use crate::study::shared::half_power::of_responses;
 use crate::study::shared::journals::{JournalVibration, journals, vibrations};
 use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::operation;
@@ -269,15 +270,15 @@ fn ratio(system: &System, name: &str) -> Option<f64> {
 
 /// Half-power points of the maxima of a curve.
 fn half_power(system: &System, state: State, found: &Curve) -> Vec<[f64; 2]> {
-    let one = |e: &Extremum| {
+    let computed = |w: f64| response(system, state, w).ok().flatten();
+    let mut search = Search::new(&computed);
+    let mut one = |e: &Extremum| {
         if !e.maximum || e.unbounded || !e.value.is_finite() {
             return [f64::NAN; 2];
         }
-        let probe = &system.probes()[e.probe];
-        let samples: Vec<(f64, f64)> = found.points.iter().map(|r| (r.speed, r.size(probe))).collect();
-        sides((e.speed, e.value), &samples, |w| response(system, state, w).ok().flatten().map(|r| r.size(probe)))
+        of_responses((e.speed, e.value), &found.points, &system.probes()[e.probe], &mut search)
     };
-    found.extrema.iter().map(one).collect()
+    found.extrema.iter().map(&mut one).collect()
 }
 
 /// The largest resonance of a displacement, or of a tilt.

@@ -143,8 +143,11 @@ fn turn(system: &System, rest: &Equilibrium, r: &Response) -> Vec<Instant> {
 fn uses(system: &System, turn: &[Instant], speed: f64, ws: &mut Workspace<f64>) -> Vec<(usize, Text, f64)> {
     let mut out: Vec<(usize, Text, f64)> = Vec::new();
     for instant in turn {
-        for (slot, u) in system.validity(&instant.at(speed), ws) {
-            match out.iter_mut().find(|o| (o.0, o.1) == (slot, u.what)) {
+        for (k, (slot, u)) in system.validity(&instant.at(speed), ws).into_iter().enumerate() {
+            // at every instant they come in the same order, unless a part states one twice
+            let there = out.get(k).is_some_and(|o| (o.0, o.1) == (slot, u.what));
+            let known = if there { out.get_mut(k) } else { out.iter_mut().find(|o| (o.0, o.1) == (slot, u.what)) };
+            match known {
                 Some(o) if !(o.2.is_nan() || u.ratio <= o.2) => o.2 = u.ratio,
                 Some(_) => {}
                 None => out.push((slot, u.what, u.ratio)),

@@ -20,6 +20,7 @@ use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
 use crate::solve::criticals::criticals;
 use crate::solve::extrema::above;
+use crate::solve::extremum::{BESIDE, Search};
 use crate::solve::harmonic_force::{Direction, Forced};
 use crate::solve::linear_response::Response;
 use crate::solve::own_frequency;
@@ -28,7 +29,7 @@ use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum, sweep};
 use crate::study::linear::forced_response::observed::{Closed, Outside, assess};
 use crate::study::linear::over_frequency::{growth_unassessed, over_frequency};
-use crate::study::shared::half_power::sides;
+use crate::study::shared::half_power::of_responses;
 use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::place;
 use crate::study::shared::size;
@@ -38,7 +39,6 @@ use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use crate::text;
 use laval_num::order::ascending;
-use laval_num::univariate::maximum;
 use serde::{Deserialize, Serialize};
 
 /// What varies.
@@ -69,8 +69,6 @@ pub struct HarmonicForce {
 const POINTS: usize = 400;
 /// Amplification beyond which nothing damps.
 pub(super) const UNBOUNDED: f64 = 1e8;
-/// Relative uncertainty of a peak.
-const TOLERANCE: f64 = 1e-10;
 /// Distances from a mode, over its growth rate, at which the response is computed.
 const WIDTHS: [f64; 12] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 16.0];
 
@@ -265,13 +263,16 @@ frequency = { from = "5 Hz", to = "200 Hz" }
         }
         let probes = of.probes().to_vec();
         let mut peaks = Vec::new();
+        let computed = |x: f64| at(x).ok().flatten().map(|r| Response { speed: x, ..r });
+        let mut search = Search::new(&computed);
         for (index, probe) in probes.iter().enumerate() {
-            let size = |x: f64| at(x).ok().flatten().map(|r| r.size(probe));
             let samples: Vec<(f64, f64)> = points.iter().map(|r| (r.speed, r.size(probe))).collect();
             let loudest = samples.iter().map(|s| s.1).fold(0.0, f64::max);
-            for w in samples.windows(3).filter(|w| w[1].1 > w[0].1 && w[1].1 >= w[2].1 && w[1].1 > STILL * loudest) {
-                let top = maximum(size, w[0].0, w[2].0, TOLERANCE * w[1].0).filter(|t| t.1 >= w[1].1).unwrap_or(w[1]);
-                let half_power = sides(top, &samples, size);
+            for (k, w) in samples.windows(3).enumerate().filter(|(_, w)| w[1].1 > w[0].1 && w[1].1 >= w[2].1 && w[1].1 > STILL * loudest) {
+                let first = k.saturating_sub(BESIDE);
+                let around = &points[first..(k + 3 + BESIDE).min(points.len())];
+                let top = search.extremum(around, k + 1 - first, probe, true).filter(|t| t.1 >= w[1].1).unwrap_or(w[1]);
+                let half_power = of_responses(top, &points, probe, &mut search);
                 peaks.push(Peak { probe: index, at: top.0, value: top.1, half_power, bracket: (w[0].0, w[2].0) });
             }
         }
