@@ -132,7 +132,9 @@ impl<'a> Search<'a> {
             let [less, lesser] = [1, 2].map(|k| p.without(k));
             let settled = p.nodes.len() >= FEWEST && moves(&less) <= STAYS && moves(&lesser) <= STAYS.sqrt();
             if settled && (less.at(t).0 - top).abs() <= AGREE {
-                return Some((w, origin.1 + top));
+                // the first one here is solved for, what lies beside it is known as well by interpolation
+                let near = known.iter().any(|k| (k.0 - w).abs() <= APART * unit);
+                return if near { Some((w, origin.1 + top)) } else { self.compute(w, sight).map(|(_, value)| (w, sign * value)) };
             }
             let moved = last.map_or(f64::INFINITY, |l| (w - l).abs() / unit);
             let next = probe(&known, w, APART * unit).filter(|&x| moved > STAYS && inside(x));

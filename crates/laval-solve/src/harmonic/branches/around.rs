@@ -23,8 +23,11 @@ use std::ops::Range;
 const BESIDE: usize = 1;
 /// Motions computed between them at most.
 const MOST: usize = 14;
-/// Difference between a motion and what was foretold of it, over its size, that ends their search.
+/// Difference between a motion and what was foretold of it, over its size, that is rounding, and that is accepted where more motions do not lessen it.
+const ROUNDING: f64 = 1e-13;
 const FORETOLD: f64 = 1e-10;
+/// Decrease of that difference from one motion to the next above which more motions lessen it.
+const LESS: f64 = 0.3;
 /// Places among which the next one is chosen.
 const CHOICE: usize = 200;
 /// Half the step of the difference that is the slope of a measure.
@@ -103,6 +106,7 @@ impl Around {
         }
         let folds = branch.folds.iter().filter(|f| (least..most).contains(&f.after)).map(|f| chord.place(&f.x, f.speed)).collect();
         let mut around = Around { middle: place(i), motions, folds, turns: branch.turns(), length: chord.length() };
+        let mut last = f64::INFINITY;
         for _ in 0..MOST {
             let place = around.next();
             let (x, speed) = around.unknowns(place);
@@ -110,11 +114,12 @@ impl Around {
             let orbit = Orbit::of(balance, &x, speed).ok()?;
             let missed = around.missed(place, &orbit);
             around.motions.push(Motion { place, x, speed, residual, orbit });
-            if missed <= FORETOLD {
+            if missed <= ROUNDING || missed <= FORETOLD && missed >= LESS * last {
                 return Some(around);
             }
+            last = missed;
         }
-        None
+        (last <= FORETOLD).then_some(around)
     }
 
     /// The peak (or least value) of a measure.

@@ -18,14 +18,29 @@ pub struct Extremes {
     pub largest: (f64, f64),
     /// Refined between the points where it falls on both sides.
     pub refined: Option<Peak>,
-    /// Where it nearly vanishes, with its share of the smaller of the largest forces on both sides.
-    pub vanishing: Vec<(Peak, f64)>,
+    /// Where it nearly vanishes.
+    pub vanishing: Vec<Vanishing>,
+}
+
+/// A place where a force nearly vanishes.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Vanishing {
+    /// The place.
+    pub peak: Peak,
+    /// Share of the smaller of the largest forces on both sides.
+    pub share: f64,
+    /// That force, N.
+    pub beside: f64,
+    /// Index of the branch, and of its point next to the place.
+    pub at: (usize, usize),
 }
 
 /// A force is rounding at this share of the largest of all, as of a rotating damper in synchronous whirl.
 const ROUNDING: f64 = 1e-12;
 /// A force vanishes nearly where it is this share of what it is on both sides.
 const VANISHING: f64 = 0.05;
+/// Places with evidence of their own at most.
+const CONFIRMED: usize = 8;
 /// Places listed for one part at most.
 const MOST: usize = 2;
 
@@ -36,6 +51,16 @@ impl Measuring<'_> {
             Measure::forces(self.system).into_iter().filter_map(|slot| self.extremes(response, request, slot)).collect();
         let largest = all.iter().map(|e| e.largest.0).fold(0.0, f64::max);
         all.retain(|e| !(e.largest.0 <= ROUNDING * largest));
+        // the deepest have brackets of their own
+        let mut least: Vec<(f64, usize, usize)> =
+            all.iter().enumerate().flat_map(|(e, x)| x.vanishing.iter().enumerate().map(move |(k, v)| (v.share, e, k))).collect();
+        least.sort_by_number(|l| l.0);
+        for (_, e, k) in least.into_iter().take(CONFIRMED) {
+            let (slot, Vanishing { at, beside, .. }) = (all[e].slot, all[e].vanishing[k].clone());
+            if let Some(peak) = self.confirmed(response, at, Measure::Force(slot), Sense::Least, request) {
+                all[e].vanishing[k] = Vanishing { share: peak.value / beside, peak, at, beside };
+            }
+        }
         all
     }
 
@@ -69,17 +94,15 @@ impl Measuring<'_> {
                 let least = force[i] <= force[i - 1] && force[i] < force[i + 1];
                 if least && share < 4.0 * VANISHING && held(i) {
                     let found = self.refined(response, (b, i), measure, Sense::Least, request);
-                    vanishing.extend(found.map(|p| {
-                        let share = p.value / before[i].min(after[i]);
-                        (p, share)
-                    }));
+                    let beside = before[i].min(after[i]);
+                    vanishing.extend(found.map(|peak| Vanishing { share: peak.value / beside, peak, beside, at: (b, i) }));
                 }
             }
         }
         // of joints between bodies: what leads to the ground follows the motion of one
         let joint = self.system.slots()[slot].map.iter().take(2).all(|row| row.len() > 1);
-        vanishing.retain(|v| joint && v.1 < VANISHING);
-        vanishing.sort_by_number(|a| a.1);
+        vanishing.retain(|v| joint && v.share < VANISHING);
+        vanishing.sort_by_number(|v| v.share);
         vanishing.truncate(MOST);
         let top = self.summit(response, request, measure, &values, false)?;
         let speed = response.branches[top.at.0].points[top.at.1].speed;
@@ -109,7 +132,7 @@ impl Shown<'_> {
         }
         for e in &self.measured.forces {
             let name = &self.system.slots()[e.slot].name;
-            for (p, share) in &e.vanishing {
+            for Vanishing { peak: p, share, .. } in &e.vanishing {
                 out.push(
                     Finding::info("vanishing_force", "nonlinear-response-antiresonance")
                         .of(name)

@@ -79,7 +79,7 @@ impl Measuring<'_> {
             }
             for top in tops {
                 let found = if own {
-                    self.confirmed(response, top, measure, request)
+                    self.confirmed(response, top, measure, Sense::Largest, request)
                 } else {
                     self.refined(response, top, measure, Sense::Largest, request)
                 };

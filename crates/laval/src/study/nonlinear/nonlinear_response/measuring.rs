@@ -89,9 +89,16 @@ impl<'a> Measuring<'a> {
     }
 
     /// The same by corrections of its own, a narrow bracket about the value.
-    pub(super) fn confirmed(&mut self, response: &Response, (b, i): (usize, usize), measure: Measure, request: &Request) -> Option<Peak> {
+    pub(super) fn confirmed(
+        &mut self,
+        response: &Response,
+        (b, i): (usize, usize),
+        measure: Measure,
+        sense: Sense,
+        request: &Request,
+    ) -> Option<Peak> {
         let branch = &response.branches[b];
-        refine(self.balance_mut(branch), branch, i, measure, Sense::Largest, request.speeds)
+        refine(self.balance_mut(branch), branch, i, measure, sense, request.speeds)
     }
 
     /// The whole motion of a state.

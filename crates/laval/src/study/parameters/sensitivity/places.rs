@@ -6,10 +6,9 @@ use crate::model::system::System;
 use crate::outcome::End;
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
-use crate::solve::harmonic::branches::around::Peaks;
 use crate::solve::harmonic::branches::branch::{State, Traced};
 use crate::solve::harmonic::branches::measure::Measure;
-use crate::solve::harmonic::branches::peak::Sense;
+use crate::solve::harmonic::branches::peak::{Sense, refine};
 use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::solve::harmonic::branches::sensitivity::{Moved, Named, Stationary, moved, parameters};
 use crate::study::Context;
@@ -125,13 +124,13 @@ fn places_of(
 ) -> Vec<Seed> {
     let (system, mut seeds) = (balance.system, Vec::new());
     let (sizes, loud) = (&seen.sizes[b], probes::loudest(seen.all()));
-    let mut peaks = Peaks::default();
     for (k, probe) in seen.probes.iter().enumerate() {
         for i in 1..sizes.len().saturating_sub(1) {
             let [before, a, after] = [i - 1, i, i + 1].map(|i| sizes[i][k]);
             if a > before && a >= after && !branch.points[i].unstable() && !probes::still(probe, a, loud, LOWEST) {
-                let measure = Measure::Probe(seen.which[k]);
-                let Some(peak) = peaks.beside(balance, (branch, i), measure, Sense::Largest, speeds) else { continue };
+                let Some(peak) = refine(balance, branch, i, Measure::Probe(seen.which[k]), Sense::Largest, speeds) else {
+                    continue;
+                };
                 let way = along(&branch.points[i - 1], &branch.points[i + 1]);
                 seeds.push(Seed { kind: Kind::Peak, branch: b, probe: k, x: peak.x, speed: peak.speed, way });
             }
