@@ -30,7 +30,7 @@ const NEARLY: f64 = 1e-5;
 /// Difference between the logarithms of the amplitude at the extremum and of what was foretold, above which it is not believed.
 const FORETOLD: f64 = 1e-10;
 /// The same between two interpolations, of which no response is a witness.
-const AGREE: f64 = 1e-12;
+const AGREE: f64 = 1e-13;
 
 /// Responses computed in the search.
 pub struct Search<'a> {
