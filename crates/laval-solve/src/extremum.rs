@@ -1,7 +1,7 @@
 //! Maxima and minima of amplitudes between computed responses, and where they have a given value, shared by all bodies.
 //!
 //! Equations: the logarithm of an amplitude is interpolated by a polynomial p through the responses next to its extremum. Where the zero of p' and the
-//! value there stay when the farthest response is left out, they are the extremum; else the response is computed at the zero, or beside it where one is
+//! value there stay when the farthest responses are left out, one and two, they are the extremum; else the response is computed at the zero, or beside it where one is
 //! known too near for their difference to say anything, and joins the others. Responses hold all bodies: what one body's search computed serves those
 //! whose extrema lie beside it, so that the number of responses hardly grows with that of the bodies. Places of a given value are zeros of p less its logarithm.
 //!
@@ -131,7 +131,8 @@ impl<'a> Search<'a> {
             let moves = |q: &Polynomial| q.stationary(ends).map_or(f64::INFINITY, |other| (other - t).abs());
             let [less, lesser] = [1, 2].map(|k| p.without(k));
             let settled = p.nodes.len() >= FEWEST && moves(&less) <= STAYS && moves(&lesser) <= STAYS.sqrt();
-            if settled && (less.at(t).0 - top).abs() <= AGREE {
+            // both, because a pair of nodes far on either side hides behind one of them
+            if settled && [less, lesser].iter().all(|q| (q.at(t).0 - top).abs() <= AGREE) {
                 // the first one here is solved for, what lies beside it is known as well by interpolation
                 let near = known.iter().any(|k| (k.0 - w).abs() <= APART * unit);
                 return if near { Some((w, origin.1 + top)) } else { self.compute(w, sight).map(|(_, value)| (w, sign * value)) };
