@@ -6,13 +6,12 @@
 //! (s I - J) x = b:    T(s) (dq, dz) = A2 (b_v + s b_q) + A1 b_q + (0, b_z),    dv = s dq - b_q
 //! ```
 //!
-//! For machines of constant mass without memory states. M is factored once, T(s) for each length of a step.
+//! For machines of constant mass without memory states and of more than a few coordinates. M is factored once, T(s) for each length of a step.
 
 use super::direct::{Direct, linear_rows, singular};
 use super::point;
 use crate::characteristic::each_tangent_entry;
 use crate::equilibrium::nonlinear_states;
-use crate::large::is_large;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, Rows};
 use crate::model::rows::LinearRows;
@@ -26,6 +25,8 @@ use laval_num::factor::{Factors, Number, Selection};
 use laval_num::ode::Failure;
 use std::sync::Arc;
 
+/// States up to which full matrices are as quick.
+const FEW: usize = 24;
 /// Speeds at which the linear parts are kept: of the stages of a step, and of its start.
 const KEPT: usize = 4;
 /// Pivot over the largest below which the mass matrix is singular to rounding.
@@ -116,7 +117,7 @@ impl Large {
     /// # Errors
     /// A singular mass matrix.
     pub fn new(system: &System, constant: bool, speed: f64) -> Result<Option<Self>, Failure> {
-        if !(constant && is_large(system) && system.slots().iter().all(|s| s.memory == 0)) {
+        if !(constant && 2 * system.n() + system.m() > FEW && system.slots().iter().all(|s| s.memory == 0)) {
             return Ok(None);
         }
         let plain = system.slots().iter().filter(|s| s.is_linear()).all(|s| is_plain(system, s));

@@ -13,23 +13,39 @@ use laval::model::tangent::{SparseTangent, TangentScratch};
 use laval::solve::rest::rest;
 use std::f64::consts::PI;
 
+/// A part of the wall: its ends (rad), where the pressure is that of the surroundings, and the height of its centre of curvature over the clearance it is machined to. A whole turn has no ends.
+#[derive(Clone, Copy)]
+pub struct Lobe {
+    pub from: f64,
+    pub to: f64,
+    pub centre: f64,
+}
+
+const ROUND: Lobe = Lobe { from: 0.0, to: 2.0 * PI, centre: 0.0 };
+
 /// Of a film: length over diameter, points around the circumference and over half the length, and whether the pressure may be negative.
 #[derive(Clone, Copy)]
-struct Grid {
-    ratio: f64,
-    around: usize,
-    along: usize,
-    full: bool,
+pub struct Grid {
+    pub ratio: f64,
+    pub around: usize,
+    pub along: usize,
+    pub full: bool,
 }
 
 /// Force on the journal at a displacement and a rate over the clearance, for W = 1; by successive over-relaxation, projected on P >= 0.
-fn film(g: Grid, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> [f64; 2] {
-    let (dt, dz) = (2.0 * PI / g.around as f64, 0.5 / g.along as f64);
+fn film(g: Grid, at: [f64; 2], rate: [f64; 2]) -> [f64; 2] {
+    film_of(ROUND, g, at, rate)
+}
+
+/// The same of a part of the wall.
+pub fn film_of(lobe: Lobe, g: Grid, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> [f64; 2] {
+    let (whole, y) = (lobe.to - lobe.from >= 2.0 * PI, y - lobe.centre);
+    let (dt, dz) = ((lobe.to - lobe.from) / g.around as f64, 0.5 / g.along as f64);
     let cube = |t: f64| (1.0 - x * t.cos() - y * t.sin()).powi(3);
     let axial = (0.5 / g.ratio / dz).powi(2);
     let rows: Vec<[f64; 4]> = (0..g.around)
         .map(|i| {
-            let t = i as f64 * dt;
+            let t = lobe.from + i as f64 * dt;
             let source = x * t.sin() - y * t.cos() - 2.0 * (vx * t.cos() + vy * t.sin());
             [cube(t + 0.5 * dt) / (dt * dt), cube(t - 0.5 * dt) / (dt * dt), axial * cube(t), source]
         })
@@ -42,7 +58,7 @@ fn film(g: Grid, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> [f64; 2] {
     for sweep in 0.. {
         assert!(sweep < 50_000, "the film does not converge");
         let (mut change, mut largest) = (0.0f64, 0.0f64);
-        for i in 0..g.around {
+        for i in if whole { 0 } else { 1 }..g.around {
             let (next, last) = ((i + 1) % g.around, (i + g.around - 1) % g.around);
             let [up, down, side, source] = rows[i];
             for j in 0..g.along {
@@ -62,7 +78,7 @@ fn film(g: Grid, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> [f64; 2] {
     let unit = 24.0 / (2.0 * g.ratio).powi(2);
     let mut out = [0.0; 2];
     for (i, row) in p.iter().enumerate() {
-        let (s, c) = (i as f64 * dt).sin_cos();
+        let (s, c) = (lobe.from + i as f64 * dt).sin_cos();
         let sum: f64 = (0..g.along).map(|j| row[j] * if j == 0 { 1.0 } else { 2.0 }).sum::<f64>() * dz * dt * unit;
         out = [out[0] - sum * c, out[1] - sum * s];
     }
@@ -79,7 +95,7 @@ fn extrapolated(ratio: f64, e: f64) -> [f64; 2] {
     [0, 1].map(|k| b[k] + (b[k] - a[k]) / 3.0)
 }
 
-fn size(f: [f64; 2]) -> f64 {
+pub fn size(f: [f64; 2]) -> f64 {
     f[0].hypot(f[1])
 }
 
@@ -116,7 +132,7 @@ fn the_solver_is_of_second_order_and_has_both_limits() {
 }
 
 /// Rows of the table of docs/theory/oil-films.md that begin with this head.
-fn rows(head: &str) -> Vec<Vec<f64>> {
+pub fn rows(head: &str) -> Vec<Vec<f64>> {
     let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/theory/oil-films.md")).unwrap();
     let from = page.find(head).unwrap_or_else(|| panic!("no table {head}"));
     let lines = page[from..].lines().skip(2).take_while(|l| l.starts_with('|'));

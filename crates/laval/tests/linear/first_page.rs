@@ -308,6 +308,32 @@ fn forces_hold_the_static_load_and_say_so() {
     assert_eq!((of_item(&found.result, "rest"), found.detail.is_none()), (None, true));
 }
 
+/// Two springs side by side share the force as their stiffnesses, 1 to 3: each force stands beside its own limit, the one that is used most first.
+#[test]
+fn differing_limits_stand_beside_their_values() {
+    let second = format!(
+        "[[part]]\nkind = \"bearing_linear\"\nname = \"second\"\nbetween = [\"disc\", \"ground\"]\nstiffness = {:?}\n",
+        3.0 * STIFFNESS
+    );
+    let of = |limits: &str| page(&jeffcott("speed = 250.0", 0.0, &format!("{second}[limits]\n{limits}\n")));
+    let force = STIFFNESS * 1e-4;
+    let p = of(&format!("force = {{ spring = {:?}, second = {:?} }}", 0.5 * force, 100.0 * force));
+    let found = check(&p, "check-forces");
+    assert_eq!(found.required, Some(Message::new("required-each").into()));
+    let Some(Arg::List(all)) = found.result.arg_named("sizes") else { panic!("{found:?}") };
+    let shown = all.iter().map(|a| match a {
+        Arg::Phrase(item) => (item.arg_named("name").cloned().unwrap(), number(item, "value"), number(item, "limit") / force),
+        other => panic!("{other:?}"),
+    });
+    let shown: Vec<(Arg, f64, f64)> = shown.collect();
+    let names = ["spring", "second"].map(Arg::name);
+    assert!(shown.len() == 2 && shown[0].0 == names[0] && shown[1].0 == names[1], "{shown:?}");
+    assert!((shown[1].1 / shown[0].1 - 3.0).abs() < 1e-9, "{shown:?}");
+    assert!((shown[0].2 - 0.5).abs() < 1e-12 && (shown[1].2 - 100.0).abs() < 1e-9, "{shown:?}");
+    // one limit for all stands once
+    assert_ne!(check(&of("force = 1.0"), "check-forces").required, found.required);
+}
+
 /// The ball balancer of example 04: stable above 558 rad/s, harmful below; the vibration is that of its stable state, 2 um, which the eccentricity of the ring leaves.
 #[test]
 fn a_machine_with_balls_has_its_distance_and_its_vibration() {

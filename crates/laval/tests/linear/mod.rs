@@ -7,6 +7,7 @@ mod first_page;
 mod first_page_dangers;
 mod harmonic_force;
 mod liquid_force;
+mod lobed_film;
 mod long_shafts;
 mod matrices;
 mod memory;

@@ -93,6 +93,7 @@ required-decay = { $margin ->
        *[other] decay ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-each = ≤ limits
 required-above = ≥ { $limit }
 required-balance = { $grade }: ≤ { $limit }
 required-validity = inside
@@ -149,6 +150,7 @@ distance-no-resonance = { $from ->
         [none] none found up to { $to }
        *[other] none found from { $from } to { $to }
     }
+item-of = { $name } { $value } of { $limit }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -157,6 +159,7 @@ item-force = { $rest ->
 both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak } peak velocity
+velocity-sizes = { $sizes } (peak)
 velocity-is = largest { $value } (peak)
 vibration-nonlinear = largest stable response of the nonlinear machine
 vibration-states = largest stable state of the balls

@@ -83,6 +83,7 @@ required-decay = { $margin ->
        *[other] өшу ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-each = ≤ шектері
 required-balance = { $grade }: ≤ { $limit }
 required-validity = шек ішінде
 required-less-unbalance = шариксіз мәннен аз
@@ -131,6 +132,7 @@ distance-no-resonance = { $from ->
         [none] { $to } мәніне дейін табылмады
        *[other] { $from } – { $to } аралығында табылмады
     }
+item-of = { $name } { $value }, шегі { $limit }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -291,6 +293,7 @@ check-shaft-vibration = Мойынтіректердегі білік діріл
 check-housing-vibration = Мойынтірек корпустарының дірілі
 check-balance = Теңгеру сапасы
 check-velocity = Тербеліс жылдамдығы
+velocity-sizes = { $sizes } (шыңы)
 velocity-is = ең үлкені { $value } (шың мәні)
 validity-studies-inside = файлдағы зерттеулерде шектен тыс ештеңе табылмады
 

@@ -92,6 +92,7 @@ required-decay = { $margin ->
        *[other] затухание ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-each = ≤ пределов
 required-above = ≥ { $limit }
 required-balance = { $grade }: ≤ { $limit }
 required-validity = в пределах
@@ -148,6 +149,7 @@ distance-no-resonance = { $from ->
         [none] нет до { $to }
        *[other] нет в диапазоне от { $from } до { $to }
     }
+item-of = { $name } { $value } из { $limit }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -156,6 +158,7 @@ item-force = { $rest ->
 both = { $first }; { $second }
 vibration-sizes = { $sizes }
 vibration-velocity = { $name } { $peak }, пик виброскорости
+velocity-sizes = { $sizes } (пик)
 velocity-is = наибольшее значение { $value } (пик)
 vibration-nonlinear = наибольший устойчивый отклик нелинейной машины
 vibration-states = наибольшее по устойчивым состояниям шариков

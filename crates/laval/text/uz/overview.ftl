@@ -83,6 +83,7 @@ required-decay = { $margin ->
        *[other] so‘nish ≥ { $margin }
     }
 required-below = ≤ { $limit }
+required-each = ≤ chegarasi
 required-balance = { $grade }: ≤ { $limit }
 required-validity = ichida
 required-less-unbalance = sharchalarsizdan kam
@@ -131,6 +132,7 @@ distance-no-resonance = { $from ->
         [none] { $to } tezlikkacha topilmadi
        *[other] { $from } – { $to } oralig‘ida topilmadi
     }
+item-of = { $name } { $value }, chegarasi { $limit }
 item = { $name } { $value }
 item-force = { $rest ->
         [none] { $name } { $value }
@@ -291,6 +293,7 @@ check-shaft-vibration = Podshipniklardagi val tebranishi
 check-housing-vibration = Podshipnik korpuslarining tebranishi
 check-balance = Muvozanatlash sifati
 check-velocity = Tebranish tezligi
+velocity-sizes = { $sizes } (amplituda)
 velocity-is = eng kattasi { $value } (amplituda)
 validity-studies-inside = fayldagi birorta ham hisob sohadan tashqari natija topmadi
 # Sahifa nimani hisobga olmaydi.

@@ -76,13 +76,15 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
         // the limit of a body holds at its reference point and wherever something is attached
         let held = |l: &Limit, p: &Probe| !p.is_tilt() && if l.at.is_some() { l.is_at(p) } else { p.name == l.body };
-        limits
-            .iter()
-            .filter_map(|l| Some((l, all.iter().filter(|p| held(l, p)).map(size).reduce(larger)?)))
-            .max_by(|a, b| (a.1 / a.0.value).total_cmp(&(b.1 / b.0.value)))
-            .map(|(l, x)| (l.value, x))
+        let one = |l: &Limit| Some((l.name.clone(), all.iter().filter(|p| held(l, p)).map(size).reduce(larger)?, l.value));
+        used(limits.iter().filter_map(one).collect())
     };
-    let (required, verdict) = against(kept(&facts.limits.displacement, &size).map(|w| (w, "m")));
+    let limited = kept(&facts.limits.displacement, &size);
+    let (required, verdict) = against(limited.first().map(|w| ((w.2, w.1), "m")));
+    let (result, required) = match each(&limited, "m") {
+        Some((sizes, each)) => (Message::new("vibration-sizes").arg("sizes", sizes), Some(each)),
+        None => (result, required),
+    };
     let closes: Vec<&str> =
         facts.response.as_ref().and_then(Known::get).map_or(Vec::new(), |r| r.observed.closed.iter().map(|c| c.part.as_str()).collect());
     let (detail, verdict) = if nonlinear.is_some() {
@@ -94,10 +96,14 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         (facts.response.as_ref().and_then(Known::source).or(detail), verdict)
     };
     let mut out = vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }];
-    if let Some(worst) = kept(&facts.limits.velocity, &velocity) {
-        let (required, verdict) = against(Some((worst, "m/s")));
+    let limited = kept(&facts.limits.velocity, &velocity);
+    if let Some((_, worst, limit)) = limited.first() {
+        let (required, verdict) = against(Some(((*limit, *worst), "m/s")));
         let verdict = if closes.is_empty() || nonlinear.is_some() || verdict == Verdict::Failed { verdict } else { Verdict::Attention };
-        let result = Message::new("velocity-is").arg("value", Arg::quantity(worst.1, "m/s"));
+        let (result, required) = match each(&limited, "m/s") {
+            Some((sizes, each)) => (Message::new("velocity-sizes").arg("sizes", sizes), Some(each)),
+            None => (Message::new("velocity-is").arg("value", Arg::quantity(*worst, "m/s")), required),
+        };
         out.push(Check { required, ..Check::new("check-velocity", result, verdict) });
     }
     out
@@ -133,8 +139,8 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         return None;
     }
     let limit = |part: &str| facts.limits.force.iter().find(|l| l.body == part).map(|l| l.value);
-    let worst = all.iter().filter_map(|(p, x)| Some((limit(p)?, *x))).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)));
-    let (required, verdict) = against(worst.map(|w| (w, "N")));
+    let limited = used(all.iter().filter_map(|(p, x)| Some((p.to_string(), *x, limit(p)?))).collect());
+    let (required, verdict) = against(limited.first().map(|w| ((w.2, w.1), "N")));
     all.sort_by_number_down(|a| a.1);
     all.truncate(MOST_NAMED);
     // the force of a turn holds that at rest, of weight and preload; the displacement of the vibration is counted from rest
@@ -149,6 +155,10 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         true => Message::new("forces-none"),
         false => Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect())),
     };
+    let (result, required) = match each(&limited, "N") {
+        Some((sizes, each)) => (Message::new("forces-sizes").arg("sizes", sizes), Some(each)),
+        None => (result, required),
+    };
     let limited = missing.iter().any(|n| facts.limits.force.iter().any(|l| l.body == *n));
     let verdict = if limited && verdict != Verdict::Failed { Verdict::Attention } else { verdict };
     let without = (!missing.is_empty()).then(|| Message::new("forces-without").arg("parts", Arg::names(missing)));
@@ -158,6 +168,22 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         (a, b) => a.or(b),
     };
     Some(Check { detail, required, ..Check::new("check-forces", result, verdict) })
+}
+
+/// Values with the limits of their own, the one that is used most first.
+fn used(mut all: Vec<(String, f64, f64)>) -> Vec<(String, f64, f64)> {
+    all.sort_by(|a, b| (b.1 / b.2).total_cmp(&(a.1 / a.2)));
+    all
+}
+
+/// Where limits differ: each value beside its own, and the requirement.
+fn each(limited: &[(String, f64, f64)], unit: &'static str) -> Option<(Arg, Arg)> {
+    limited.windows(2).any(|w| w[0].2 != w[1].2).then_some(())?;
+    let item = |(name, x, limit): &(String, f64, f64)| {
+        let item = Message::new("item-of").arg("name", Arg::name(name)).arg("value", Arg::quantity(*x, unit));
+        Arg::from(item.arg("limit", Arg::quantity(*limit, unit)))
+    };
+    Some((Arg::List(limited.iter().take(MOST_NAMED).map(item).collect()), Message::new("required-each").into()))
 }
 
 /// Largest force of each part at rest, N: of weight, preload and other constant loads.
