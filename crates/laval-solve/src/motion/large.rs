@@ -25,7 +25,7 @@ use laval_num::factor::{Factors, Number, Selection};
 use laval_num::ode::Failure;
 use std::sync::Arc;
 
-/// States up to which full matrices are as quick.
+/// States up to which full matrices are kept.
 const FEW: usize = 24;
 /// Speeds at which the linear parts are kept: of the stages of a step, and of its start.
 const KEPT: usize = 4;

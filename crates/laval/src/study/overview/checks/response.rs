@@ -172,7 +172,9 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
 
 /// Values with the limits of their own, the one that is used most first.
 fn used(mut all: Vec<(String, f64, f64)>) -> Vec<(String, f64, f64)> {
-    all.sort_by(|a, b| (b.1 / b.2).total_cmp(&(a.1 / a.2)));
+    // what is no number keeps no limit, whatever its sign
+    let share = |l: &(String, f64, f64)| if l.1.is_nan() { f64::INFINITY } else { l.1 / l.2 };
+    all.sort_by(|a, b| share(b).total_cmp(&share(a)));
     all
 }
 
@@ -268,4 +270,17 @@ pub(super) fn validity(facts: &Facts) -> Check {
         _ => (result, verdict),
     };
     Check { required, ..Check::new("check-validity", result, verdict) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::used;
+
+    #[test]
+    fn what_is_no_number_comes_first() {
+        for nan in [f64::NAN, -f64::NAN] {
+            let all = used(vec![("a".into(), 2.0, 1.0), ("b".into(), nan, 1.0), ("c".into(), 3.0, 1.0)]);
+            assert_eq!(all.iter().map(|l| l.0.as_str()).collect::<Vec<_>>(), ["b", "c", "a"]);
+        }
+    }
 }
