@@ -18,6 +18,7 @@ use laval::solve::linear_response::response;
 use laval::solve::pencil::Linearised;
 use laval::solve::rest::rest;
 use laval::solve::roots::{Request, roots};
+use laval::solve::sectors::Sector;
 use laval::solve::sweep::sweep;
 use laval::study::Cancel;
 use laval_num::complex::{C64, c};
@@ -273,12 +274,38 @@ fn stability_beside_a_fold_of_a_fine_division() {
     assert!(points().any(State::stable) && points().any(State::unstable));
 }
 
+/// What rounding of the entries of T can move a root by, of two masses on springs: the mode is `x = (1, r)` with `r = 1 - m1 w^2 / k`, both rows of `T x = 0`
+/// are differences of two equal sizes, and `eps |x|^T |T| |x| / |x^T T' x| = eps 4 |k - m1 w^2| / (2 w (m1 + m2 r^2))`.
+#[test]
+fn rounding_moves_a_root_of_two_masses_as_its_closed_form_says() {
+    let [m1, m2, k, below] = [2.0, 30.0, 1e6, 4e5];
+    let text = format!(
+        "[machine]\nname = \"two masses\"\n\
+         [[part]]\nkind = \"disc\"\nname = \"upper\"\nmass = {m1}\n\
+         [[part]]\nkind = \"foundation\"\nname = \"lower\"\nmass = {m2}\nstiffness = {below}\ndamping = 0\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"between\"\nbetween = [\"upper\", \"lower\"]\nkxx = {k}\nkyy = {k}\n"
+    );
+    let system = load(&text).system;
+    // (k - m1 w^2)(k + below - m2 w^2) = k^2
+    let (b, product) = (m1 * (k + below) + m2 * k, k * below);
+    for sign in [-1.0, 1.0] {
+        let w = f64::sqrt((b + sign * f64::sqrt(b * b - 4.0 * m1 * m2 * product)) / (2.0 * m1 * m2));
+        let r = 1.0 - m1 * w * w / k;
+        let exact = f64::EPSILON * 4.0 * (k - m1 * w * w).abs() / (2.0 * w * (m1 + m2 * r * r));
+        let mut t = Characteristic::new(&system, &Equilibrium::zero(&system, Frame::Fixed, 100.0));
+        let root = t.polish(c(0.0, 1.001 * w), Some(Sector::Forward)).unwrap();
+        assert!((root.value - c(0.0, w)).abs() < 1e-10 * w, "{:?} {w}", root.value);
+        let moved = t.rounding(&root);
+        assert!((moved / exact - 1.0).abs() < 1e-6, "{moved:e} {exact:e}");
+    }
+}
+
 /// Peaks of all probes and forces from motions that they share are those that corrections of their own lead to.
 #[test]
 fn peaks_that_share_motions_are_those_found_one_by_one() {
     let mut checked = 0;
     for (text, speeds) in
-        [(cubic_text(13), (100.0, 400.0)), (cubic_text(7).replace("law = \"isotropic\"", "law = \"per_axis\""), (150.0, 300.0))]
+        [(cubic_text(9), (100.0, 400.0)), (cubic_text(5).replace("law = \"isotropic\"", "law = \"per_axis\""), (150.0, 300.0))]
     {
         let system = load(&text).system;
         let request = Response { stability: false, ..Response::over(speeds.0, speeds.1) };
@@ -288,8 +315,9 @@ fn peaks_that_share_motions_are_those_found_one_by_one() {
         for branch in &found.branches {
             let mut balance = Balance::new(&system, branch.discretisation.whole(), speeds, None).unwrap();
             let mut peaks = Peaks::default();
-            for &measure in &measures {
-                let orbits: Vec<Orbit> = branch.points.iter().map(|p| Orbit::of(&mut balance, &p.x, p.speed).unwrap()).collect();
+            let orbits: Vec<Orbit> = branch.points.iter().map(|p| Orbit::of(&mut balance, &p.x, p.speed).unwrap()).collect();
+            // every measure of a kind has its like at the next stations
+            for &measure in measures.iter().step_by(2) {
                 let sizes: Vec<f64> = orbits.iter().map(|o| measure.largest(&system, o, 1).0).collect();
                 let most = sizes.iter().fold(0.0f64, |a, b| a.max(*b));
                 for i in (1..sizes.len() - 1).filter(|&i| sizes[i] > sizes[i - 1] && sizes[i] > sizes[i + 1] && sizes[i] > 1e-6 * most) {

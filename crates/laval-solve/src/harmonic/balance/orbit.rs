@@ -145,3 +145,64 @@ impl Orbit {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two orders of three coordinates and two states, with a place of rest.
+    fn orbit() -> Orbit {
+        let amplitudes = |k: f64, count: usize| (0..count).map(|i| c(0.3 + k * i as f64, 0.7 - 0.4 * k - i as f64)).collect();
+        Orbit {
+            speed: 260.0,
+            frequency: 130.0,
+            orders: vec![1, 3],
+            coordinates: vec![amplitudes(0.5, 3), amplitudes(-0.2, 3)],
+            states: vec![amplitudes(0.1, 2), amplitudes(0.9, 2)],
+            rest: vec![0.4, -0.3, 0.2],
+        }
+    }
+
+    /// Coordinates, rates, accelerations and states of the whole.
+    fn whole(orbit: &Orbit, tau: f64) -> [Vec<f64>; 4] {
+        let [mut q, mut v, mut a, mut z] = [3, 3, 3, 2].map(|n| vec![0.0; n]);
+        orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
+        [q, v, a, z]
+    }
+
+    #[test]
+    fn rates_and_accelerations_are_derivatives_of_the_coordinates_in_time() {
+        let (orbit, step) = (orbit(), 1e-5);
+        for tau in [0.0, 0.8, 2.9] {
+            let [[q0, v0, ..], [_, v, a, _], [q1, v1, ..]] = [-step, 0.0, step].map(|d| whole(&orbit, tau + d));
+            let over = 2.0 * step / orbit.frequency;
+            for i in 0..3 {
+                assert!(((q1[i] - q0[i]) / over - v[i]).abs() < 1e-6 * 130.0, "{tau} {i}");
+                assert!(((v1[i] - v0[i]) / over - a[i]).abs() < 1e-6 * 130.0 * 130.0, "{tau} {i}");
+            }
+        }
+    }
+
+    #[test]
+    fn some_coordinates_move_as_in_the_whole() {
+        let orbit = orbit();
+        for tau in [0.0, 0.8, 2.9] {
+            let [q, v, a, z] = whole(&orbit, tau);
+            let [mut own_q, mut own_v, mut own_a, mut own_z] = [2, 2, 2, 1].map(|n| vec![f64::NAN; n]);
+            orbit.at_some(&[2, 0], 1..2, tau, [&mut own_q, &mut own_v, &mut own_a, &mut own_z]);
+            let some = |x: &[f64]| vec![x[2], x[0]];
+            assert_eq!([own_q, own_v, own_a, own_z], [some(&q), some(&v), some(&a), vec![z[1]]]);
+        }
+    }
+
+    #[test]
+    fn a_pair_is_seen_from_its_place_of_rest() {
+        let (orbit, pair) = (orbit(), Pair([vec![(0, 1.0), (2, -0.5)], vec![(1, 2.0)]]));
+        for tau in [0.0, 0.8, 2.9] {
+            let [q, ..] = whole(&orbit, tau);
+            let (at, [x, y]) = (pair.of(&q), orbit.pair_at(&pair, tau));
+            // 0.4 - 0.5 * 0.2 and 2 * -0.3
+            assert!((at[0] - 0.3 - x).abs() < 1e-14 && (at[1] + 0.6 - y).abs() < 1e-14, "{tau}");
+        }
+    }
+}
