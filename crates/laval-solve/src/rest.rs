@@ -290,6 +290,7 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
         }
     }
     let held = &held[..];
+    let linear = system.slots().iter().all(Slot::is_linear);
     let mut last = f64::INFINITY;
     for iteration in 1..=60 {
         let mut k = t.stiffness_entries();
@@ -328,7 +329,9 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
         };
         (x, at) = (next, moved);
         (at.iterations, at.last_step) = (iteration, length);
-        t = Characteristic::new(system, &at);
+        if !linear {
+            t = Characteristic::new(system, &at);
+        }
         r = residual(system, &at, &mut t, &coordinates, &x, held);
         if length <= 1e-13 * size || (length >= 0.5 * last && length <= 1e-9 * (size + 1e-9)) || length <= 1e-18 {
             return Ok(at);

@@ -1,4 +1,5 @@
-//! Motions in time of a shaft of 50 elements on one core: a transient on linear bearings, a run-up on nonlinear ones. Prints the least time of some runs, the steps and the time of one.
+//! Motions in time of a shaft of 50 elements on one core: a transient on linear bearings, a run-up on nonlinear ones. Prints the least time of some runs, the steps and the time of one; then
+//! errors over times, beside Newmark's method with steps of one length.
 //!
 //! `cargo bench -p laval --bench motion`
 
@@ -9,6 +10,8 @@ use laval::model::system::System;
 use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::{Programme, Shape};
+use laval_num::complex::c;
+use laval_num::ode::{DenseSolver, Ode, StiffOde};
 use processor::processor;
 use std::time::Instant;
 
@@ -57,7 +60,7 @@ fn run(what: &str, system: &System, law: &SpinLaw, (t_end, relative): (f64, f64)
         if account {
             let _ = motion.keep_account();
         }
-        let y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
+        let y = vec![0.0; motion.dim()];
         let Ok(found) = simulate(&mut motion, &y, &plan) else { return println!("{what}: no trajectory") };
         let time = start.elapsed().as_secs_f64();
         let work = found.run.work;
@@ -77,6 +80,98 @@ fn run(what: &str, system: &System, law: &SpinLaw, (t_end, relative): (f64, f64)
     println!("{what:45} {:4} coordinates  {}", system.n(), best.1);
 }
 
+/// State at the end of a motion from rest, and how long it took, s.
+fn adaptive(system: &System, law: &SpinLaw, t_end: f64, relative: f64) -> Option<(Vec<f64>, f64, u64)> {
+    let start = Instant::now();
+    let plan = Plan {
+        t_end,
+        choice: Choice::Stiff,
+        relative,
+        absolute: 0.1 * relative,
+        outputs: &[t_end],
+        windows: 1,
+        rest: &[],
+        bound: f64::INFINITY,
+        kick: None,
+        max_steps: u64::MAX,
+        cancel: &|| false,
+        progress: &|_| {},
+    };
+    let mut motion = Motion::new(system, law.clone()).ok()?;
+    let y = vec![0.0; motion.dim()];
+    let found = simulate(&mut motion, &y, &plan).ok()?;
+    Some((found.state, start.elapsed().as_secs_f64(), found.run.work.steps + found.run.work.rejected))
+}
+
+/// The same by Newmark's method of average acceleration, which is the trapezoidal rule on these equations: steps of one length, a tangent kept for some of them, and as many
+/// corrections as leave less than a thousandth of the error of the step.
+fn newmark(system: &System, law: &SpinLaw, t_end: f64, steps: usize) -> Option<(Vec<f64>, f64, usize)> {
+    let start = Instant::now();
+    let mut motion = Motion::new(system, law.clone()).ok()?;
+    let (n, h) = (motion.dim(), t_end / steps as f64);
+    let mut dense = DenseSolver::default();
+    let [mut y, mut f, mut next, mut there, mut step]: [Vec<f64>; 5] = std::array::from_fn(|_| vec![0.0; n]);
+    motion.rhs(0.0, &y, &mut f).ok()?;
+    let mut corrections = 0;
+    for k in 0..steps {
+        let (t0, t1) = (h * k as f64, h * (k + 1) as f64);
+        if k % 50 == 0 {
+            motion.linearise(t0, &y, &mut dense).ok()?;
+            motion.factor(2.0 / h, c(2.0 / h, 1.0 / h), &mut dense).ok()?;
+        }
+        for i in 0..n {
+            next[i] = y[i] + h * f[i];
+        }
+        for _ in 0..10 {
+            motion.rhs(t1, &next, &mut there).ok()?;
+            let (mut size, mut moved) = (0.0f64, 0.0f64);
+            for i in 0..n {
+                step[i] = f[i] + there[i] - 2.0 / h * (next[i] - y[i]);
+            }
+            motion.solve_real(&mut step, &dense);
+            for i in 0..n {
+                next[i] += step[i];
+                (size, moved) = (size.max(next[i].abs()), moved.max(step[i].abs()));
+            }
+            corrections += 1;
+            if moved <= 1e-6 * size {
+                break;
+            }
+        }
+        motion.rhs(t1, &next, &mut f).ok()?;
+        std::mem::swap(&mut y, &mut next);
+    }
+    Some((y, start.elapsed().as_secs_f64(), corrections))
+}
+
+/// Errors of the displacements at the end over times.
+fn compared(what: &str, system: &System, law: &SpinLaw, t_end: f64) {
+    let Some((exact, ..)) = adaptive(system, law, t_end, 1e-11) else { return println!("{what}: no motion") };
+    let size = |x: &[f64]| x[..system.n()].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let error = |y: &[f64]| y.iter().zip(&exact).take(system.n()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size(&exact);
+    println!("{what}: time and error of the displacements after {t_end} s");
+    for relative in [1e-4, 1e-6, 1e-8] {
+        if let Some((y, time, steps)) = adaptive(system, law, t_end, relative) {
+            println!(
+                "  adaptive, {relative:e}   {:9.1} ms  error {:8.1e}  {steps:7} steps of {:6.1} us",
+                time * 1e3,
+                error(&y),
+                time * 1e6 / steps as f64
+            );
+        }
+    }
+    for steps in [10_000, 20_000, 40_000, 80_000] {
+        if let Some((y, time, corrections)) = newmark(system, law, t_end, steps) {
+            let each = time * 1e6 / steps as f64;
+            println!(
+                "  Newmark          {:9.1} ms  error {:8.1e}  {steps:7} steps of {each:6.1} us, {corrections} corrections",
+                time * 1e3,
+                error(&y)
+            );
+        }
+    }
+}
+
 fn main() {
     println!("processor: {}; {OUTPUTS} outputs", processor());
     let constant = SpinLaw::Programme(Programme::constant(SPEED, 0.0));
@@ -89,4 +184,5 @@ fn main() {
         run("linear, run-up, 2 s", &linear, &rising, (2.0, relative), account);
         run("two nonlinear bearings, run-up, 2 s", &cubic, &rising, (2.0, relative), account);
     }
+    compared("two nonlinear bearings, run-up", &cubic, &rising, 2.0);
 }

@@ -118,6 +118,7 @@ impl System {
                 );
             }
         }
+        let part = part.prepared(&input.params).unwrap_or(part);
         let (p0, q0, s0) = (self.params.len(), self.coordinates.len(), self.states.len());
         self.params.extend(&input.params);
         self.param_slots.extend(slots.into_iter().map(|s| ParamSlot { name: format!("{}.{}", input.name, s.name), ..s }));

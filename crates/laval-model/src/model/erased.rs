@@ -60,7 +60,9 @@ macro_rules! faces {
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
             fn check(&self, p: &[f64]) -> Vec<(&'static str, Text)>;
             fn warnings(&self, p: &[f64]) -> Vec<Text>;
+            fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64;
             fn spin_row_d8(&self, p: &[D8], at: &At<D8>) -> D8;
+            fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>>;
             fn body(&self) -> Option<&dyn BodyPart>;
             fn contacts(&self) -> Option<&dyn Contacts>;
             fn movable_masses(&self) -> Option<&dyn MovableMasses>;

@@ -61,6 +61,12 @@ macro_rules! parts {
             fn warnings(&self, p: &[f64]) -> Vec<Text> {
                 Part::warnings(self, &self.given(p))
             }
+            fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64 {
+                Part::spin_row(self, &self.given(p), at)
+            }
+            fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>> {
+                self.extent()?.prepared(p)
+            }
             fn spin_row_d8(&self, p: &[D8], at: &At<D8>) -> D8 {
                 Part::spin_row(self, &self.given(p), at)
             }

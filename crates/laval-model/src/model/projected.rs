@@ -153,6 +153,12 @@ macro_rules! absorbed {
             fn warnings(&self, p: &[f64]) -> Vec<Text> {
                 self.0.warnings(p)
             }
+            fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64 {
+                self.0.spin_row_f64(p, at)
+            }
+            fn prepared(&self, _: &[f64]) -> Option<ErasedPart> {
+                None
+            }
             fn spin_row_d8(&self, p: &[D8], at: &At<D8>) -> D8 {
                 self.0.spin_row_d8(p, at)
             }

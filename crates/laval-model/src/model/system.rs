@@ -232,6 +232,27 @@ impl System {
         }
     }
 
+    /// The spin row alone, N m.
+    pub fn torque(&self, at: &At<f64>, ws: &mut Workspace<f64>, rows: &mut Rows<f64>) -> f64 {
+        let mut sum = 0.0;
+        for slot in &self.slots {
+            if slot.is_linear() {
+                sum += self.part_torque(slot, at, ws);
+            } else {
+                *rows.spin = 0.0;
+                self.part_residual(slot, &self.params, at, rows, ws);
+                sum += *rows.spin;
+            }
+        }
+        sum
+    }
+
+    /// Share of a linear part in the spin row, N m.
+    pub fn part_torque(&self, slot: &Slot, at: &At<f64>, ws: &mut Workspace<f64>) -> f64 {
+        let torque = self.with_local(slot, at, ws, |l| slot.part.spin_row_f64(&self.params[slot.params.clone()], l));
+        slot.torque(&self.params, torque)
+    }
+
     fn slot_local<S: Scalar>(&self, slot: &Slot, at: &At<S>, ws: &mut Workspace<S>) {
         gather(&slot.map, at.q, &mut ws.q);
         gather(&slot.map, at.v, &mut ws.v);

@@ -19,6 +19,7 @@
 //!
 //! Theory: `docs/theory/motion-in-time.md#first-order-system`.
 
+mod account;
 pub(super) mod compiled;
 pub(super) mod constant;
 mod direct;
@@ -31,17 +32,18 @@ mod single;
 mod stiff;
 pub mod trajectory;
 
+pub use account::Powers;
+
 use super::programme::{Programme, Spin};
 use crate::diagnostic::Diagnostic;
-use crate::model::erased::{D1, Evaluate};
-use crate::model::part::{At, Physics, Rows, TimeForm};
-use crate::model::system::{Axis, Drive, System, Workspace};
+use crate::model::part::{At, Physics, TimeForm};
+use crate::model::system::{Drive, System};
+use account::Power;
 use compiled::Compiled;
 use direct::Direct;
 use large::Large;
 use laval_model::text;
 use laval_num::ode::{Failure, Ode};
-use laval_num::refill::refill;
 use massless::Massless;
 use single::Single;
 use stiff::Elimination;
@@ -73,7 +75,7 @@ pub struct Motion<'a> {
     /// Of one with many coordinates.
     large: Option<Box<Large>>,
     elimination: Elimination,
-    power: PowerScratch,
+    power: Power,
 }
 
 /// The compiled forms.
@@ -107,30 +109,6 @@ impl<'a> Steady<'a> {
             }
         }
     }
-}
-
-#[derive(Default)]
-struct PowerScratch {
-    force: Vec<f64>,
-    rate: Vec<f64>,
-    plain: Workspace<f64>,
-    dual: Workspace<D1>,
-    dual_params: Vec<D1>,
-    lifted: [Vec<D1>; 4],
-    falling: Vec<D1>,
-}
-
-/// Powers at one moment, W.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Powers {
-    /// Turned into heat.
-    pub dissipated: f64,
-    /// Brought in by the parts' own sources.
-    pub supplied: f64,
-    /// Brought in by the drive: torque times speed (0 with a free spin).
-    pub drive: f64,
-    /// Done by the weight.
-    pub weight: f64,
 }
 
 /// Accelerations at one moment.
@@ -170,7 +148,7 @@ impl<'a> Motion<'a> {
             elimination: Elimination::new(system, free),
             law,
             account: false,
-            power: PowerScratch::default(),
+            power: Power::new(system),
         };
         let mut y = vec![0.0; motion.core()];
         if let (true, Some(speed)) = (free, system.machine.speed) {
@@ -336,7 +314,7 @@ impl<'a> Motion<'a> {
         // no stored energy reads an acceleration
         let zero = &self.direct.zero;
         let at = point(self.system, t, spin, y, zero);
-        Ok(self.system.energy(self.system.params(), &at, &mut self.power.plain)?.stored)
+        self.power.stored(self.system, &at)
     }
 
     /// Powers at a state.
@@ -349,14 +327,8 @@ impl<'a> Motion<'a> {
     }
 
     fn powers_here(&mut self, t: f64, spin: Spin, y: &[f64]) -> Result<Powers, Failure> {
-        let system = self.system;
-        let at = point(system, t, spin, completed(&self.massless, y), &self.direct.accel);
-        let e = system
-            .energy(system.params(), &at, &mut self.power.plain)
-            .map_err(|part| Failure::from(format!("\"{part}\" keeps no account of its energy")))?;
-        let drive = if self.is_free() { 0.0 } else { self.power.torque(system, &at) * spin.speed };
-        let weight = if system.machine.axis == Axis::Horizontal { self.power.weight(system, &at) } else { 0.0 };
-        Ok(Powers { dissipated: e.dissipated, supplied: e.supplied, drive, weight })
+        let at = point(self.system, t, spin, completed(&self.massless, y), &self.direct.accel);
+        self.power.powers(self.system, &at, self.law == SpinLaw::Free)
     }
 
     /// Rates of all states, the account among them, by the way that serves every machine.
@@ -440,46 +412,6 @@ fn completed<'y>(massless: &'y Option<Massless>, y: &'y [f64]) -> &'y [f64] {
 fn point<'b>(system: &System, t: f64, spin: Spin, y: &'b [f64], a: &'b [f64]) -> At<'b, f64> {
     let (n, m) = (system.n(), system.m());
     At { q: &y[..n], v: &y[n..2 * n], a: &a[..n], z: &y[2 * n..2 * n + m], phase: spin.phase, speed: spin.speed, spin_accel: spin.accel, t }
-}
-
-impl PowerScratch {
-    fn torque(&mut self, system: &System, at: &At<f64>) -> f64 {
-        for (x, len) in [(&mut self.force, system.n()), (&mut self.rate, system.m())] {
-            refill(x, len, 0.0);
-        }
-        let mut spin = 0.0;
-        let mut rows = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut spin };
-        system.residual(system.params(), at, &mut rows, &mut self.plain, |_| true);
-        spin
-    }
-
-    /// Weight does the work `-g` times the derivative of the stored energy in the velocities along it: the momentum.
-    fn weight(&mut self, system: &System, at: &At<f64>) -> f64 {
-        if self.dual_params.is_empty() {
-            self.dual_params.extend(system.params().iter().map(|&x| D1::lift(x)));
-        }
-        for (lifted, x) in self.lifted.iter_mut().zip([at.q, at.v, at.a, at.z]) {
-            lifted.clear();
-            lifted.extend(x.iter().map(|&x| D1::lift(x)));
-        }
-        let [q, v, a, z] = &self.lifted;
-        let lift = D1::lift;
-        let at = At { q, v, a, z, phase: lift(at.phase), speed: lift(at.speed), spin_accel: lift(at.spin_accel), t: lift(at.t) };
-        // part by part, each with what the weight is in its own coordinates
-        let mut falling = std::mem::take(&mut self.falling);
-        let mut work = 0.0;
-        for slot in system.slots() {
-            let energy = system.with_local(slot, &at, &mut self.dual, |l| {
-                falling.clear();
-                falling.extend_from_slice(l.v);
-                falling.iter_mut().zip(&slot.weight).for_each(|(v, w)| v.eps[0] = *w);
-                D1::energy(&*slot.part, &self.dual_params[slot.params.clone()], &At { v: &falling, ..*l })
-            });
-            work -= energy.map_or(f64::NAN, |e| e.stored.eps[0]);
-        }
-        self.falling = falling;
-        work
-    }
 }
 
 impl Ode for Motion<'_> {

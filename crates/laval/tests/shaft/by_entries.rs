@@ -3,8 +3,8 @@
 
 use crate::common::files::load;
 use crate::common::shaft::{cubic, isotropic};
-use laval::model::part::{At, Rows};
-use laval::model::system::{System, Workspace};
+use laval::model::part::{At, DofKind, Rows};
+use laval::model::system::{Axis, GRAVITY, System, Workspace};
 use laval::solve::linear_response::response;
 use laval::solve::motion::trajectory::{Choice, Plan, Trajectory, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
@@ -13,7 +13,7 @@ use laval::solve::reduced_machine::ReducedMachine;
 use laval::solve::rest::rest;
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
-use laval_num::ode::{DenseSolver, Ode, StiffOde};
+use laval_num::ode::{Control, DenseSolver, End, Ode, Radau, StiffOde, integrate};
 
 /// A lying shaft on cubic bearings with a cavity part filled with liquid, whose waves are internal states; on request a table over the speed, whose matrices have to be assembled at each speed, and
 /// a load of another spin.
@@ -114,6 +114,70 @@ fn solves_are_those_of_the_full_jacobian() {
             }
             assert!(real_left.abs() <= 1e-8 * size && left.abs() <= 1e-8 * size, "{i}: {real_left:e} {left:?} {size:e}");
         }
+    }
+}
+
+/// A shaft with a layer that stands on its lower end, with displacement along its axis and rotation about it.
+fn standing() -> System {
+    let text = "[machine]\nname = \"standing\"\nspeed = 300.0\n\
+         [[part]]\nkind = \"shaft\"\nname = \"s\"\nelements = 12\naxial = true\ntorsional = true\nrotating_damping = 1e-5\nmass_damping = 2.0\n\
+         section = { length = [0.4, 0.3], outer_diameter = [0.05, 0.06], end_outer_diameter = [0.0, 0.04] }\n\
+         layer = { from = [0.1], to = [0.2], outer_diameter = [0.07], inner_diameter = [0.05] }\n\
+         [[part]]\nkind = \"disc\"\nname = \"plate\"\non = { body = \"s\", at = 0.5 }\nmass = 9.0\npolar_inertia = 0.1\ndiametral_inertia = 0.07\nunbalance = 3e-4\nskew = 0.01\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"lower\"\nbetween = [\"s\", \"ground\"]\nkxx = 2e7\nkyy = 3e7\nkxy = 1e6\nkyx = -2e6\ncxx = 900.0\ncyy = 700.0\nkzz = 4e7\nczz = 500.0\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"upper\"\nbetween = [{ body = \"s\", at = 0.7 }, \"ground\"]\nkxx = 2e7\nkyy = 2e7\ncxx = 900.0\ncyy = 700.0\n\
+         [[part]]\nkind = \"coupling\"\nname = \"drive\"\nbetween = [\"s\", \"ground\"]\ntorsional_stiffness = 1e5\ntorsional_damping = 10.0\n";
+    load(text).system
+}
+
+/// The weight does the work of gravity on the momentum, which is the derivative of the stored energy over the velocities upwards, and the drive that of the spin
+/// row of all parts.
+#[test]
+fn powers_of_weight_and_drive_are_those_of_energy_and_residual() {
+    for (system, upwards) in machines().into_iter().map(|s| (s, DofKind::VectorY)).chain([(standing(), DofKind::Axial)]) {
+        let mut motion = Motion::new(&system, ramp(40.0, 400.0)).unwrap();
+        let (n, y) = (system.n(), state(&system, motion.dim()));
+        for t in [0.4, 1.1] {
+            let found = motion.powers(t, &y).unwrap();
+            let stored = [-1.0, 1.0].map(|sign| {
+                let mut y = y.clone();
+                let up = (0..n).filter(|&i| system.coordinates()[i].dof.kind == upwards);
+                up.for_each(|i| y[n + i] += sign * GRAVITY);
+                motion.stored_energy(t, &y).unwrap()
+            });
+            let weight = -0.5 * (stored[1] - stored[0]);
+            let scale = stored[0].abs().max(stored[1].abs());
+            let lies = system.machine.axis == Axis::Horizontal || upwards == DofKind::Axial;
+            assert!((found.weight - weight).abs() < 1e-10 * scale && lies == (found.weight != 0.0), "{t}: {found:?} {weight}");
+            let torque = |system: &System, at: &At<f64>| {
+                let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; system.m()], 0.0);
+                let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+                system.residual(system.params(), at, &mut rows, &mut Workspace::default(), |_| true);
+                spin * at.speed
+            };
+            let drive = motion.with_point(t, &y, |system, at| torque(system, at)).unwrap();
+            assert!(drive != 0.0 && (found.drive - drive).abs() < 1e-12 * drive.abs(), "{t}: {found:?} {drive}");
+        }
+    }
+}
+
+/// Stored energy changes by what the account says, of a shaft that lies and of one that stands.
+#[test]
+fn the_account_of_a_shaft_closes() {
+    for system in [with_liquid(false, true), standing()] {
+        let mut motion = Motion::new(&system, ramp(40.0, 400.0)).unwrap();
+        motion.keep_account().unwrap();
+        let mut y = state(&system, motion.dim());
+        let from = motion.account_start().unwrap();
+        y[from..].fill(0.0);
+        let before = motion.stored_energy(0.0, &y).unwrap();
+        let run = integrate(&mut Radau::new(), &mut motion, 0.0, &mut y, 0.02, &Control::new(1e-10, 1e-13), &mut ());
+        assert_eq!(run.end, End::Reached);
+        let after = motion.stored_energy(0.02, &y).unwrap();
+        let [heat, sources, drive, weight] = [0, 1, 2, 3].map(|k| y[from + k]);
+        let exchanged = [heat, sources, drive, weight].iter().map(|x| x.abs()).sum::<f64>();
+        let missing = after - before - (-heat + sources + drive + weight);
+        assert!(weight.abs() > 1e-6 * exchanged && missing.abs() < 1e-8 * exchanged, "{missing:e} of {exchanged:e}, {weight:e}");
     }
 }
 

@@ -1,6 +1,8 @@
 //! Parts of many coordinates, or with parameters in the rows of lists.
 
-use super::super::params::{MOST_LISTS, Parametric, RowCounts};
+use super::super::erased::Erased;
+use super::super::params::{MOST_LISTS, Parametric, Params, RowCounts};
+use std::sync::Arc;
 
 /// A part of many coordinates of which only neighbours are coupled, or with parameters in lists.
 pub trait Extent: Parametric {
@@ -12,17 +14,27 @@ pub trait Extent: Parametric {
     fn rows(&self) -> RowCounts {
         [0; MOST_LISTS]
     }
+    /// The same part with what it computes from its parameters alone kept for these values; other values it computes as before.
+    fn prepared(&self, _p: &Params<Self, f64>) -> Option<Arc<dyn Erased>>
+    where
+        Self: Sized,
+    {
+        None
+    }
 }
 
 /// The object-safe face.
 pub mod erased {
+    use super::super::super::erased::Erased;
     use super::super::super::params::RowCounts;
+    use std::sync::Arc;
 
     /// See the [trait of the author](super::Extent).
     #[allow(missing_docs)]
     pub trait Extent {
         fn reach(&self) -> usize;
         fn rows(&self) -> RowCounts;
+        fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>>;
     }
 
     impl<T: super::Extent> Extent for T {
@@ -33,6 +45,9 @@ pub mod erased {
         #[inline(always)]
         fn rows(&self) -> RowCounts {
             super::Extent::rows(self)
+        }
+        fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>> {
+            super::Extent::prepared(self, &self.given(p))
         }
     }
 }

@@ -132,7 +132,7 @@ fn shear_factor<S: Scalar>(shear: Shear, material: Material<S>, m2: S) -> Option
 }
 
 /// Matrices of one plane.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<S> {
     /// Translational and rotary inertia.
     pub mass: M4<S>,

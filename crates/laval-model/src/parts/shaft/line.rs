@@ -11,7 +11,7 @@ use super::element::{Cone, Element, GAUSS};
 use laval_num::scalar::Scalar;
 
 /// Matrices over the values at both ends.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line<S> {
     /// Consistent inertia.
     pub mass: [[S; 2]; 2],

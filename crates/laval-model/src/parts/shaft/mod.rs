@@ -27,6 +27,7 @@ mod layer;
 pub mod line;
 mod mesh;
 mod places;
+mod prepared;
 #[cfg(test)]
 mod tests;
 
@@ -41,13 +42,14 @@ use crate::params;
 use crate::parts::speed_ratio::SPIN;
 use crate::text;
 use crate::text::Text;
-use element::{Cone, Element, Layers, M4, Material, Plane, Shear};
+use element::{Cone, Element, Layers, M4, Material, Shear};
 use laval_num::scalar::Scalar;
 use layer::{LAYER, LayerFamily};
 pub use layer::{Layer, LayerParams};
 use line::Line;
 use mesh::Mesh;
 use places::{Ends, SIGN, add_cross, add_line, add_planes, form, line_form, planes, slip};
+use prepared::{Matrices, Prepared};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -124,6 +126,7 @@ pub struct Shaft {
     /// Layers on it or in it.
     layers: Vec<Layer>,
     mesh: Mesh,
+    prepared: Option<Arc<Prepared>>,
 }
 
 impl Shaft {
@@ -141,6 +144,7 @@ impl Shaft {
             spin: None,
             layers: Vec::new(),
             mesh,
+            prepared: None,
         }
     }
     /// With layers on it or in it.
@@ -223,28 +227,6 @@ impl Shaft {
     fn covering(&self, k: usize) -> impl Iterator<Item = (usize, &Layer)> {
         let middle = 0.5 * (self.mesh.nodes[k] + self.mesh.nodes[k + 1]);
         self.layers.iter().enumerate().filter(move |l| l.1.covers(middle))
-    }
-    /// The matrices of all elements, with the coordinates of each; neighbours that are alike are computed once.
-    #[inline(always)]
-    fn each<S: Scalar>(&self, p: &Params<Self, S>, mut f: impl FnMut(Ends, &Element<S>, &Plane<S>)) {
-        let mut last: Option<(usize, Element<S>, Plane<S>)> = None;
-        for k in 0..self.mesh.pieces.len() {
-            let piece = self.mesh.pieces[k];
-            let tapers = [p.own.rows[piece.section].end_outer_diameter, p.own.rows[piece.section].end_inner_diameter]
-                .iter()
-                .any(|d| d.value() != 0.0);
-            let known = last.take().filter(|(j, ..)| {
-                let other = self.mesh.pieces[*j];
-                let alike = self.layers.is_empty() || self.covering(*j).map(|l| l.0).eq(self.covering(k).map(|l| l.0));
-                alike && !tapers && other.section == piece.section && (other.length - piece.length).abs() <= 1e-13 * piece.length
-            });
-            let (_, element, plane) = known.unwrap_or_else(|| {
-                let element = self.element(p, k);
-                (k, element, element.plane())
-            });
-            f(self.ends(k), &element, &plane);
-            last = Some((k, element, plane));
-        }
     }
 }
 
@@ -395,7 +377,8 @@ material = "steel"
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let one = S::one();
         let (fixed, turning) = (p.stiffness_damping, p.rotating_damping);
-        self.each(p, |ends, element, plane| {
+        self.each(p, |k, Matrices { plane, torque, axial, torsional, .. }| {
+            let ends = self.ends(k);
             add_planes(&mut b.mass, ends, &plane.mass, one);
             add_planes(&mut b.stiffness, ends, &plane.stiffness, one);
             add_planes(&mut b.damping, ends, &plane.mass, p.mass_damping);
@@ -408,8 +391,8 @@ material = "steel"
             if !p.axial_force.is_nothing() {
                 add_planes(&mut b.stiffness, ends, &plane.axial, p.axial_force);
             }
-            if !p.torque.is_nothing() {
-                let (t, x, y) = (element.torque(), ends.x(), ends.y());
+            if let Some(t) = torque {
+                let (x, y) = (ends.x(), ends.y());
                 for i in 0..4 {
                     for j in 0..4 {
                         b.stiffness[(y[i], x[j])] += p.torque.scale(-SIGN[i] * t[i][j]);
@@ -417,15 +400,15 @@ material = "steel"
                     }
                 }
             }
-            if self.axial {
-                let (line, at) = (element.axial(), ends.along(BENDING));
+            if let Some(line) = axial {
+                let at = ends.along(BENDING);
                 add_line(&mut b.mass, at, &line.mass, one);
                 add_line(&mut b.stiffness, at, &line.stiffness, one);
                 add_line(&mut b.damping, at, &line.mass, p.mass_damping);
                 add_line(&mut b.damping, at, &line.stiffness, fixed + turning);
             }
-            if self.torsional {
-                let (line, at) = (element.torsional(), ends.along(self.twist()));
+            if let Some(line) = torsional {
+                let at = ends.along(self.twist());
                 add_line(&mut b.mass, at, &line.mass, one);
                 add_line(&mut b.stiffness, at, &line.stiffness, one);
                 add_line(&mut b.damping, at, &line.stiffness, fixed + turning);
@@ -439,16 +422,16 @@ material = "steel"
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         let mut r = S::zero();
-        self.each(p, |ends, element, plane| {
+        self.each(p, |k, Matrices { plane, spin_inertia, torsional, .. }| {
+            let ends = self.ends(k);
             let ([qx, qy], [vx, vy], [ax, ay]) = (planes(ends, at.q), planes(ends, at.v), planes(ends, at.a));
-            r += element.inertia().1 * at.spin_accel;
+            r += *spin_inertia * at.spin_accel;
             r += (form(&ax, &plane.gyroscopic, &qy) - form(&ay, &plane.gyroscopic, &qx)).scale(0.5);
             if !p.rotating_damping.is_nothing() {
                 let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
                 r -= p.rotating_damping * (form(&qx, &plane.stiffness, &sy) - form(&qy, &plane.stiffness, &sx));
             }
-            if self.torsional {
-                let Line { mass, .. } = element.torsional();
+            if let Some(Line { mass, .. }) = torsional {
                 for (i, row) in ends.along(self.twist()).into_iter().zip(mass) {
                     r += (row[0] + row[1]) * at.a[i];
                 }
@@ -463,25 +446,26 @@ material = "steel"
             return None;
         }
         let (mut stored, mut dissipated) = (S::zero(), S::zero());
-        self.each(p, |ends, element, plane| {
+        self.each(p, |k, Matrices { plane, spin_inertia, axial, torsional, .. }| {
+            let ends = self.ends(k);
             let ([qx, qy], [vx, vy]) = (planes(ends, at.q), planes(ends, at.v));
             let both = |m: &M4<S>, x: &[S; 4], y: &[S; 4]| form(x, m, x) + form(y, m, y);
             let moving = both(&plane.mass, &vx, &vy);
             stored += (moving + both(&plane.stiffness, &qx, &qy) + p.axial_force * both(&plane.axial, &qx, &qy)).scale(0.5);
-            stored += (element.inertia().1 * at.speed * at.speed).scale(0.5);
+            stored += (*spin_inertia * at.speed * at.speed).scale(0.5);
             stored += (at.speed * (form(&vx, &plane.gyroscopic, &qy) - form(&vy, &plane.gyroscopic, &qx))).scale(0.5);
             dissipated += p.mass_damping * moving + p.stiffness_damping * both(&plane.stiffness, &vx, &vy);
             let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
             dissipated += p.rotating_damping * both(&plane.stiffness, &sx, &sy);
             let material = p.stiffness_damping + p.rotating_damping;
-            if self.axial {
-                let (line, place) = (element.axial(), ends.along(BENDING));
+            if let Some(line) = axial {
+                let place = ends.along(BENDING);
                 let moving = line_form(place, &line.mass, at.v);
                 stored += (moving + line_form(place, &line.stiffness, at.q)).scale(0.5);
                 dissipated += p.mass_damping * moving + material * line_form(place, &line.stiffness, at.v);
             }
-            if self.torsional {
-                let (line, place) = (element.torsional(), ends.along(self.twist()));
+            if let Some(line) = torsional {
+                let place = ends.along(self.twist());
                 stored += (line_form(place, &line.mass, at.v) + line_form(place, &line.stiffness, at.q)).scale(0.5);
                 for (&i, row) in place.iter().zip(&line.mass) {
                     stored += at.speed * (row[0] + row[1]) * at.v[i];
@@ -579,6 +563,9 @@ impl Extent for Shaft {
     fn rows(&self) -> RowCounts {
         [self.lengths.len(), self.layers.len()]
     }
+    fn prepared(&self, p: &Params<Self, f64>) -> Option<ErasedPart> {
+        Some(self.prepared_for(p).erased())
+    }
 }
 
 impl BodyPart for Shaft {
@@ -618,7 +605,7 @@ impl BodyPart for Shaft {
     }
     fn divided(&self, positions: &[f64]) -> Option<ErasedPart> {
         let mesh = self.divide(positions);
-        (mesh != self.mesh).then(|| Shaft { mesh, ..self.clone() }.erased())
+        (mesh != self.mesh).then(|| Shaft { mesh, prepared: None, ..self.clone() }.erased())
     }
     fn turns(&self) -> bool {
         true

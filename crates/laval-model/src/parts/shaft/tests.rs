@@ -323,3 +323,40 @@ fn mistakes_of_layers_are_reported() {
         assert_eq!(wrong, (false, 1));
     }
 }
+
+/// Matrices that were kept are those computed from the parameters, to the last digit; other values, and derivatives, are computed.
+#[test]
+fn kept_matrices_are_the_computed_ones() {
+    use crate::model::erased::D1;
+    use crate::model::params::{Family, Parametric};
+    fn of<S: Scalar>(shaft: &Shaft, p: &Params<Shaft, S>) -> Vec<Matrices<S>> {
+        let mut out = Vec::new();
+        shaft.each(p, |k, m| {
+            assert_eq!(k, out.len());
+            out.push(*m);
+        });
+        out
+    }
+    let own = ShaftParams { torque: 2e3, ..ShaftParams::new() };
+    let sleeved = shaft().elements(3).coordinates(true, true).layers(layers());
+    for (shaft, p) in [(shaft(), params(own)), (shaft().elements(4).cone(Cone::MidSection), params(own)), (sleeved, layered(own))] {
+        let prepared = shaft.prepared_for(&p);
+        let known = of(&prepared, &p);
+        assert_eq!(known, of(&shaft, &p));
+        assert!(known.len() == shaft.mesh.pieces.len() && known[0] != known[known.len() - 1]);
+        let numbers = <Shaft as Parametric>::Family::to_vec(&p);
+        for changed in 0..numbers.len() {
+            let mut other = numbers.clone();
+            other[changed] += if other[changed] == 0.0 { 0.01 } else { 0.01 * other[changed] };
+            let q = shaft.given(&other);
+            assert_eq!(of(&prepared, &q), of(&shaft, &q), "{changed}");
+            let mut seeded: Vec<D1> = numbers.iter().map(|&x| D1::lift(x)).collect();
+            seeded[changed].eps[0] = 1.0;
+            let q = shaft.given(&seeded);
+            assert_eq!(of(&prepared, &q), of(&shaft, &q), "{changed}");
+        }
+        // without derivatives the values are those kept
+        let plain = shaft.given(&numbers.iter().map(|&x| D1::lift(x)).collect::<Vec<_>>());
+        assert!(of(&prepared, &plain).iter().zip(&known).all(|(a, b)| a.plane.mass[0][0] == D1::lift(b.plane.mass[0][0])));
+    }
+}

@@ -373,3 +373,26 @@ fn integrals_follow_the_states() {
         );
     }
 }
+
+/// The explicit method leaves the rates of integrals out of the stages that have no weight, and nothing changes, integrals among states included.
+#[test]
+fn an_integral_has_no_rate_in_stages_without_weight() {
+    let run = |behind: bool| {
+        let mut system = WithIntegral { behind, whole: 0, core: 0 };
+        let mut y = [2.0, 0.0, 0.0];
+        let control = Control::new(1e-9, 1e-9);
+        let run = integrate(&mut Dop853::new(), &mut system, 0.0, &mut y, 20.0, &control, &mut ());
+        assert_eq!(run.end, End::Reached);
+        (y.map(f64::to_bits), run.work, system)
+    };
+    let ((among, work, all), (apart, same, fewer)) = (run(false), run(true));
+    assert_eq!((among, work), (apart, same));
+    let steps = work.steps + work.rejected;
+    assert!(
+        all.core == 0 && fewer.core == 4 * steps && fewer.whole + fewer.core == all.whole,
+        "{} {} {}",
+        fewer.core,
+        fewer.whole,
+        all.whole
+    );
+}
