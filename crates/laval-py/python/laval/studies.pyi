@@ -210,6 +210,8 @@ def stability_threshold(
     points: int | None = None,
     spacing: Literal["linear", "logarithmic"] | None = None,
     anticipated: Quantity | None = None,
+    gas_density: Quantity | None = None,
+    supports: str | None = None,
     modes: int | None = None,
 ) -> Study:
     """How much cross-coupled stiffness (kxy = -kyx, of seals or impellers) at a place of the machine it bears before a lateral mode becomes unstable: the level 1 stability analysis of API 684 and API 617. The logarithmic decrement of the modes over the stiffness, each mode followed by its derivative, with the threshold solved for; on request the criteria of level 1 at the stiffness that is anticipated. Pedestals and masses stay.
@@ -228,6 +230,10 @@ def stability_threshold(
             "linear" (equal steps) or "logarithmic" (0, and equal ratios over three powers of ten)
         anticipated: cross-coupled stiffness that is anticipated, for the criteria of level 1 (optional).
             a stiffness (N/m, N/mm, MN/m), above 0 and at most 1e14 N/m
+        gas_density: average of the gas densities at suction and discharge, for the criterion of level 1 on gas density and critical speed ratio; with anticipated (optional).
+            a density (kg/m^3, g/cm^3), above 0 and at most 10000 kg/m^3
+        supports: names of the parts that support the rotor, separated by commas; every part with stiffness between what turns and what does not, unless given (optional).
+            a text
         modes: modes followed: those that the stiffness makes unstable first, by their derivatives at 0 (default 4).
             a whole number from 1 to 100
 

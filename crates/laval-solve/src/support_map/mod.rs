@@ -179,7 +179,19 @@ impl SupportMap {
 
     /// On rigid supports: `W^2` of a large stiffness, extrapolated by its derivative.
     pub fn rigid(&self, spin: Spin, count: usize) -> Vec<Root> {
-        let k = self.large();
+        self.limits(self.large(), spin, count)
+    }
+
+    /// The lowest root on rigid supports, and its relative difference from that by ten times the large stiffness; infinite where that has none.
+    pub fn first_rigid(&self, spin: Spin) -> Option<(Root, f64)> {
+        let at = |k: f64| self.limits(k, spin, 1).into_iter().next();
+        let root = at(self.large())?;
+        let difference = at(10.0 * self.large()).map_or(f64::INFINITY, |stiffer| (stiffer.speed / root.speed - 1.0).abs());
+        Some((root, difference))
+    }
+
+    /// Limits of the roots for rigid supports, from those of a large stiffness `k`.
+    fn limits(&self, k: f64, spin: Spin, count: usize) -> Vec<Root> {
         let mut out = self.roots(k, spin, (0, count));
         // what the supports alone hold rises without bound
         out.retain(|r| r.share < BOUNDED);

@@ -2,10 +2,11 @@
 
 use crate::common::files::{finding, findings, load, run_all};
 use laval::model::field::Attach;
-use laval::outcome::{Data, Level, Outcome};
+use laval::outcome::{Arg, Data, Finding, Level, Outcome};
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
 use laval::solve::roots::in_region;
+use laval::study::stability_threshold::region::{Region, speed_ratio_limit};
 use laval::study::stability_threshold::{StabilityThreshold, ThresholdResult, decrement};
 use laval::study::{Context, Study};
 use laval_num::complex::c;
@@ -146,6 +147,97 @@ fn level_1() {
     assert!(level == Level::Info && words.contains("more than 3"), "{words}");
 }
 
+/// The boundary of the regions of gas density and critical speed ratio; a number that is none is in no region.
+#[test]
+fn regions_of_gas_density() {
+    for (density, limit) in [(0.0, 2.5), (16.53, 2.5), (38.0, 2.253), (60.0, 2.0)] {
+        near(speed_ratio_limit(density), limit, 1e-14, "boundary");
+        assert_eq!(Region::of(limit * (1.0 - 1e-12), density), Region::A);
+        assert_eq!(Region::of(limit * (1.0 + 1e-12), density), Region::B);
+        assert_eq!(Region::of(f64::NAN, density), Region::Unknown);
+    }
+    assert_eq!(speed_ratio_limit(60.1), 0.0);
+    for ratio in [0.0, 0.1, 5.0, f64::NAN] {
+        assert_eq!(Region::of(ratio, 60.1), Region::B);
+        assert_eq!(Region::of(ratio, f64::NAN), Region::Unknown);
+    }
+    assert!(speed_ratio_limit(f64::NAN).is_nan() && speed_ratio_limit(-1.0).is_nan());
+}
+
+const SHAFT: f64 = 2e6;
+
+/// A mass of 8 kg on a shaft without mass, `(m s^2 + k - i q)(M s^2 + c s + k + kb) = k^2` with the mass M of its journal: `W0^2 = k/m` on a rigid bearing, threshold 175 704 N/m.
+fn jeffcott(speed: f64, more: &str, study: &str) -> Finding {
+    let text = format!(
+        "[machine]\nname = \"t\"\nspeed = {speed:?}\n[[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 8.0\n\
+         [[part]]\nkind = \"disc\"\nname = \"journal\"\nmass = 0.5\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"shaft\"\nbetween = [\"wheel\", \"journal\"]\nstiffness = {SHAFT:?}\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"bearing\"\nbetween = [\"journal\", \"ground\"]\nstiffness = 4e6\ndamping = 4e3\n{more}\
+         [[study]]\nkind = \"stability_threshold\"\nplace = \"wheel\"\n{study}\n"
+    );
+    finding(&run(&text), "level_1").clone()
+}
+
+fn evidence(f: &Finding, what: &'static str) -> Option<f64> {
+    f.evidence.iter().find(|e| e.what == Arg::from(what)).map(|e| e.value)
+}
+
+/// Level 2 is required in region B for a threshold below ten times the anticipated stiffness: closed form of the critical speed on rigid supports.
+#[test]
+fn gas_density() {
+    let anticipated = "up_to = 3e5\nanticipated = 4.4e4\n";
+    let rigid = (SHAFT / 8.0).sqrt();
+    for (speed, level, region) in [(1000.0, Level::Info, "Region A"), (1200.0, Level::Warning, "Region B")] {
+        let f = jeffcott(speed, "", &format!("{anticipated}gas_density = \"38 kg/m^3\""));
+        let words = f.sentence();
+        assert!(f.level == level && words.contains(region), "{words}");
+        assert_eq!(words.contains("All three criteria are met"), level == Level::Info, "{words}");
+        assert_eq!(words.contains("Level 2 analysis required"), level == Level::Warning, "{words}");
+        assert!(words.contains("2.253") && words.contains("38 kg") && words.contains("Rigid supports: bearing."), "{words}");
+        near(evidence(&f, "threshold over the anticipated stiffness").unwrap(), 175_703.790_73 / 4.4e4, 1e-8, "ratio");
+        near(evidence(&f, "critical speed ratio").unwrap(), speed / rigid, 1e-6, "critical speed ratio");
+        near(evidence(&f, "largest critical speed ratio at this gas density").unwrap(), 2.253, 1e-14, "limit");
+        near(evidence(&f, "first critical speed on rigid supports").unwrap(), rigid, 1e-6, "on a rigid support");
+        assert!(evidence(&f, "difference with ten times the support stiffness, over it").unwrap() < 1e-6);
+    }
+    // every ratio is in region B at a large density
+    let f = jeffcott(100.0, "", &format!("{anticipated}gas_density = \"61 kg/m^3\""));
+    assert!(f.level == Level::Warning && f.sentence().contains("at any critical speed ratio"), "{}", f.sentence());
+    // a threshold of ten times the anticipated stiffness needs no density
+    let plain = jeffcott(1200.0, "", "up_to = 3e5\nanticipated = 1.4e4");
+    let f = jeffcott(1200.0, "", "up_to = 3e5\nanticipated = 1.4e4\ngas_density = \"70 kg/m^3\"");
+    assert!(f == plain && f.level == Level::Info && f.evidence.len() == 2, "{}", f.sentence());
+    // nor is it assessed where it is not given
+    let f = jeffcott(1200.0, "", anticipated);
+    assert!(f.level == Level::Info && f.evidence.len() == 2, "{}", f.sentence());
+    assert!(f.sentence().ends_with("the criterion of gas density and speed ratio counts as well; it is not assessed."), "{}", f.sentence());
+    // a larger threshold than up_to may lie above ten times the anticipated stiffness
+    let f = jeffcott(1200.0, "", "up_to = 1.5e5\nanticipated = 4.4e4\ngas_density = \"38 kg/m^3\"");
+    let words = f.sentence();
+    assert!(f.level == Level::Warning && words.contains("not decided") && words.contains("Region B"), "{words}");
+    // in region A it passes all the same
+    let f = jeffcott(1000.0, "", "up_to = 1.5e5\nanticipated = 4.4e4\ngas_density = \"38 kg/m^3\"");
+    assert!(f.level == Level::Info && f.sentence().contains("more than 3"), "{}", f.sentence());
+}
+
+/// A machine without a critical speed on rigid supports is not assessed; a seal with direct stiffness is no support where `supports` names others.
+#[test]
+fn no_critical_speed_on_rigid_supports() {
+    let o = run(&mass(2e6, 2e6, 300.0, "anticipated = 2e4\nup_to = 2e5\ngas_density = \"20 kg/m^3\""));
+    let f = finding(&o, "level_1");
+    let words = f.sentence();
+    assert!(f.level == Level::Warning && words.contains("not decided") && words.contains("no critical speed on rigid supports"), "{words}");
+    assert!(evidence(f, "critical speed ratio").is_none());
+    let seal =
+        "[[part]]\nkind = \"bearing_linear\"\nname = \"seal\"\nbetween = [\"wheel\", \"ground\"]\nstiffness = 1e5\ndamping = 100.0\n";
+    let study = "up_to = 4e5\nanticipated = 4e4\ngas_density = \"38 kg/m^3\"\n";
+    let f = jeffcott(1000.0, seal, study);
+    assert!(f.level == Level::Warning && f.sentence().contains("no critical speed on rigid supports"), "{}", f.sentence());
+    let f = jeffcott(1000.0, seal, &format!("{study}supports = \"bearing\""));
+    near(evidence(&f, "first critical speed on rigid supports").unwrap(), ((SHAFT + 1e5) / 8.0).sqrt(), 1e-6, "with a seal");
+    assert!(f.level == Level::Info && f.sentence().contains("Region A"), "{}", f.sentence());
+}
+
 /// A compressor shaft on bearings on pedestals, with a mass beside the shaft: the threshold is that of the machine with a bearing kxy = -kyx at the place, also of a machine too large for all its modes.
 #[test]
 fn pedestals_and_large_shafts() {
@@ -198,7 +290,17 @@ fn missing_modes_are_followed_back() {
         let text = mass(2e6, 2e6, 60.0, &format!("up_to = 6e5\nmodes = {modes}")).replace("[[study]]", second);
         let l = load(&text);
         let (place, speed, up_to) = (Attach::on("disc"), 300.0, Some(6e5));
-        let study = StabilityThreshold { speed, place, up_to, points: 40, logarithmic: false, anticipated: None, modes };
+        let study = StabilityThreshold {
+            speed,
+            place,
+            up_to,
+            points: 40,
+            logarithmic: false,
+            anticipated: None,
+            gas_density: None,
+            supports: vec![],
+            modes,
+        };
         let found: ThresholdResult = study.compute(&l.system, &Context::quiet("t")).unwrap();
         let mut q: Vec<f64> = found.lines.lines.iter().flat_map(|l| &l.crossings).map(|c| c.at.stiffness).collect();
         q.sort_by(f64::total_cmp);
@@ -214,9 +316,14 @@ fn missing_modes_are_followed_back() {
 
 #[test]
 fn mistakes_have_their_place() {
-    for (study, code, at) in
-        [("up_to = 1e5\nanticipated = 2e5", "stability_threshold.up_to", "1e5"), ("up_to = -1e5", "", "-1e5"), ("points = 1", "", "1")]
-    {
+    for (study, code, at) in [
+        ("up_to = 1e5\nanticipated = 2e5", "stability_threshold.up_to", "1e5"),
+        ("up_to = -1e5", "", "-1e5"),
+        ("points = 1", "", "1"),
+        ("gas_density = -3.0", "", "-3.0"),
+        ("supports = \"disk\"", "study.supports", "disk"),
+        ("gas_density = 3.0", "stability_threshold.gas_density", "3.0"),
+    ] {
         let text = mass(2e6, 2e6, 300.0, study);
         let found = laval::file::load(&text).err().unwrap();
         let d = &found.0[0];

@@ -12,13 +12,36 @@ stability-threshold-level-1 = Level 1 passed (API 684, SP6.8.5.10): logarithmic 
        *[no] more than { $ratio }
     } times the anticipated stiffness, at least { $least_ratio } required.{ $density ->
         [yes] {" "}Below a ratio of 10 the criterion of gas density and speed ratio counts as well; it is not assessed.
+        [region] {" "}{ $region } All three criteria are met.
        *[no] {""}
     }
 stability-threshold-level-2 = Level 2 analysis required (API 684, SP6.8.5.10): logarithmic decrement { $value } with the anticipated { $anticipated }, at least { $least_decrement } required; threshold { $reached ->
         [yes] { $ratio }
        *[no] more than { $ratio }
-    } times the anticipated stiffness, at least { $least_ratio } required.
-stability-threshold-level-open = Level 1 is not decided (API 684, SP6.8.5.10): logarithmic decrement { $value } with the anticipated { $anticipated }; no threshold was found up to { $ratio } times that. Raise up_to.
+    } times the anticipated stiffness, at least { $least_ratio } required.{ $density ->
+        [region] {" "}{ $region }
+       *[other] {""}
+    }
+stability-threshold-level-open = Level 1 is not decided (API 684, SP6.8.5.10): logarithmic decrement { $value } with the anticipated { $anticipated }; { $reached ->
+        [yes] threshold { $ratio } times that.
+       *[no] no threshold was found up to { $ratio } times that. Raise up_to.
+    }{ $density ->
+        [region] {" "}{ $region }
+       *[other] {""}
+    }
+stability-threshold-region = { $region ->
+        [a] Region A of API 617: critical speed ratio { $speed_ratio } at a gas density of { $gas_density }, at most { $speed_ratio_limit } permitted. Rigid supports: { $parts }.
+        [b] Region B of API 617 requires level 2 below ten times the anticipated stiffness: critical speed ratio { $speed_ratio } at a gas density of { $gas_density }, above { $speed_ratio_limit }. Rigid supports: { $parts }.
+       *[dense] Region B of API 617 requires level 2 below ten times the anticipated stiffness: gas density { $gas_density }, above { $largest_density }, at any critical speed ratio.
+    }
+stability-threshold-region-open = The criterion of gas density and critical speed ratio (API 617) is not assessed: { $reason ->
+        [rest] no equilibrium of the machine was found.
+        [supports] no part was found that supports the rotor. Name the supports in supports.
+        [part] a part beside the supports is not given by mass, gyroscopic and stiffness matrices. Name it in supports if it supports the rotor.
+        [missing] no critical speed on rigid supports was found.
+        [uncertain] the critical speed on rigid supports is not converged.
+       *[number] the critical speed ratio is not known.
+    }
 stability-threshold-counted = { $growing ->
         [0] No mode grows
         [one] One mode grows

@@ -1601,3 +1601,7 @@ term-zone-ab = A/B шекарасы
 term-zone-bc = B/C шекарасы
 term-zone-cd = C/D шекарасы
 term-api-limit = API 617 шегі
+term-critical-speed-ratio = айналу жиілігінің сындық айналу жиілігіне қатынасы
+term-largest-critical-speed-ratio-at-this-gas-density = осы газ тығыздығындағы айналу жиілігінің сындық айналу жиілігіне ең үлкен қатынасы
+term-first-critical-speed-on-rigid-supports = қатты тіректердегі бірінші сындық айналу жиілігі
+term-difference-with-ten-times-the-support-stiffness-over-it = тірек қатаңдығы он есе болғандағы салыстырмалы айырма

@@ -1601,3 +1601,7 @@ term-zone-ab = граница A/B
 term-zone-bc = граница B/C
 term-zone-cd = граница C/D
 term-api-limit = предел API 617
+term-critical-speed-ratio = отношение частоты вращения к критической
+term-largest-critical-speed-ratio-at-this-gas-density = наибольшее отношение частоты вращения к критической при этой плотности газа
+term-first-critical-speed-on-rigid-supports = первая критическая частота вращения на жёстких опорах
+term-difference-with-ten-times-the-support-stiffness-over-it = относительное отличие при десятикратной жёсткости опор

@@ -1603,3 +1603,7 @@ term-zone-ab = A/B chegarasi
 term-zone-bc = B/C chegarasi
 term-zone-cd = C/D chegarasi
 term-api-limit = API 617 chegarasi
+term-critical-speed-ratio = aylanish chastotasining kritik aylanish chastotasiga nisbati
+term-largest-critical-speed-ratio-at-this-gas-density = shu gaz zichligida aylanish chastotasining kritik aylanish chastotasiga eng katta nisbati
+term-first-critical-speed-on-rigid-supports = qattiq tayanchlardagi birinchi kritik aylanish chastotasi
+term-difference-with-ten-times-the-support-stiffness-over-it = tayanch bikrligi o‘n barobar bo‘lgandagi nisbiy farq

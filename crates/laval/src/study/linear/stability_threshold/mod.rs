@@ -3,14 +3,16 @@
 //! Equations: `Fx = -q y`, `Fy = q x` on a point of the machine; `det T(s; q) = 0` for q from 0 on, each root followed by its exact derivative; `Re s(q0) = 0` at the threshold q0. Logarithmic
 //! decrement `-2 pi growth/frequency`.
 //!
-//! Symbols: q cross-coupled stiffness kxy = -kyx, N/m; q0 its threshold; qa the one that is anticipated; s = growth + i frequency.
+//! Symbols: q cross-coupled stiffness kxy = -kyx, N/m; q0 its threshold; qa the one that is anticipated; s = growth + i frequency; critical speed ratio: speed over the first undamped critical
+//! speed on rigid supports.
 //!
 //! Validity: small motions about the equilibrium without q, at one speed; the coefficients of the bearings do not change with q.
 //!
 //! Theory: `docs/theory/linear-vibration.md#cross-coupled-stiffness`.
 //!
-//! Sources: API 684 (2nd edition), SP6.8.5 (level 1: log decrement over Q at midspan, Q0, Qa; criteria in SP6.8.5.10).
+//! Sources: API 684 (2nd edition), SP6.8.5 (level 1: log decrement over Q at midspan, Q0, Qa; criteria in SP6.8.5.10). Regions of gas density: as [`region`] cites.
 
+pub mod region;
 mod report;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -23,8 +25,10 @@ use crate::solve::rest::rest;
 use crate::study::shared::place;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, SPEED, admit_roots, speed};
+use crate::study::shared::supporting;
 use crate::study::{Context, Study};
 use crate::text;
+use region::RigidLimit;
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
@@ -42,6 +46,10 @@ pub struct StabilityThreshold {
     pub logarithmic: bool,
     /// The stiffness that is expected, N/m.
     pub anticipated: Option<f64>,
+    /// Average of the gas densities at suction and discharge, kg/m^3.
+    pub gas_density: Option<f64>,
+    /// Slots of the supports that are rigid in the critical speed ratio; all of the machine where it is empty.
+    pub supports: Vec<usize>,
     /// Modes followed.
     pub modes: usize,
 }
@@ -57,6 +65,7 @@ const FAR: f64 = 3.0;
 const POINTS: i64 = 40;
 const MODES: i64 = 4;
 const STIFFNESS: FieldKind = FieldKind::Quantity { unit: "N/m", bounds: Bounds::positive(1e14) };
+const GAS_DENSITY: FieldKind = FieldKind::Quantity { unit: "kg/m^3", bounds: Bounds::positive(1e4) };
 const SPACINGS: &[Word] = &[("linear", "equal steps"), ("logarithmic", "0, and equal ratios over three powers of ten")];
 
 impl Study for StabilityThreshold {
@@ -87,6 +96,13 @@ anticipated = "1e6 N/m"
         Field::optional("spacing", FieldKind::Choice(SPACINGS), "linear", "how the values of the stiffness are spaced"),
         Field::optional("anticipated", STIFFNESS, "", "cross-coupled stiffness that is anticipated, for the criteria of level 1"),
         Field::optional(
+            "gas_density",
+            GAS_DENSITY,
+            "",
+            "average of the gas densities at suction and discharge, for the criterion of level 1 on gas density and critical speed ratio; with anticipated",
+        ),
+        supporting::SUPPORTS,
+        Field::optional(
             "modes",
             FieldKind::Integer { min: 1, max: 100 },
             "4",
@@ -97,6 +113,7 @@ anticipated = "1e6 N/m"
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let place = place::read("place", values, system, diagnostics);
         let speed = speed(values, system, diagnostics);
+        let supports = supporting::read(values, system, diagnostics);
         let (up_to, anticipated) = (values.number("up_to"), values.number("anticipated"));
         if let (Some(up_to), Some(anticipated)) = (up_to, anticipated)
             && up_to < anticipated
@@ -106,6 +123,13 @@ anticipated = "1e6 N/m"
             diagnostics.push(Diagnostic::error("stability_threshold.up_to", message).at(values.span_of("up_to")).help(help));
             return None;
         }
+        let gas_density = values.number("gas_density");
+        if gas_density.is_some() && anticipated.is_none() {
+            let message = text!("{way} needs {field} beside it", way = "gas_density", field = "anticipated");
+            let help = text!("add {field}", field = "anticipated");
+            diagnostics.push(Diagnostic::error("stability_threshold.gas_density", message).at(values.span_of("gas_density")).help(help));
+            return None;
+        }
         Some(StabilityThreshold {
             speed: speed?,
             place: place?,
@@ -113,6 +137,8 @@ anticipated = "1e6 N/m"
             points: values.integer("points").unwrap_or(POINTS).clamp(2, 10_000) as usize,
             logarithmic: values.choice("spacing") == Some("logarithmic"),
             anticipated,
+            gas_density,
+            supports: supports?,
             modes: values.integer("modes").unwrap_or(MODES).clamp(1, 100) as usize,
         })
     }
@@ -155,7 +181,8 @@ anticipated = "1e6 N/m"
         }
         lines.modes = modes;
         let about = rest(system, self.speed)?;
-        Ok(ThresholdResult { lines, values, about, end: context.end(complete) })
+        let rigid = self.anticipated.and(self.gas_density).map(|_| region::rigid_limit(system, &self.supports, self.speed));
+        Ok(ThresholdResult { lines, values, about, rigid, end: context.end(complete) })
     }
 
     fn report(&self, system: &System, result: &ThresholdResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -207,6 +234,8 @@ pub struct ThresholdResult {
     pub values: Vec<f64>,
     /// State linearised about.
     pub about: Equilibrium,
+    /// First critical speed on rigid supports, where the gas density is given.
+    pub rigid: Option<RigidLimit>,
     /// How the study ended.
     pub end: End,
 }

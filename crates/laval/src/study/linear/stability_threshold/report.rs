@@ -1,5 +1,6 @@
 //! Tables, figure and findings of the stability over a cross-coupled stiffness.
 
+use super::region::{DENSE, Region, RigidLimit, speed_ratio_limit};
 use super::{StabilityThreshold, ThresholdResult, decrement};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -210,8 +211,17 @@ impl Shown<'_> {
         // without a threshold up to the largest value the ratio is at least that
         let least = ratio.unwrap_or(self.result.values.last().copied().unwrap_or(f64::NAN) / anticipated);
         let known = complete && (ratio.is_some() || least >= RATIO);
-        let passes = decrement >= DECREMENT && least >= RATIO;
-        let finding = match (passes, known || decrement < DECREMENT) {
+        let counts = !(least >= DENSITY);
+        let counted = if counts { "yes" } else { "no" };
+        let region = self.study.gas_density.filter(|_| counts && !(least < RATIO)).map(|density| (density, self.region(density)));
+        // a larger threshold than the largest value may lift the ratio to where the density does not count
+        let third = match region {
+            None | Some((_, Region::A)) => Some(true),
+            Some((_, Region::B)) if ratio.is_some() => Some(false),
+            Some(_) => None,
+        };
+        let passes = decrement >= DECREMENT && least >= RATIO && third == Some(true);
+        let finding = match (passes, (known && third.is_some()) || decrement < DECREMENT) {
             (true, true) => Finding::info("level_1", "stability-threshold-level-1"),
             (false, true) => Finding::warning("level_1", "stability-threshold-level-2"),
             _ => Finding::warning("level_1", "stability-threshold-level-open"),
@@ -224,8 +234,53 @@ impl Shown<'_> {
             .arg("least_ratio", Arg::number(RATIO))
             .arg("ratio", Arg::number(least))
             .arg("reached", Arg::word(if ratio.is_some() { "yes" } else { "no" }))
-            .arg("density", Arg::word(if least < DENSITY { "yes" } else { "no" }));
-        Some(finding.evidence("growth rate", p.value.re, "1/s").evidence("threshold over the anticipated stiffness", least, ""))
+            .arg("density", Arg::word(if region.is_some() { "region" } else { counted }));
+        let finding = finding.evidence("growth rate", p.value.re, "1/s").evidence("threshold over the anticipated stiffness", least, "");
+        let Some((density, region)) = region else { return Some(finding) };
+        let finding = finding
+            .arg("region", self.region_sentence(density, region))
+            .evidence("critical speed ratio", self.speed_ratio(), "")
+            .evidence("largest critical speed ratio at this gas density", speed_ratio_limit(density), "");
+        let Some(RigidLimit::Found { speed, difference, .. }) = self.result.rigid else { return Some(finding) };
+        Some(finding.evidence("first critical speed on rigid supports", speed, "rad/s").evidence(
+            "difference with ten times the support stiffness, over it",
+            difference,
+            "",
+        ))
+    }
+
+    /// Speed over the first critical speed on rigid supports; NaN where that is not known.
+    fn speed_ratio(&self) -> f64 {
+        match self.result.rigid {
+            Some(RigidLimit::Found { speed, .. }) => self.study.speed.abs() / speed,
+            _ => f64::NAN,
+        }
+    }
+
+    fn region(&self, density: f64) -> Region {
+        Region::of(self.speed_ratio(), density)
+    }
+
+    /// The region of a gas density with its numbers, or why it is not known.
+    fn region_sentence(&self, density: f64, region: Region) -> Message {
+        let sentence = |word: &'static str| {
+            Message::new("stability-threshold-region")
+                .arg("region", Arg::word(word))
+                .arg("gas_density", Arg::quantity(density, "kg/m^3"))
+                .arg("largest_density", Arg::quantity(DENSE, "kg/m^3"))
+        };
+        match (region, &self.result.rigid) {
+            (Region::B, _) if density > DENSE => sentence("dense"),
+            (Region::A | Region::B, Some(RigidLimit::Found { supports, .. })) => {
+                let names = supports.iter().filter_map(|&k| self.system.slots().get(k)).map(|s| s.name.clone());
+                sentence(if region == Region::A { "a" } else { "b" })
+                    .arg("speed_ratio", Arg::number(self.speed_ratio()))
+                    .arg("speed_ratio_limit", Arg::number(speed_ratio_limit(density)))
+                    .arg("parts", Arg::names(names))
+            }
+            (_, Some(RigidLimit::Unknown(why))) => Message::new("stability-threshold-region-open").arg("reason", Arg::word(why.word())),
+            _ => Message::new("stability-threshold-region-open").arg("reason", Arg::word("number")),
+        }
     }
 }
 
