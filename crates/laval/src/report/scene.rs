@@ -111,6 +111,8 @@ pub(super) const ARROW: usize = 1000;
 
 /// The tint of strips: they warn.
 const STRIP_TINT: usize = 1;
+/// Tints of areas that have none of their own; the further one, grey, is that of what is not known.
+const FREE_TINTS: usize = 4;
 
 /// Most groups that get a colour of the palette; more get the ramp.
 const PALETTE_GROUPS: usize = 7;
@@ -492,7 +494,7 @@ impl Build<'_> {
                     let same =
                         |e: &Entry| if let Glyph::Tint(t) | Glyph::Block(t) = e.glyph { (e.label == name).then_some(t) } else { None };
                     let known = self.legend.iter().find_map(same);
-                    let tint = m.tint.or(known).unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
+                    let tint = m.tint.or(known).unwrap_or(if m.strip { STRIP_TINT } else { self.tints % FREE_TINTS });
                     let outlines = self.outlines(m, fx, fy);
                     if !outlines.is_empty() {
                         self.tints += usize::from(known.is_none());

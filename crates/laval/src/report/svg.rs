@@ -1,6 +1,6 @@
 //! Figures as SVG: alone for papers, or inside the report, where a style sheet and a script take over colours and zoom.
 
-use super::colour::Colour;
+use super::colour::{Colour, MUTED};
 use super::layout::{LABEL, LEADING, Layout, PanelBox, TICK, TITLE, is_line};
 use super::payload::drawn;
 use super::scene::{ARROW, CLASS, Entry, Glyph, Kind, PanelView, SMALL, Scene, Series};
@@ -15,7 +15,7 @@ pub(super) const WIDE: f64 = 760.0;
 pub(super) const NARROW: f64 = 350.0;
 pub(super) const INK: &str = "#222222";
 pub(super) const FONT: &str = "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
-const TINTS: [&str; 4] = ["#009e73", "#d55e00", "#0072b2", "#cc79a7"];
+const TINTS: [&str; 5] = ["#009e73", "#d55e00", "#0072b2", "#cc79a7", MUTED];
 
 /// Draws a figure as a complete SVG document, in English and in the units of its axes.
 ///

@@ -1,7 +1,8 @@
 //! Bearings in a table over speed and frequency of vibration, against what knows no table.
 
 use crate::common::files::{finding, findings, load, run_all};
-use laval::outcome::{Level, Outcome};
+use laval::outcome::{Arg, Level, Outcome, Verdict};
+use laval::report::Style;
 use laval::solve::rest::rest;
 use laval::study::Context;
 use laval::study::forced_response::at_speed;
@@ -391,6 +392,28 @@ fn other_studies_refuse_by_name() {
     }
     let turning = refusal(&rotor(&plain(""), &study("modes", "about = \"turning\"")));
     assert_eq!(turning.code, "modes.frequency_only");
+}
+
+/// The first page of a machine whose table ends between its natural frequencies, sqrt(1e6/12) = 289 rad/s and sqrt(2e6/12) = 408 rad/s: its first sentence names the part, the
+/// frequencies of the table and the study that gives the modes there.
+#[test]
+fn the_first_page_says_why_stability_is_not_known() {
+    let loaded = load(&rotor(&plain(""), ""));
+    let p = laval::study::overview(&loaded.system, &[], &[], &Context::quiet("summary"));
+    assert_eq!(p.verdict, Verdict::NotComputed);
+    let first = &p.headline[0];
+    assert!(first.key == "headline-unknown-table" && first.arg_named("part") == Some(&Arg::name("bearing")), "{first:?}");
+    let Some(Arg::Quantity(from)) = first.arg_named("from") else { panic!("{first:?}") };
+    let Some(Arg::Quantity(to)) = first.arg_named("to") else { panic!("{first:?}") };
+    assert_eq!([from.value, to.value], [100.0, 350.0]);
+    let shown = Style::default().message(first);
+    for word in ["\"bearing\"", "15.9 Hz", "55.7 Hz", "\"modes\"", "rows"] {
+        assert!(shown.contains(word), "{word}: {shown}");
+    }
+    assert_eq!(shown.matches('.').count(), 3, "one sentence: {shown}");
+    // that study answers
+    let o = &run_all(&rotor(&plain(""), &study("modes", "")))[0];
+    assert!(!column(o, "modes", "frequency").is_empty(), "{:?}", o.findings);
 }
 
 /// Outside the frequencies of the table a study is refused, or its findings are marked.

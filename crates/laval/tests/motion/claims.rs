@@ -68,6 +68,56 @@ fn growth_through_an_unstable_range_is_no_resonance() {
     assert!((460.0..510.0).contains(&grown.value.unwrap()), "{grown:?}");
 }
 
+/// 10 kg on 1e5 N/m, 0.5 % of the critical damping, to three times its critical speed of 100 rad/s in 2 s: after the resonance the envelope has a maximum in every beat.
+/// One of them is the resonance, at an angle of up to 2.3 rad of the forced motion against the free one: `(W - 100)^2 = 2 * 150 * 2.3`.
+#[test]
+fn beats_after_a_quick_passage_are_no_resonances() {
+    let text = "[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 10\neccentricity = \"20 um\"\npolar_inertia = 0.1\n\
+                [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nkxx = 1e5\nkyy = 1e5\ncxx = 10\ncyy = 10\n\
+                [[study]]\nkind = \"run_up\"\nto = 300\nduration = 2\npoints = 200\n";
+    let o = run(text);
+    let envelope = column(&o, "envelope", "d amplitude");
+    let maxima = envelope.windows(3).filter(|w| w[1] >= w[0] && w[1] > w[2]).count();
+    assert!(maxima > 3, "{maxima} maxima");
+    let peaks: Vec<_> = o.findings.iter().filter(|f| f.id == "peak").collect();
+    assert!(peaks.len() == 1 && peaks[0].message.key == "run-up-resonance", "{:?}", o.findings);
+    let lag = (2.0f64 * 150.0 * 2.3).sqrt();
+    assert!((peaks[0].value.unwrap() - 100.0 - lag).abs() < 0.2 * lag, "{:?}", peaks[0]);
+    assert_eq!(o.special_points.iter().filter(|p| p.kind == "peak").count(), 1);
+}
+
+/// Two discs of 10 kg, each on 1e5 N/m and joined by 1e5 N/m: natural frequencies of 100 rad/s and 100 sqrt(3) = 173 rad/s. After both, their free motions beat with
+/// one another more slowly than with the unbalance. Two resonances are passed, and no other peak is reported.
+#[test]
+fn beats_of_two_modes_are_no_resonances() {
+    let disc = |name: &str, eccentricity: &str| {
+        format!(
+            "[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = 10\neccentricity = \"{eccentricity}\"\npolar_inertia = 0.1\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"{name}\", \"ground\"]\nkxx = 1e5\nkyy = 1e5\ncxx = 4\ncyy = 4\n"
+        )
+    };
+    let text = format!(
+        "[machine]\n{}{}[[part]]\nkind = \"bearing_linear\"\nbetween = [\"a\", \"b\"]\nkxx = 1e5\nkyy = 1e5\n\
+         [[study]]\nkind = \"run_up\"\nto = 300\nduration = 4\npoints = 100\n",
+        disc("a", "20 um"),
+        disc("b", "0 um")
+    );
+    let o = run(&text);
+    for body in ["a", "b"] {
+        let peaks: Vec<_> = o.findings.iter().filter(|f| f.id == "peak" && f.subject == body).collect();
+        assert!(peaks.len() == 2 && peaks.iter().all(|f| f.message.key == "run-up-resonance"), "{:?}", o.findings);
+        for (peak, own) in peaks.iter().zip([100.0, 173.2]) {
+            let speed = peak.value.unwrap();
+            assert!((own..1.25 * own).contains(&speed), "{body}: {speed}");
+        }
+        assert!(
+            peaks.iter().any(|f| f.evidence.iter().any(|e| e.what == "beats of the same passage" && e.value > 0.0)),
+            "{:?}",
+            o.findings
+        );
+    }
+}
+
 /// A free disc: 500 J of spin, nothing exchanged, and what is missing is the rounding of 500 J. What is truly missing still warns.
 #[test]
 fn an_energy_balance_closes_to_rounding() {

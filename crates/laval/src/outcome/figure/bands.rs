@@ -14,7 +14,7 @@ pub struct Band {
     pub strip: bool,
     /// In full colour: a bar rather than a background.
     pub bar: bool,
-    /// The tint: 0 green, 1 red, 2 blue, 3 pink; otherwise the next that is free.
+    /// The tint: 0 green, 1 red, 2 blue, 3 pink, 4 grey; otherwise the next of the first four that is free.
     pub tint: Option<usize>,
     /// Column of numbers that splits the rows between curves into areas of their own.
     pub group: Option<String>,
@@ -91,6 +91,12 @@ impl Band {
     /// Blue, of neither.
     pub fn neutral(mut self) -> Self {
         self.tint = Some(2);
+        self
+    }
+
+    /// Grey: nothing is known there.
+    pub fn unknown(mut self) -> Self {
+        self.tint = Some(4);
         self
     }
 

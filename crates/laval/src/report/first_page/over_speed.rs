@@ -44,7 +44,7 @@ pub(in super::super) fn over_speed(page: &Overview, over: &OverSpeed) -> Figure 
         }
         if let Some((low, high)) = over.examined {
             for (a, b) in [(from, low), (high, to)].into_iter().filter(|(a, b)| b - a > 1e-9 * b) {
-                panel = panel.mark(Band::x(a, b).strip().neutral().name(Message::new("strip-not-examined")));
+                panel = panel.mark(Band::x(a, b).strip().unknown().name(Message::new("strip-not-examined")));
             }
         }
         for u in &over.unstable {
@@ -97,4 +97,32 @@ fn describe(over: &OverSpeed) -> Message {
         (false, true) => "caption-amplitude",
         _ => "caption-growth",
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::draw;
+
+    /// Speeds of 1 rad/s to 100 rad/s, of which stability was examined from 10 rad/s to 60 rad/s, and operating speeds of 40 rad/s to 50 rad/s: areas of unlike colours,
+    /// each with its name in the legend.
+    #[test]
+    fn what_was_not_examined_is_unlike_the_operating_speeds() {
+        let speeds: Vec<f64> = (10..=60).map(f64::from).collect();
+        let over = OverSpeed {
+            range: (1.0, 100.0),
+            shown: (1.0, 100.0),
+            growth: vec![-1.0; speeds.len()],
+            growth_speed: speeds,
+            examined: Some((10.0, 60.0)),
+            ..OverSpeed::default()
+        };
+        let page = Overview { operating: Some(50.0), operating_range: Some((40.0, 50.0)), ..Overview::default() };
+        let svg = draw(&over_speed(&page, &over), &tables(&over)).unwrap();
+        for (name, class) in [("stability not examined", "b4"), ("operating speeds", "b2")] {
+            assert!(svg.contains(name), "{name}: {svg}");
+            // in the panel and in the legend
+            assert!(svg.matches(&format!(r#"<path class="{class}""#)).count() >= 2, "{class}: {svg}");
+        }
+    }
 }

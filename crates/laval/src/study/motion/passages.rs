@@ -13,7 +13,7 @@ const LONGEST: f64 = 20.0;
 /// A peak stands out when the envelope falls to this fraction of it on both sides.
 pub(in crate::study) const PROMINENT: f64 = 0.7;
 /// Half of a little more than one beat, as an angle of the forced motion against the free one.
-const BEAT: f64 = 1.25 * PI;
+pub(in crate::study) const BEAT: f64 = 1.25 * PI;
 
 /// The envelope at every window: the largest displacement in it and within `reach` of the angle of the rotor, so that what comes back within it does not show.
 /// Ends where the motion ends.

@@ -3,6 +3,7 @@
 use super::checks;
 use super::margins;
 use super::operating::Operating;
+use super::over_frequency;
 use super::{Facts, Known, MARGIN};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Resonance, Unstable, Verdict};
 use laval_num::order::SortByNumber;
@@ -38,7 +39,7 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             (Verdict::Attention, vec![at("headline-stable")])
         }
         Verdict::Attention => (Verdict::Attention, vec![at("headline-not-proven")]),
-        _ => (Verdict::NotComputed, vec![at("headline-unknown")]),
+        _ => (Verdict::NotComputed, vec![over_frequency::unknown(facts, check("check-stability"), speed)]),
     };
     if stability != Verdict::Failed {
         let several = check("check-stability").is_some_and(|c| c.result.key == "stability-several");

@@ -1,8 +1,10 @@
 //! Machines with coefficients over the frequency of vibration: the page speaks of all modes or of none.
 
-use super::Known;
+use super::operating::Operating;
+use super::{Facts, Known};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
+use crate::outcome::{Arg, Check, Message};
 use crate::study::linear::modes::ModesResult;
 use crate::text;
 
@@ -15,5 +17,23 @@ pub(super) fn whole(system: &System, known: Known<ModesResult>) -> Known<ModesRe
             text!("modes with frequencies outside the table of \"{name}\" are not known", name = slot.name),
         )),
         _ => known,
+    }
+}
+
+/// Why stability was not computed. Where a table over the frequency of vibration is the reason: its part, its frequencies and the study that takes it.
+pub(super) fn unknown(facts: &Facts, stability: Option<&Check>, speed: Operating) -> Message {
+    let m = |key: &str| Message::new(key).arg("speed", speed.arg());
+    let beyond = matches!(&facts.modes, Some((_, Known::Refused(d))) if d.code == "modes.frequencies");
+    let tables = || facts.system.over_frequency().map(|t| t.1);
+    // where the tables have no frequencies in common that study answers nothing
+    let (from, to) = (tables().map(|t| t.from).fold(0.0, f64::max), tables().map(|t| t.to).fold(f64::INFINITY, f64::min));
+    if let Some((slot, table)) = facts.system.over_frequency().next().filter(|_| beyond && from < to) {
+        let m = m("headline-unknown-table").arg("part", Arg::name(&slot.name));
+        return m.arg("from", Arg::frequency(table.from)).arg("to", Arg::frequency(table.to));
+    }
+    let reason = stability.filter(|c| c.result.key == "why-refused").and_then(|c| c.result.arg_named("reason"));
+    match reason {
+        Some(reason) => m("headline-unknown-because").arg("reason", reason.clone()),
+        None => m("headline-unknown"),
     }
 }

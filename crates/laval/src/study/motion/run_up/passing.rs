@@ -4,6 +4,7 @@ use super::RunUp;
 use crate::model::system::System;
 use crate::solve::motion::envelope::Peak;
 use crate::solve::motion::trajectory::Trajectory;
+use crate::solve::programme::Spin;
 use crate::study::motion::balance;
 use crate::study::motion::history;
 use crate::study::motion::passages::{PROMINENT, envelope, passages, reach};
@@ -37,7 +38,13 @@ pub struct Passage {
     pub amplitude: f64,
     /// What it is.
     pub nature: Nature,
+    /// Further peaks of the same passage: beats of the free motion with the forced one, or of free motions with one another.
+    pub beats: usize,
 }
+
+/// Share of the free motion, at least, in a peak from which the envelope of its beats falls to [`PROMINENT`]: forced and free parts add up at the peak and
+/// take off each other between two.
+const FREE: f64 = 0.5 * (1.0 - PROMINENT);
 
 /// What a peak of an envelope is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -100,8 +107,11 @@ impl RunUp {
                 }
                 let since = lowest_before(&seen, &passed, i);
                 let rate = |t: f64| if stop() { None } else { Rate::at(system, t, spin(t).speed) };
-                let nature = nature(rates.as_mut().and_then(Option::as_mut), [since, p.t], &rate);
-                found.passages.push(Passage { speed: at, beside: (before, after), t: p.t, amplitude: p.amplitude, nature });
+                let nature = nature(rates.as_mut().and_then(Option::as_mut), [since, p.t], &spin, &rate);
+                found.passages.push(Passage { speed: at, beside: (before, after), t: p.t, amplitude: p.amplitude, nature, beats: 0 });
+            }
+            if let Some(Some(rates)) = &rates {
+                found.passages = without_beats(&found.passages, rates, &spin);
             }
             let most = round.iter().max_by(|a, b| a.0.total_cmp(&b.0));
             found.swings = most.map(|&(amplitude, speed)| Swings { peaks: round.len(), amplitude, speed });
@@ -111,20 +121,54 @@ impl RunUp {
     }
 }
 
-/// What a peak of the envelope is, from the time since which it rises: a resonance where the machine is stable and the spin speed meets a natural frequency on the way,
-/// growth through a range in which it is not stable, else no more than a peak.
-fn nature(rates: Option<&mut Rates>, [since, until]: [f64; 2], rate: &dyn Fn(f64) -> Option<Rate>) -> Nature {
+/// What a peak of the envelope is, from the time since which it rises: a resonance where the machine is stable and the spin speed meets a natural frequency on the way
+/// or has passed one within a beat, growth through a range in which it is not stable, else no more than a peak.
+fn nature(rates: Option<&mut Rates>, [since, until]: [f64; 2], spin: &dyn Fn(f64) -> Spin, rate: &dyn Fn(f64) -> Option<Rate>) -> Nature {
     let Some(rates) = rates else { return Nature::Peak };
     let grows = |rates: &Rates| rates.most(since, until).filter(|range| range.factor > 1.0 / PROMINENT).map(Nature::Unstable);
     if let Some(unstable) = grows(rates) {
         return unstable;
     }
-    if !rates.meets(since, until) {
+    if !rates.meets(since, until) && !rates.lags(until, spin) {
         return Nature::Peak;
     }
     // an unstable range beside the natural frequency may be narrower than the steps so far
     rates.resolve(since, until, rate);
     grows(rates).unwrap_or(Nature::Resonance)
+}
+
+/// Peaks without the beats after a resonance. Until the spin speed passes a further natural frequency, all peaks that the free motion of a passage can cause belong to
+/// it, and the largest of those within a beat of the natural frequency stands for them. After a further natural frequency, a peak no higher than the last beat is a beat too: that
+/// mode is not excited.
+fn without_beats(all: &[Passage], rates: &Rates, spin: &dyn Fn(f64) -> Spin) -> Vec<Passage> {
+    let mut out: Vec<Passage> = Vec::new();
+    // the resonance passed last, and the last beat after it
+    let mut last: Option<(usize, f64)> = None;
+    for p in all {
+        let resonance = p.nature == Nature::Resonance;
+        if let Some((k, beat)) = last
+            && !matches!(p.nature, Nature::Unstable(_))
+            && FREE * p.amplitude <= out[k].amplitude * rates.left(out[k].t, p.t)
+        {
+            let further = rates.crossed(p.t) > rates.crossed(out[k].t);
+            if !resonance || !further || p.amplitude <= beat {
+                let beats = out[k].beats + 1;
+                if resonance && !further && p.amplitude > out[k].amplitude && rates.lags(p.t, spin) {
+                    out[k] = *p;
+                }
+                out[k].beats = beats;
+                last = Some((k, p.amplitude));
+                continue;
+            }
+        }
+        last = match p.nature {
+            Nature::Resonance => Some((out.len(), 0.0)),
+            Nature::Unstable(_) => None,
+            Nature::Peak => last,
+        };
+        out.push(*p);
+    }
+    out
 }
 
 /// The time of the lowest place of an envelope between a passage and the one before it.

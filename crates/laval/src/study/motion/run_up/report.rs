@@ -57,7 +57,9 @@ fn passed(seen: &ProbeMotion, own: &BodyPassages, mut outcome: Outcome) -> Outco
         let (before, after) = p.beside;
         let finding = passage(p).of(&b).value(p.speed, "rad/s").arg("body", seen.arg()).evidence("amplitude", p.amplitude, unit);
         let point = SpecialPoint::new("peak", p.speed, (before.min(after), before.max(after))).status(Status::Bracketed);
-        outcome = outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, unit));
+        let finding = finding.evidence("at time", p.t, "s");
+        let finding = if p.beats > 0 { finding.evidence("beats of the same passage", p.beats as f64, "") } else { finding };
+        outcome = outcome.finding(finding).special_point(point.evidence("amplitude", p.amplitude, unit));
     }
     if let Some(swings) = &own.swings {
         let finding = Finding::info("swings", "run-up-swings").of(&b).value(swings.speed, "rad/s").arg("body", seen.arg());
