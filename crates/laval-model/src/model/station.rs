@@ -87,6 +87,13 @@ impl System {
         let [x, y, ..] = self.point_rows(slot, &Attach::at(slot_of.name.clone(), position)).ok()?;
         Some(Pair([x, y]))
     }
+    /// Displacement along the axis and rotation about it of the point of a body at a position (m), as coordinates and their factors: empty where the body has
+    /// none such. `None` of a part that is no body.
+    pub fn point_along(&self, slot: usize, position: f64) -> Option<[Vec<(usize, f64)>; 2]> {
+        let slot_of = self.slots().get(slot)?;
+        let [.., axial, twist] = self.point_rows(slot, &Attach::at(slot_of.name.clone(), position)).ok()?;
+        Some([axial, twist])
+    }
 }
 
 fn all(system: &System) -> Vec<Station> {

@@ -416,6 +416,16 @@ fn the_first_page_says_why_stability_is_not_known() {
     assert!(!column(o, "modes", "frequency").is_empty(), "{:?}", o.findings);
 }
 
+/// A table that ends below both natural frequencies, 289 rad/s and 408 rad/s: no mode is found, nothing is stated of the stability, and a finding names the modes outside.
+#[test]
+fn a_table_without_modes_has_no_growth_rate() {
+    let columns: [Coefficient; 4] = [("kxx", &|_, f| 1e6 + f), ("kyy", &|_, f| 2e6 + f), ("cxx", &|_, _| 500.0), ("cyy", &|_, _| 500.0)];
+    let o = &run_all(&rotor(&grid(&[50.0, 500.0], &[100.0, 250.0], &columns), &study("modes", "")))[0];
+    assert!(column(o, "modes", "frequency").is_empty(), "{:?}", o.findings);
+    assert!(findings(o, "stable").is_empty() && findings(o, "stability_unknown").is_empty(), "{:?}", o.findings);
+    assert_eq!(findings(o, "outside_frequencies").len(), 1);
+}
+
 /// Outside the frequencies of the table a study is refused, or its findings are marked.
 #[test]
 fn extrapolation_is_never_silent() {

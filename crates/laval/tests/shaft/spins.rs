@@ -202,22 +202,35 @@ fn the_spin_row_is_that_of_the_geared_train() {
     assert!((spin - 3.0 * (0.3 + RATIO * RATIO * 0.11)).abs() < 1e-13, "{spin}");
 }
 
-/// Two wheels on isotropic springs and free to turn: the mesh is one spring between them, so that the squares of the frequencies are the roots of a sum.
-#[test]
-fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
-    let (r, k, phi): ([f64; 2], f64, f64) = ([0.12, 0.06], 3e7, 0.35);
-    let (m, j, own): ([f64; 2], [f64; 2], [f64; 2]) = ([20.0, 6.0], [0.15, 0.012], [4e6, 7e6]);
+/// Two wheels in mesh: pitch radii, stiffness of the mesh and pressure angle; masses, moments of inertia and springs of the wheels.
+const RADII: [f64; 2] = [0.12, 0.06];
+const MESH: f64 = 3e7;
+const PRESSURE: f64 = 0.35;
+const MASSES: [f64; 2] = [20.0, 6.0];
+const INERTIAS: [f64; 2] = [0.15, 0.012];
+const SPRINGS: [f64; 2] = [4e6, 7e6];
+
+fn geared() -> String {
     let wheel = |name: &str, i: usize, spin: &str| {
         format!(
             "[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = {}\npolar_inertia = {}\ntorsional = true\n{spin}[[part]]\nkind = \"bearing_linear\"\nname = \"of_{name}\"\nbetween = [\"{name}\", \"ground\"]\nkxx = {}\nkyy = {2}\n",
-            m[i], j[i], own[i]
+            MASSES[i], INERTIAS[i], SPRINGS[i]
         )
     };
-    let text = format!(
-        "[machine]\nname = \"geared\"\nspeed = 300.0\n[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2.0\n{}{}[[part]]\nkind = \"gear\"\nbetween = [\"wheel\", \"pinion\"]\nfirst_radius = 0.12\nsecond_radius = 0.06\nstiffness = {k}\npressure_angle = {phi}\nazimuth = 0.6\n",
+    format!(
+        "[machine]\nname = \"geared\"\nspeed = 300.0\n[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2.0\n{}{}[[part]]\nkind = \"gear\"\nbetween = [\"wheel\", \"pinion\"]\nfirst_radius = {}\nsecond_radius = {}\nstiffness = {MESH}\npressure_angle = {PRESSURE}\nazimuth = 0.6\n",
         wheel("wheel", 0, ""),
-        wheel("pinion", 1, "spin = \"fast\"\n")
-    );
+        wheel("pinion", 1, "spin = \"fast\"\n"),
+        RADII[0],
+        RADII[1]
+    )
+}
+
+/// Two wheels on isotropic springs and free to turn: the mesh is one spring between them, so that the squares of the frequencies are the roots of a sum.
+#[test]
+fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
+    let (r, k, phi, m, j, own) = (RADII, MESH, PRESSURE, MASSES, INERTIAS, SPRINGS);
+    let text = geared();
     let system = load(&text).system;
     // two uncoupled motions across the line of action, rolling, and three of the equation
     let sum = |w: f64| -> f64 {
@@ -240,6 +253,53 @@ fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
     }
     assert_eq!(counts[1..], [2, 3], "{counts:?}");
     assert!(counts[0] >= 1, "the wheels roll");
+}
+
+/// A force F of the teeth moves the wheels by F/(k - m w^2) along the line of action and turns them by F r cos(phi)/(J w^2): the share of the twist in the kinetic
+/// energy follows. It is a column of the table, a curve beside the shapes and a sentence below them.
+#[test]
+fn modes_of_geared_wheels_show_their_twist() {
+    let o = &crate::common::files::run_all(&format!("{}[[study]]\nkind = \"modes\"\n", geared()))[0];
+    let table = o.find_table("modes").unwrap();
+    let column = |name: &str| -> Vec<f64> {
+        let c = table.column(name).unwrap_or_else(|| panic!("no {name}"));
+        (0..c.data.len()).map(|i| c.number(i).unwrap()).collect()
+    };
+    let expected = |w: f64| {
+        let across = |i: usize| MASSES[i] / (SPRINGS[i] - MASSES[i] * w * w).powi(2);
+        let about = |i: usize| (PRESSURE.cos() * RADII[i] / (w * w)).powi(2) / INERTIAS[i];
+        let twist = about(0) + about(1);
+        twist / (twist + across(0) + across(1))
+    };
+    let (frequencies, shares) = (column("frequency"), column("torsional_share"));
+    let mut coupled = Vec::new();
+    for (k, (w, share)) in frequencies.iter().zip(&shares).enumerate().filter(|(_, (w, _))| **w > 1.0) {
+        if (0..2).any(|i| (w - (SPRINGS[i] / MASSES[i]).sqrt()).abs() < 1e-8 * w) {
+            assert!(*share < 1e-9, "{w}: {share}");
+            continue;
+        }
+        assert!((share - expected(*w)).abs() < 1e-6, "{w}: {share} {}", expected(*w));
+        if *share >= 0.05 {
+            coupled.push(k + 1);
+        }
+    }
+    assert!(!coupled.is_empty() && shares.iter().all(|s| (0.0..=1.0).contains(s)), "{shares:?}");
+    // no wheel moves along the axis
+    assert!(table.column("axial_share").is_none_or(|c| (0..c.data.len()).all(|i| c.number(i) == Some(0.0))));
+    let along = o.find_table("along").unwrap();
+    let drawn = along.column("mode").unwrap();
+    let numbers: Vec<usize> = (0..along.rows()).step_by(2).map(|i| drawn.number(i).unwrap() as usize).collect();
+    assert_eq!(numbers, coupled);
+    assert!(
+        o.figures.iter().any(|f| f.name == "along" && f.panels.len() == 1),
+        "{:?}",
+        o.figures.iter().map(|f| &f.name).collect::<Vec<_>>()
+    );
+    let shapes = o.figures.iter().find(|f| f.name == "shapes").and_then(|f| f.tiles.as_ref()).unwrap();
+    let notes: Vec<String> = shapes.notes.iter().map(|n| laval::report::Style::default().arg(n)).collect();
+    for k in &coupled {
+        assert!(notes.iter().any(|n| n.contains(&format!("Mode {k} also twists, with"))), "{notes:?}");
+    }
 }
 
 /// The unbalance of either spin acts at its own frequency: what the core does by itself is what the machine says of its spin, in the direction in which it turns.

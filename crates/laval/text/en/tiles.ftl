@@ -41,6 +41,19 @@ shapes-alt = Shapes of { $modes ->
         [one] one mode
        *[other] { $modes } modes
     } at { $speed }: orbits of the points in space and displacements along the axis.
+shapes-share = { $kind ->
+        [axial] axial: { $share } of the kinetic energy
+       *[torsional] twist: { $share } of the kinetic energy
+    }
+shapes-along = { $kind ->
+        [axial] Mode { $mode } also moves along the axis, with { $share } of its kinetic energy
+       *[torsional] Mode { $mode } also twists, with { $share } of its kinetic energy
+    }: see the figure of the motion along and about the axis.
+along-table = Motion of the modes along and about the axis at the stations
+along-alt = Motion of { $modes ->
+        [one] one mode
+       *[other] { $modes } modes
+    } along and about the axis at { $speed }, each over its largest value.
 orbits-alt = { $orbits ->
         [one] One orbit
        *[other] { $orbits } orbits

@@ -21,8 +21,8 @@ impl Shown<'_> {
         let modes = self.modes();
         let slowly: Vec<usize> = (0..modes.len()).filter(|&k| self.grows(&modes[k]) && !self.unstable(&modes[k])).collect();
         let least = self.least_damped(any_unstable, !slowly.is_empty());
-        // below a low frequency_limit there may be no mode
-        let none = modes.is_empty() && self.result.roots.as_ref().is_some_and(|r| r.growing().is_some());
+        // below a low frequency_limit and within the frequencies of a table there may be no mode
+        let none = modes.is_empty() && (self.result.own.is_some() || self.result.roots.as_ref().is_some_and(|r| r.growing().is_some()));
         let verdict = (!any_unstable && !none).then(|| self.verdict(&slowly));
         // what grows comes first
         let (first, second) = if slowly.is_empty() { (least, verdict) } else { (verdict, least) };

@@ -9,6 +9,7 @@
 //!
 //! Sources: standard linear theory; forward and backward parts in `docs/theory/linear-vibration.md#modes-and-whirl-direction`.
 
+mod along;
 mod findings;
 mod report;
 mod shapes;

@@ -1,5 +1,6 @@
 //! Table and figure of the modes at one speed.
 
+use super::along::Along;
 use super::{Modes, ModesResult, WHIRLS, amplitude};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{DofKind, Domain, Words};
@@ -40,9 +41,10 @@ impl<'a> Shown<'a> {
 
     /// The outcome; `whole` is the machine with all its coefficients.
     pub fn outcome(&self, name: &str, whole: &System) -> Result<Outcome, Diagnostic> {
+        let along = self.along();
         let out = Outcome::new(Modes::KIND, name)
             .end(self.result.end)
-            .table(self.table()?)
+            .table(self.table(along.as_ref())?)
             .work("eigenproblems", 1)
             .work("polished modes", self.result.spectrum.polished as u64);
         let mut findings = self.findings();
@@ -56,8 +58,13 @@ impl<'a> Shown<'a> {
             out = out.table(region::areas(roots)?);
         }
         if let Some(shapes) = &self.result.shapes {
-            let figure = shapes.figure(self.system, self.modes(), self.study.speed, |m| self.grows(m));
+            let along = along.as_ref();
+            let figure = shapes.figure(self.system, self.modes(), self.study.speed, along, |m| self.grows(m));
             out = out.table(shapes.table().build().map_err(inconsistent)?).figure(figure);
+            let curves = along.and_then(|a| a.figure(self.system, &shapes.stations, self.modes(), self.study.speed, |m| self.grows(m)));
+            if let Some((table, figure)) = curves {
+                out = out.table(table.build().map_err(inconsistent)?).figure(figure);
+            }
         }
         // a table tells few modes better
         out = if self.modes().len() < FEW { out } else { out.figure(self.figure()) };
@@ -81,7 +88,12 @@ impl<'a> Shown<'a> {
         self.above(m, self.study.threshold)
     }
 
-    fn table(&self) -> Result<Table, Diagnostic> {
+    /// Motion along and about the axis. Of parts without time form the masses are not known.
+    fn along(&self) -> Option<Along> {
+        self.result.roots.is_none().then(|| Along::of(self.system, &self.result.about, self.modes()))?
+    }
+
+    fn table(&self, along: Option<&Along>) -> Result<Table, Diagnostic> {
         let (modes, speed) = (self.modes(), self.study.speed);
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
         let mut table = Table::new("modes", Message::new("modes-table").arg("state", Arg::term(self.study.about.word())))
@@ -120,6 +132,9 @@ impl<'a> Shown<'a> {
             let doc = "share of the tilts in the kinetic energy over a period, taken about the point of each body at which a tilt does not move its centre of mass; NaN where \
                        nothing with mass moves";
             table = table.float("tilt_share", "", doc, modes.iter().map(share).collect());
+        }
+        if let Some(along) = along {
+            table = along.columns(table);
         }
         let probes = probes::all(self.system);
         let shapes: Vec<(Vec<f64>, f64)> = modes.iter().map(|m| shape(m, &probes)).collect();

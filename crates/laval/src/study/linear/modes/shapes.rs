@@ -1,9 +1,10 @@
 //! Shapes of modes: how every station of the machine moves in each, scaled so that the largest orbit has the semi-major axis 1 and the instant 0 is the one at
 //! which its point is farthest from the axis.
 
+use super::along::Along;
 use crate::model::system::System;
 use crate::outcome::{Arg, Figure, Message, Picture, Table, Tiles, View};
-use crate::solve::pencil::MachineMode;
+use crate::solve::pencil::{MachineMode, Whirl};
 use crate::study::linear::whirl::lowest;
 use crate::study::shared::stations::Stations;
 use laval_num::complex::C64;
@@ -44,14 +45,24 @@ impl Shapes {
         self.stations.columns(Table::new("shapes", doc).int("mode", "", "number in order of frequency", number), &motions, "")
     }
 
-    /// The figure of the lowest modes, by frequency. `grows`: modes that are unstable.
-    pub(super) fn figure(&self, system: &System, modes: &[MachineMode], speed: f64, grows: impl Fn(&MachineMode) -> bool) -> Figure {
+    /// The figure of the lowest modes, by frequency. `along`: what they move along and about the axis. `grows`: modes that are unstable.
+    pub(super) fn figure(
+        &self,
+        system: &System,
+        modes: &[MachineMode],
+        speed: f64,
+        along: Option<&Along>,
+        grows: impl Fn(&MachineMode) -> bool,
+    ) -> Figure {
         let moves = |k: &usize| self.modes[*k].iter().any(|m| m[0] != C64::zero() || m[1] != C64::zero());
-        let all: Vec<usize> = (0..modes.len()).filter(|k| modes[*k].frequency() > 0.0 || grows(&modes[*k])).filter(moves).collect();
+        // what a vibration along or about the axis moves across it is rounding
+        let across = |k: &usize| !matches!(modes[*k].whirl, Whirl::Axial | Whirl::Torsional);
+        let oscillates = |k: &usize| modes[*k].frequency() > 0.0 || grows(&modes[*k]);
+        let all: Vec<usize> = (0..modes.len()).filter(oscillates).filter(across).filter(moves).collect();
         let shown = lowest(modes, all.iter().copied(), speed, DRAWN, &grows);
-        let pictures = shown.iter().map(|&k| picture(&modes[k], k, speed, grows(&modes[k]))).collect();
+        let pictures = shown.iter().map(|&k| picture(&modes[k], k, speed, grows(&modes[k]), along)).collect();
         let view = View::Shapes { horizontal: Stations::horizontal(system), to_scale: self.stations.to_scale };
-        let mut notes = Vec::new();
+        let mut notes = along.map_or_else(Vec::new, |a| a.notes(&shown));
         if all.len() > shown.len() {
             notes.push(Message::new("shapes-more").arg("modes", Arg::count(all.len() - shown.len())).into());
         }
@@ -62,7 +73,7 @@ impl Shapes {
     }
 }
 
-fn picture(m: &MachineMode, k: usize, speed: f64, grows: bool) -> Picture {
+fn picture(m: &MachineMode, k: usize, speed: f64, grows: bool, along: Option<&Along>) -> Picture {
     let mut lines = vec![Arg::frequency(m.frequency())];
     lines.push(Message::new("page-whirl").arg("whirl", Arg::word(m.whirl.at(speed).word())).into());
     lines.push(if grows {
@@ -70,6 +81,7 @@ fn picture(m: &MachineMode, k: usize, speed: f64, grows: bool) -> Picture {
     } else {
         Message::new("page-decrement").arg("decrement", Arg::number(-TAU * m.growth() / m.frequency())).into()
     });
+    lines.extend(along.into_iter().flat_map(|a| a.lines(k)));
     let title = Message::new("page-mode").arg("number", Arg::count(k + 1)).into();
     Picture { number: k as i64 + 1, title, lines, circle: None, unstable: grows }
 }
