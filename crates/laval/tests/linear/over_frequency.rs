@@ -407,10 +407,10 @@ fn the_first_page_says_why_stability_is_not_known() {
     let Some(Arg::Quantity(to)) = first.arg_named("to") else { panic!("{first:?}") };
     assert_eq!([from.value, to.value], [100.0, 350.0]);
     let shown = Style::default().message(first);
-    for word in ["\"bearing\"", "15.9 Hz", "55.7 Hz", "\"modes\"", "rows"] {
+    for word in ["\"bearing\"", "100 rad/s", "350 rad/s", "\"modes\"", "rows"] {
         assert!(shown.contains(word), "{word}: {shown}");
     }
-    assert_eq!(shown.matches('.').count(), 3, "one sentence: {shown}");
+    assert_eq!(shown.matches('.').count(), 1, "one sentence: {shown}");
     // that study answers
     let o = &run_all(&rotor(&plain(""), &study("modes", "")))[0];
     assert!(!column(o, "modes", "frequency").is_empty(), "{:?}", o.findings);

@@ -161,6 +161,16 @@ impl Rate {
 }
 
 #[cfg(test)]
+impl Rates {
+    /// A natural frequency of 50 rad/s passed at 1 rad/s^2 from rest on, up to 100 rad/s.
+    pub fn of_one_passage(growth: f64) -> (Rates, impl Fn(f64) -> Spin) {
+        let rate = |t: f64| Rate { t, speed: t, growth, near: (t - 50.0).abs() <= NEAR * t, below: vec![usize::from(t > 50.0)] };
+        let rates = Rates { at: (0..1000).map(|k| rate(0.1 * (f64::from(k) + 0.5))).collect(), ratios: vec![1.0] };
+        (rates, |t: f64| Spin { phase: 0.5 * t * t, speed: t, accel: 1.0 })
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -214,9 +224,7 @@ mod tests {
     /// A natural frequency of 50 rad/s passed at 1 rad/s^2, and the growth rate -0.5 1/s.
     #[test]
     fn a_peak_lags_behind_the_natural_frequency_by_an_angle() {
-        let rate = |t: f64| Rate { t, speed: t, growth: -0.5, near: (t - 50.0).abs() <= NEAR * t, below: vec![usize::from(t > 50.0)] };
-        let rates = Rates { at: (0..1000).map(|k| rate(0.1 * (f64::from(k) + 0.5))).collect(), ratios: vec![1.0] };
-        let spin = |t: f64| Spin { phase: 0.5 * t * t, speed: t, accel: 1.0 };
+        let (rates, spin) = Rates::of_one_passage(-0.5);
         assert_eq!([49.0, 50.2, 90.0].map(|t| rates.crossed(t)), [0, 1, 1]);
         // (t - 50)^2 / 2 is the angle
         assert_eq!([49.0, 50.5, 52.15, 53.0, 57.0].map(|t| rates.lags(t, &spin)), [false, true, true, false, false]);

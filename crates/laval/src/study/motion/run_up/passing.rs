@@ -176,3 +176,25 @@ fn lowest_before(seen: &[Peak], passed: &[usize], at: usize) -> f64 {
     let from = passed.iter().copied().take_while(|&k| k < at).last().unwrap_or(0);
     seen[from..=at].iter().min_by(|a, b| a.amplitude.total_cmp(&b.amplitude)).map_or(0.0, |p| p.t)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// After a resonance at 52 s, whose free motion decays by exp(-0.5 t): what it can cause is a beat of it, a peak that is higher than that is one of its own.
+    #[test]
+    fn peaks_that_the_free_motion_can_cause_are_beats() {
+        let (rates, spin) = Rates::of_one_passage(-0.5);
+        let peak = |t: f64, amplitude: f64, nature: Nature| Passage { speed: t, beside: (t, t), t, amplitude, nature, beats: 0 };
+        let all = [
+            peak(30.0, 0.1, Nature::Peak),
+            peak(52.0, 1.0, Nature::Resonance),
+            peak(54.0, 0.5, Nature::Peak),
+            peak(56.0, 0.3, Nature::Resonance),
+            peak(70.0, 0.3, Nature::Peak),
+        ];
+        let left: Vec<(f64, usize)> = without_beats(&all, &rates, &spin).iter().map(|p| (p.t, p.beats)).collect();
+        // exp(-0.5 * 18) is less than 0.15 * 0.3
+        assert_eq!(left, [(30.0, 0), (52.0, 2), (70.0, 0)]);
+    }
+}
