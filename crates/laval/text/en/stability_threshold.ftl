@@ -30,8 +30,8 @@ stability-threshold-level-open = Level 1 is not decided (API 684, SP6.8.5.10): l
        *[other] {""}
     }
 stability-threshold-region = { $region ->
-        [a] Region A of API 617: critical speed ratio { $speed_ratio } at a gas density of { $gas_density }, at most { $speed_ratio_limit } permitted. Rigid supports: { $parts }.
-        [b] Region B of API 617 requires level 2 below ten times the anticipated stiffness: critical speed ratio { $speed_ratio } at a gas density of { $gas_density }, above { $speed_ratio_limit }. Rigid supports: { $parts }.
+        [a] Region A of API 617: critical speed ratio { $critical_ratio } at a gas density of { $gas_density }, at most { $speed_ratio_limit } permitted. Rigid supports: { $parts }.
+        [b] Region B of API 617 requires level 2 below ten times the anticipated stiffness: critical speed ratio { $critical_ratio } at a gas density of { $gas_density }, above { $speed_ratio_limit }. Rigid supports: { $parts }.
        *[dense] Region B of API 617 requires level 2 below ten times the anticipated stiffness: gas density { $gas_density }, above { $largest_density }, at any critical speed ratio.
     }
 stability-threshold-region-open = The criterion of gas density and critical speed ratio (API 617) is not assessed: { $reason ->

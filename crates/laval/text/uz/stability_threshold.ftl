@@ -30,8 +30,8 @@ stability-threshold-level-open = 1-daraja hal qilinmadi (API 684, SP6.8.5.10): k
        *[other] {""}
     }
 stability-threshold-region = { $region ->
-        [a] API 617 bo‘yicha A soha: { $gas_density } gaz zichligida aylanish chastotasining kritik aylanish chastotasiga nisbati { $speed_ratio }, ko‘pi bilan { $speed_ratio_limit } ruxsat etiladi. Qattiq tayanchlar: { $parts }.
-        [b] API 617 bo‘yicha B soha chegaraning kutilgan bikrlikka nisbati 10 dan past bo‘lganda 2-darajani talab qiladi: { $gas_density } gaz zichligida aylanish chastotasining kritik aylanish chastotasiga nisbati { $speed_ratio }, { $speed_ratio_limit } dan katta. Qattiq tayanchlar: { $parts }.
+        [a] API 617 bo‘yicha A soha: { $gas_density } gaz zichligida aylanish chastotasining kritik aylanish chastotasiga nisbati { $critical_ratio }, ko‘pi bilan { $speed_ratio_limit } ruxsat etiladi. Qattiq tayanchlar: { $parts }.
+        [b] API 617 bo‘yicha B soha chegaraning kutilgan bikrlikka nisbati 10 dan past bo‘lganda 2-darajani talab qiladi: { $gas_density } gaz zichligida aylanish chastotasining kritik aylanish chastotasiga nisbati { $critical_ratio }, { $speed_ratio_limit } dan katta. Qattiq tayanchlar: { $parts }.
        *[dense] API 617 bo‘yicha B soha chegaraning kutilgan bikrlikka nisbati 10 dan past bo‘lganda 2-darajani talab qiladi: gaz zichligi { $gas_density }, { $largest_density } dan katta, aylanish chastotasining kritik aylanish chastotasiga har qanday nisbatida.
     }
 stability-threshold-region-open = Gaz zichligi va aylanish chastotasining kritik aylanish chastotasiga nisbati mezoni (API 617) tekshirilmadi: { $reason ->

@@ -1,6 +1,7 @@
 //! Table and figure of the modes at one speed.
 
 use super::along::Along;
+use super::shapes::across;
 use super::{Modes, ModesResult, WHIRLS, amplitude};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{DofKind, Domain, Words};
@@ -109,7 +110,12 @@ impl<'a> Shown<'a> {
                 modes.iter().map(|m| m.whirl.at(speed).word().into()).collect(),
             )
             .flag("stable", "growth rate not above growth_threshold", modes.iter().map(|m| !self.grows(m)).collect())
-            .float("forward_share", "", "forward part of the squared amplitudes", column(|m| m.forward_share))
+            .float_if_any(
+                "forward_share",
+                "",
+                "forward part of the squared amplitudes; NaN of a mode along or about the axis alone",
+                column(|m| if across(m) { m.forward_share } else { f64::NAN }),
+            )
             .float("error", "1/s", "estimated error of the eigenvalue; NaN when there is no estimate", column(|m| m.error))
             .float(
                 "backward_error",
@@ -166,7 +172,7 @@ impl<'a> Shown<'a> {
 
 /// Sizes of a shape: of every probe over the largest of its kind, 0 of what is rounding beside the rest; and the largest tilt over the largest displacement, 1/m.
 fn shape(mode: &MachineMode, probes: &[Probe]) -> (Vec<f64>, f64) {
-    let own: Vec<f64> = probes.iter().map(|p| amplitude(mode, p)).collect();
+    let own: Vec<f64> = probes.iter().map(|p| if across(mode) { amplitude(mode, p) } else { 0.0 }).collect();
     let loud = probes::loudest(probes.iter().zip(own.iter().copied()));
     let size = |(p, &a): (&Probe, &f64)| if probes::still(p, a, loud, SHAPE_ROUNDING) { 0.0 } else { a };
     let own: Vec<f64> = probes.iter().zip(&own).map(size).collect();

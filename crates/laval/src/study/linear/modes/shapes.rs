@@ -32,7 +32,8 @@ impl Shapes {
         if !stations.have_shape() {
             return None;
         }
-        let modes = modes.iter().map(|m| scaled(stations.motion(&m.q))).collect();
+        let still = || vec![[C64::zero(); 2]; stations.all.len()];
+        let modes = modes.iter().map(|m| if across(m) { scaled(stations.motion(&m.q)) } else { still() }).collect();
         Some(Shapes { stations, modes })
     }
 
@@ -55,10 +56,8 @@ impl Shapes {
         grows: impl Fn(&MachineMode) -> bool,
     ) -> Figure {
         let moves = |k: &usize| self.modes[*k].iter().any(|m| m[0] != C64::zero() || m[1] != C64::zero());
-        // what a vibration along or about the axis moves across it is rounding
-        let across = |k: &usize| !matches!(modes[*k].whirl, Whirl::Axial | Whirl::Torsional);
         let oscillates = |k: &usize| modes[*k].frequency() > 0.0 || grows(&modes[*k]);
-        let all: Vec<usize> = (0..modes.len()).filter(oscillates).filter(across).filter(moves).collect();
+        let all: Vec<usize> = (0..modes.len()).filter(oscillates).filter(moves).collect();
         let shown = lowest(modes, all.iter().copied(), speed, DRAWN, &grows);
         let pictures = shown.iter().map(|&k| picture(&modes[k], k, speed, grows(&modes[k]), along)).collect();
         let view = View::Shapes { horizontal: Stations::horizontal(system), to_scale: self.stations.to_scale };
@@ -71,6 +70,11 @@ impl Shapes {
         let alt = Message::new("shapes-alt").arg("modes", Arg::count(shown.len())).arg("speed", Arg::speed(speed));
         Figure::new("shapes", "Mode shapes", alt).tiles(tiles)
     }
+}
+
+/// The mode is none along or about the axis alone, whose motion across it is rounding.
+pub(super) fn across(m: &MachineMode) -> bool {
+    !matches!(m.whirl, Whirl::Axial | Whirl::Torsional)
 }
 
 fn picture(m: &MachineMode, k: usize, speed: f64, grows: bool, along: Option<&Along>) -> Picture {

@@ -274,7 +274,7 @@ impl Shown<'_> {
             (Region::A | Region::B, Some(RigidLimit::Found { supports, .. })) => {
                 let names = supports.iter().filter_map(|&k| self.system.slots().get(k)).map(|s| s.name.clone());
                 sentence(if region == Region::A { "a" } else { "b" })
-                    .arg("speed_ratio", Arg::number(self.speed_ratio()))
+                    .arg("critical_ratio", Arg::number(self.speed_ratio()))
                     .arg("speed_ratio_limit", Arg::number(speed_ratio_limit(density)))
                     .arg("parts", Arg::names(names))
             }
