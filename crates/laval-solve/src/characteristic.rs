@@ -94,6 +94,15 @@ impl<'a> Characteristic<'a> {
         out
     }
 
+    /// The same about another state in the same axes at the same speed: linear parts stay as they are.
+    pub fn move_to(&mut self, about: &Equilibrium) {
+        if self.nonlinear.is_some() {
+            let coordinates = coordinate_sectors(self.system);
+            self.nonlinear = Some(tangents(self.system, about, &coordinates, &self.sectors, &self.states, &self.model));
+            self.polynomial = is_polynomial(self.system).then(|| self.polynomial());
+        }
+    }
+
     /// `A0, A1, A2` of `T(s) = A0 + s A1 + s^2 A2`, without memory and parts given in the frequency domain.
     pub fn polynomial(&self) -> [Vec<C64>; 3] {
         let mut out = self.polarised(self.model.polynomial().map(|all| all.iter().map(|x| c(x.re, 0.0)).collect()));

@@ -147,7 +147,7 @@ fn held(system: &System, slot: &Slot, about: &Equilibrium) -> bool {
 fn loaded(system: &System, at: &Equilibrium) -> bool {
     let mut t = Characteristic::new(system, at);
     let x = vec![0.0; system.n() + t.states().len()];
-    residual(system, at, &mut t, &coordinate_sectors(system), &x, &[]).iter().any(|r| *r != 0.0)
+    residual(system, at, &mut t, &mut None, &coordinate_sectors(system), &x, &[]).iter().any(|r| *r != 0.0)
 }
 
 fn part_force(system: &System, slot: &Slot, at: &Equilibrium, phase: f64) -> Vec<f64> {
@@ -164,15 +164,24 @@ fn part_force(system: &System, slot: &Slot, at: &Equilibrium, phase: f64) -> Vec
 /// Spin angles over which the mean of forces that turn is taken: exact up to the order below their number.
 const PHASES: usize = 8;
 
-/// Residual over the unknowns of the characteristic matrix; with coordinates that are held its mean over a turn, and none of theirs.
-fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinates: &Sectors, x: &[f64], held: &[usize]) -> Vec<f64> {
+/// Residual over the unknowns of the characteristic matrix; with coordinates that are held its mean over a turn, and none of theirs. `linear`: the stiffness of the linear parts,
+/// once it is known.
+fn residual(
+    system: &System,
+    at: &Equilibrium,
+    t: &mut Characteristic,
+    linear: &mut Option<Vec<C64>>,
+    coordinates: &Sectors,
+    x: &[f64],
+    held: &[usize],
+) -> Vec<f64> {
     let mut r = if x.iter().all(|&x| x == 0.0) {
         vec![0.0; x.len()]
     } else {
-        let k = t.linear_entries(C64::zero());
+        let k = &*linear.get_or_insert_with(|| t.linear_entries(C64::zero()));
         let mut u: Vec<C64> = x.iter().map(|&x| c(x, 0.0)).collect();
         t.sectors().polarise(&mut u);
-        let mut force = t.times(&k, &u);
+        let mut force = t.times(k, &u);
         t.sectors().restore(&mut force);
         force.iter().map(|f| f.re).collect()
     };
@@ -240,18 +249,30 @@ fn undeflected(system: &System, at: &Equilibrium) -> bool {
 const RESOLVED: f64 = 1e-6;
 const ROUNDINGS: f64 = 4.0;
 
-/// Newton step that one rounding of every force stands for, in typical sizes: `|K^-1| |K| |x|` times the rounding unit. Heavy bodies that are stiffly joined on a soft support
-/// hang further down than their forces cancel.
-fn resolution(pattern: &Pattern, k: &[f64], lu: &Factors<f64>, x: &[f64], typical: &[f64]) -> f64 {
+/// A Newton step is no longer than some of those that one rounding of every force stands for, in typical sizes: `|K^-1| |K| |x|` times the rounding unit. Heavy bodies that are
+/// stiffly joined on a soft support hang further down than their forces cancel.
+fn resolves(count: f64, length: f64, (pattern, k, lu): (&Pattern, &[f64], &Factors<f64>), x: &[f64], typical: &[f64]) -> bool {
     let size = x.len();
+    let force: Vec<f64> = (0..size).map(|j| f64::EPSILON * pattern.row(j).map(|(e, i)| (k[e] * x[i]).abs()).sum::<f64>()).collect();
+    let reaches = |moved: &[f64]| length <= count * max_abs(&moved.iter().zip(typical).map(|(m, t)| m / t).collect::<Vec<_>>());
+    // roundings of any signs move it by no more than all together: where these suffice, no others are needed
+    let together = |sign: &dyn Fn(usize) -> f64| {
+        let mut moved: Vec<f64> = (0..size).map(|j| sign(j) * force[j]).collect();
+        lu.solve(&mut moved);
+        reaches(&moved)
+    };
+    let alternate = |period: usize| move |j: usize| if (j / period).is_multiple_of(2) { 1.0 } else { -1.0 };
+    if together(&|j| if x[j] < 0.0 { -1.0 } else { 1.0 }) || [1, 2, 4, size.max(1)].iter().any(|&period| together(&alternate(period))) {
+        return true;
+    }
     let mut moved = vec![0.0; size];
     for j in 0..size {
-        let force = f64::EPSILON * pattern.row(j).map(|(e, i)| (k[e] * x[i]).abs()).sum::<f64>();
-        let mut column: Vec<f64> = (0..size).map(|i| if i == j { force } else { 0.0 }).collect();
+        let mut column = vec![0.0; size];
+        column[j] = force[j];
         lu.solve(&mut column);
         moved.iter_mut().zip(&column).for_each(|(m, c)| *m += c.abs());
     }
-    max_abs(&moved.iter().zip(typical).map(|(m, t)| m / t).collect::<Vec<_>>())
+    reaches(&moved)
 }
 
 /// Newton's method on the equilibrium, from a start, with steps shortened until the residual falls.
@@ -277,7 +298,8 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
     let typical: Vec<f64> =
         system.coordinates().iter().map(|c| c.dof.typical).chain(states.iter().map(|&s| system.states()[s].dof.typical)).collect();
     let mut x: Vec<f64> = at.q.iter().copied().chain(states.iter().map(|&s| at.z[s])).collect();
-    let mut r = residual(system, &at, &mut t, &coordinates, &x, held);
+    let mut linear = None;
+    let mut r = residual(system, &at, &mut t, &mut linear, &coordinates, &x, held);
     if r.iter().all(|&r| r == 0.0) {
         return Ok(at);
     }
@@ -290,7 +312,6 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
         }
     }
     let held = &held[..];
-    let linear = system.slots().iter().all(Slot::is_linear);
     let mut last = f64::INFINITY;
     for iteration in 1..=60 {
         let mut k = t.stiffness_entries();
@@ -312,13 +333,14 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
             let trial: Vec<f64> = x.iter().zip(&step).map(|(x, s)| x - share * s).collect();
             let mut moved = at.clone();
             place(&states, &trial, &mut moved);
-            let mut again = residual(system, &moved, &mut t, &coordinates, &trial, held);
+            let mut again = residual(system, &moved, &mut t, &mut linear, &coordinates, &trial, held);
             lu.solve(&mut again);
             let rest = max_abs(&again.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
             if rest <= (1.0 - 0.25 * share) * length || length <= 1e-12 * (size + 1e-12) {
                 break (trial, moved);
             }
-            if share == 1.0 && length <= RESOLVED * size && length <= ROUNDINGS * resolution(t.pattern(), &k, &lu, &x, &typical) {
+            let resolved = || resolves(ROUNDINGS, length, (t.pattern(), &k, &lu), &x, &typical);
+            if share == 1.0 && length <= RESOLVED * size && resolved() {
                 (at.iterations, at.last_step) = (iteration, length);
                 return Ok(at);
             }
@@ -329,10 +351,8 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
         };
         (x, at) = (next, moved);
         (at.iterations, at.last_step) = (iteration, length);
-        if !linear {
-            t = Characteristic::new(system, &at);
-        }
-        r = residual(system, &at, &mut t, &coordinates, &x, held);
+        t.move_to(&at);
+        r = residual(system, &at, &mut t, &mut linear, &coordinates, &x, held);
         if length <= 1e-13 * size || (length >= 0.5 * last && length <= 1e-9 * (size + 1e-9)) || length <= 1e-18 {
             return Ok(at);
         }
@@ -355,13 +375,14 @@ fn sink(system: &System, start: &Equilibrium, held: &[usize]) -> Option<Equilibr
     let n = system.n();
     let typical: Vec<f64> = system.coordinates().iter().map(|c| c.dof.typical).collect();
     let mut at = start.clone();
+    let mut t = Characteristic::new(system, &at);
+    let (states, mut linear) = (t.states().to_vec(), None);
     // largest work of a load over a typical displacement, at the start
     let mut first = None;
     for _ in 0..MOST {
-        let mut t = Characteristic::new(system, &at);
-        let states = t.states().to_vec();
+        t.move_to(&at);
         let mut x: Vec<f64> = at.q.iter().copied().chain(states.iter().map(|&s| at.z[s])).collect();
-        let mut r = residual(system, &at, &mut t, &coordinates, &x, held);
+        let mut r = residual(system, &at, &mut t, &mut linear, &coordinates, &x, held);
         let work = max_abs(&r[..n].iter().zip(&typical).map(|(r, t)| r * t).collect::<Vec<_>>());
         let load = *first.get_or_insert(work);
         if work <= CARRIED * load {

@@ -179,7 +179,7 @@ fn jeffcott(speed: f64, more: &str, study: &str) -> Finding {
 }
 
 fn evidence(f: &Finding, what: &'static str) -> Option<f64> {
-    f.evidence.iter().find(|e| e.what == Arg::from(what)).map(|e| e.value)
+    f.evidence.iter().find(|e| e.what == what).map(|e| e.value)
 }
 
 /// Level 2 is required in region B for a threshold below ten times the anticipated stiffness: closed form of the critical speed on rigid supports.
