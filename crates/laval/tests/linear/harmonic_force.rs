@@ -180,7 +180,8 @@ fn a_missing_half_power_point_bounds_the_factor() {
         let lower = w * ((-b + (b * b + 2.0 * a * p).sqrt()) / (2.0 * a)).sqrt();
         let peak = w / (1.0 - 2.0 * zeta * zeta).sqrt();
         // the bound is 2.5 where the range ends at N1 + Nc/2.5
-        for to in [1500.0, lower + peak / 2.4, lower + peak / 2.6] {
+        let ends = [1500.0, lower + peak / 2.4, lower + peak / 2.6];
+        for to in ends.into_iter().filter(|to| *to > peak + 5.0) {
             decided(&run("forced_response", zeta, 1.0, to), "extrema", peak / (to - lower), "N2 missing");
         }
         for (from, to) in [(lower + 10.0, 1500.0), (peak - 60.0, peak + 60.0)] {
@@ -194,7 +195,7 @@ fn a_missing_half_power_point_bounds_the_factor() {
     for from in [lower + 20.0, upper - peak / 2.4, upper - peak / 2.6] {
         decided(&run("harmonic_force", zeta, from, 1500.0), "peaks", peak / (upper - from), "N1 missing");
     }
-    for to in [upper - 20.0, lower + peak / 2.4] {
+    for to in [upper - 20.0, peak + 20.0] {
         decided(&run("harmonic_force", zeta, 1.0, to), "peaks", peak / (to - lower), "N2 missing");
     }
 }

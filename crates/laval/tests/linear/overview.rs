@@ -114,8 +114,8 @@ fn an_undamped_machine_is_neither_stable_nor_unstable() {
     assert_eq!(check(&on, "check-resonance").margin.map(|m| m < 1e-6), Some(true), "{:?}", on.checks);
 }
 
-/// The peak of 0.4 of critical damping, at 121.3 rad/s, is 7 % from the operating speed. Its amplification factor is below 2.5: with the standard no margin is required, without it, and
-/// with a margin of the file, it is.
+/// The peak of 0.4 of critical damping, at 121.3 rad/s, is 7 % from the operating speed. Its amplification factor is below 2.5: with the standard no margin is required, without
+/// it one is.
 #[test]
 fn a_critically_damped_peak_needs_no_margin() {
     let damping = 0.4 * 2.0 * (STIFFNESS * MASS).sqrt();
