@@ -145,7 +145,7 @@ def support_stiffness_map(
     supports: str | None = None,
     rest_frequencies: bool | None = None,
 ) -> Study:
-    """Undamped critical speeds over the stiffness of the supports: every bearing is replaced by the same stiffness in x and y, without damping and cross terms; pedestals and masses stay. The stiffness of the bearings themselves is laid over it, and where it meets the curves the share of the strain energy in the supports says whether other bearings or another shaft would move the critical speed.
+    """Undamped critical speeds over the stiffness of the supports: every bearing is replaced by the same stiffness in x and y, without damping and cross terms; pedestals and masses stay. The stiffness of the linear bearings is laid over it, and where it meets the curves the share of the strain energy in the supports says whether other bearings or another shaft would move the critical speed.
 
     Args:
         name: by which others refer to it.

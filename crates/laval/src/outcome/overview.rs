@@ -97,6 +97,8 @@ pub struct OverSpeed {
     pub unstable_response: Vec<(f64, f64)>,
     /// Resonances of the unbalance response, or lightly damped critical speeds where nothing forces the machine, rad/s.
     pub resonances: Vec<Resonance>,
+    /// Those among them without a required margin: a forced response of the file assessed by API 684 has amplification factors below 2.5 there, rad/s.
+    pub critically_damped: Vec<f64>,
     /// Speeds at which a slow sweep jumps, rad/s.
     pub jumps: Vec<f64>,
     /// Speeds at which the nonlinear response gains or loses its stability away from jumps, rad/s.

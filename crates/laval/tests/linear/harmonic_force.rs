@@ -153,6 +153,53 @@ fn separation_margins_of_an_unbalance() {
     assert!(f.level == Level::Warning, "{}", f.sentence());
 }
 
+/// One mass with `z` of critical damping, unbalance: the amplitude `r^2/sqrt((1 - r^2)^2 + 4 z^2 r^2)` tends to 1, above 0.707 of its peak for z = 0.4 and 0.5, so that N2 does not exist. A
+/// range that ends at We bounds the factor by `Nc/(We - N1)`, one that begins at Wb above N1 by `Nc/(We - Wb)`.
+#[test]
+fn a_missing_half_power_point_bounds_the_factor() {
+    let w = (K / M).sqrt();
+    let run = |kind: &str, zeta: f64, from: f64, to: f64| {
+        let study =
+            format!("[[study]]\nkind = \"{kind}\"\nspeed = {{ from = {from:?}, to = {to:?}, points = 80 }}\nstandard = \"api_684\"\n");
+        let place = if kind == "harmonic_force" { "place = \"disc\"\n" } else { "" };
+        run_all(&mass(2.0 * zeta * (K * M).sqrt(), "", &(study + place))).remove(0)
+    };
+    let decided = |o: &Outcome, table: &str, bound: f64, what: &str| {
+        let f = finding(o, "separation_margin");
+        near(column(o, table, "amplification_at_most")[0], bound, 1e-6, what);
+        if bound < 2.5 {
+            assert_eq!(column(o, table, "required_separation")[0], 0.0, "{what}");
+            assert!(f.level == Level::Info && f.value.is_none() && f.sentence().contains("at most"), "{what}: {}", f.sentence());
+        } else {
+            assert!(f.level == Level::Warning && f.sentence().contains("not decided"), "{what}: {}", f.sentence());
+        }
+    };
+    for zeta in [0.4f64, 0.5] {
+        let p = 1.0 / (4.0 * zeta * zeta * (1.0 - zeta * zeta));
+        let (a, b) = (1.0 - 0.5 * p, 0.5 * p * (2.0 - 4.0 * zeta * zeta));
+        let lower = w * ((-b + (b * b + 2.0 * a * p).sqrt()) / (2.0 * a)).sqrt();
+        let peak = w / (1.0 - 2.0 * zeta * zeta).sqrt();
+        // the bound is 2.5 where the range ends at N1 + Nc/2.5
+        let ends = [1500.0, lower + peak / 2.4, lower + peak / 2.6];
+        for to in ends.into_iter().filter(|to| *to > peak + 5.0) {
+            decided(&run("forced_response", zeta, 1.0, to), "extrema", peak / (to - lower), "N2 missing");
+        }
+        for (from, to) in [(lower + 10.0, 1500.0), (peak - 60.0, peak + 60.0)] {
+            decided(&run("forced_response", zeta, from, to), "extrema", peak / (to - from), "both missing");
+        }
+    }
+    // a constant force: half power at `r^2 = 1 - 2 z^2 -+ 2 z sqrt(1 - z^2)`
+    let zeta = 0.3f64;
+    let [lower, upper] = [-1.0, 1.0].map(|s| w * (1.0 - 2.0 * zeta * zeta + s * 2.0 * zeta * (1.0 - zeta * zeta).sqrt()).sqrt());
+    let peak = w * (1.0 - 2.0 * zeta * zeta).sqrt();
+    for from in [lower + 20.0, upper - peak / 2.4, upper - peak / 2.6] {
+        decided(&run("harmonic_force", zeta, from, 1500.0), "peaks", peak / (upper - from), "N1 missing");
+    }
+    for to in [upper - 20.0, peak + 20.0] {
+        decided(&run("harmonic_force", zeta, 1.0, to), "peaks", peak / (to - lower), "N2 missing");
+    }
+}
+
 #[test]
 fn an_undamped_peak_has_no_bound() {
     let study = "[[study]]\nkind = \"harmonic_force\"\nplace = \"disc\"\nspeed = 300\nfrequency = { from = 100, to = 900, points = 20 }\n";

@@ -114,6 +114,28 @@ fn an_undamped_machine_is_neither_stable_nor_unstable() {
     assert_eq!(check(&on, "check-resonance").margin.map(|m| m < 1e-6), Some(true), "{:?}", on.checks);
 }
 
+/// The peak of 0.4 of critical damping, at 121.3 rad/s, is 7 % from the operating speed. Its amplification factor is below 2.5: with the standard no margin is required, without
+/// it one is.
+#[test]
+fn a_critically_damped_peak_needs_no_margin() {
+    let damping = 0.4 * 2.0 * (STIFFNESS * MASS).sqrt();
+    let of = |more: &str| {
+        let study = "[[study]]\nkind = \"forced_response\"\nspeed = { from = 1, to = 300 }\n";
+        page(&jeffcott("speed = 130.0", damping, &format!("{study}{more}")))
+    };
+    let plain = of("");
+    assert_eq!(check(&plain, "check-resonance").verdict, Verdict::Attention);
+    let assessed = of("standard = \"api_684\"\n");
+    let found = check(&assessed, "check-resonance");
+    assert_eq!((found.verdict, found.result.key.as_str()), (Verdict::Passed, "distance-no-other-resonance"), "{found:?}");
+    assert_eq!(found.detail.as_ref().map(|d| d.key.as_str()), Some("distance-critically-damped"));
+    assert!(assessed.headline.iter().all(|m| m.key != "headline-resonance"), "{:?}", assessed.headline);
+    // a lightly damped one keeps its margin
+    let light =
+        jeffcott("speed = 105.0", 40.0, "[[study]]\nkind = \"forced_response\"\nspeed = { from = 1, to = 300 }\nstandard = \"api_684\"\n");
+    assert_eq!(check(&page(&light), "check-resonance").verdict, Verdict::Attention);
+}
+
 /// Rotating damping c_i above the critical speed: unstable above w (1 + c_a/c_i).
 #[test]
 fn the_limit_of_rotating_damping_is_crossed_below_the_operating_speed() {

@@ -209,6 +209,23 @@ fn findings_and_storage() {
     assert_eq!(study.report(&system, &result, "map").unwrap(), study.report(&system, &again, "map").unwrap());
 }
 
+/// A bearing by its geometry has no curve, and the sentence says so; one by its coefficients has.
+#[test]
+fn bearings_without_a_curve_are_named() {
+    let film = "[[part]]\nkind = \"bearing_journal\"\nname = \"film\"\nbetween = [{ body = \"drum\", at = 0.2 }, \"ground\"]\n\
+                diameter = \"60 mm\"\nlength = \"25 mm\"\nclearance = \"60 um\"\nviscosity = \"20 mPa s\"\n";
+    let text = study(&(bearing("a", "drum", -0.2, "ground", "stiffness = 1e6") + film), "");
+    let text = text.replace("name = \"t\"\n", "name = \"t\"\naxis = \"horizontal\"\nspeed = 300.0\n");
+    let outcome: &Outcome = &run_all(&text)[0];
+    let said = finding(outcome, "replaced").sentence();
+    assert!(said.contains("depends on its load and deflection") && said.ends_with("here: film."), "{said}");
+    assert_eq!(finding(outcome, "replaced").number("nonlinears"), Some(1.0));
+    assert!(findings(outcome, "intersection").iter().all(|f| !f.subject.contains("film")));
+    let two = bearing("a", "drum", -0.2, "ground", "stiffness = 1e6") + &bearing("b", "drum", 0.2, "ground", "stiffness = 1e6");
+    let said = finding(&run_all(&study(&two, ""))[0], "replaced").sentence();
+    assert!(said.ends_with("masses stay."), "{said}");
+}
+
 /// Machines that it refuses, and mistakes of the request at their place.
 #[test]
 fn refusals() {

@@ -45,7 +45,10 @@ forced-response-margin-broken = Separation margin too small (API 684, SP6.8.2.10
         [yes] amplification factor { $factor }
        *[no] undamped
     }).
-forced-response-margin-none = No resonance in this range requires a separation margin (API 684, SP6.8.2.10): none has an amplification factor of 2.5 or more.
+forced-response-margin-none = No resonance in this range requires a separation margin (API 684, SP6.8.2.10): none has an amplification factor of 2.5 or more.{ $bounded ->
+        [yes] {" "}The response stays above 0.707 of a peak up to an end of the range: its factor is at most { $most }.
+       *[no] {""}
+    }
 forced-response-margin-unknown = Separation margins are not decided (API 684, SP6.8.2.10): the half-power points of a resonance lie outside the range, or the study was stopped. Extend the range.
 forced-response-spin = The unbalance of what turns with "{ $spin }" acts here, and speeds are those of this spin.
 forced-response-other-spins = The unbalance of what turns with { $spins } acts at another frequency and is left out here: give spin in a study of its own.

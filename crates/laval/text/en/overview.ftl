@@ -148,6 +148,11 @@ distance-inside-unstable = { $open ->
        *[no] inside, unstable from { $from } to { $to }
     }
 distance-inside = among the operating speeds: { $places }
+distance-no-other-resonance = { $from ->
+        [none] no other found up to { $to }
+       *[other] no other found from { $from } to { $to }
+    }
+distance-critically-damped = critically damped at { $speeds }: amplification factor below 2.5, API 684 requires no separation margin
 distance-no-resonance = { $from ->
         [none] none found up to { $to }
        *[other] none found from { $from } to { $to }

@@ -16,7 +16,13 @@ support-map-together = { $roots ->
         [one] One critical speed lies
        *[other] { $roots } critical speeds lie
     } too close to another to be counted by itself.
-support-map-replaced = Replaced by equal stiffness in x and y, without damping and cross terms: { $parts }. Pedestals and masses stay.
+support-map-replaced = Replaced by equal stiffness in x and y, without damping and cross terms: { $parts }. Pedestals and masses stay.{ $nonlinears ->
+        [0] {""}
+       *[other] {" "}A bearing whose stiffness depends on its load and deflection has no curve here: { $nonlinear }.
+    }{ $softs ->
+        [0] {""}
+       *[other] {" "}Without positive stiffness, and so without a curve: { $soft }.
+    }
 support-map-directions = The machine prefers a direction beside its bearings: curves hold forward and backward whirls.
 
 support-map-bearing = { $parts }{ $axes ->

@@ -1610,4 +1610,7 @@ term-axial-share = осьтік қозғалыс үлесі
 term-torsional-share = бұралу үлесі
 term-motion-along-and-about-the-axis = Ось бойымен және осьті айнала қозғалыс
 term-axial-displacement-over-the-largest = осьтік ығысудың ең үлкеніне қатынасы
+term-bound-of-the-amplification-that-is-not-known-the-response-stays-above-0-707-of-the-peak-up-to-an-end-of-the-range-nan-elsewhere-and-without-a-standard = белгісіз күшейту коэффициентінің жоғарғы шегі: диапазонның шетіне дейін жауап шыңның 0,707-сінен жоғары қалады; басқа жағдайда және стандартсыз NaN
+term-separation-that-the-standard-requires-of-a-peak-api-684-sp6-8-2-10-nan-without-a-standard-and-where-its-amplification-is-neither-known-nor-bounded-below-2-5 = стандарт шың үшін талап ететін жиілік қоры (API 684, SP6.8.2.10); стандартсыз, сондай-ақ күшейту коэффициенті белгісіз және 2,5-тен төмен шектелмеген болса, NaN
+term-separation-that-the-standard-requires-of-a-resonance-api-684-sp6-8-2-10-nan-of-an-antiresonance-and-where-its-amplification-is-neither-known-nor-bounded-below-2-5 = стандарт резонанс үшін талап ететін жиілік қоры (API 684, SP6.8.2.10); антирезонанста, сондай-ақ күшейту коэффициенті белгісіз және 2,5-тен төмен шектелмеген болса, NaN
 term-twist-over-the-largest = бұралу бұрышының ең үлкеніне қатынасы

@@ -130,6 +130,11 @@ distance-inside-unstable = { $open ->
         [both] ішінде, зерттелген барлық айналу жиіліктерінде орнықсыз, { $from } – { $to }
        *[no] ішінде, { $from } – { $to } аралығында орнықсыз
     }
+distance-no-other-resonance = { $from ->
+        [none] { $to } мәніне дейін басқасы табылмады
+       *[other] { $from } – { $to } аралығында басқасы табылмады
+    }
+distance-critically-damped = { $speeds } кезінде критикалық демпферленген: күшейту коэффициенті 2,5-тен төмен, API 684 жиілік қорын талап етпейді
 distance-no-resonance = { $from ->
         [none] { $to } мәніне дейін табылмады
        *[other] { $from } – { $to } аралығында табылмады

@@ -1610,4 +1610,7 @@ term-axial-share = доля осевого движения
 term-torsional-share = доля кручения
 term-motion-along-and-about-the-axis = Движение вдоль оси и вокруг неё
 term-axial-displacement-over-the-largest = осевое перемещение к наибольшему
+term-bound-of-the-amplification-that-is-not-known-the-response-stays-above-0-707-of-the-peak-up-to-an-end-of-the-range-nan-elsewhere-and-without-a-standard = верхняя граница неизвестного коэффициента усиления: до края диапазона отклик остаётся выше 0,707 пика; в остальных случаях и без стандарта NaN
+term-separation-that-the-standard-requires-of-a-peak-api-684-sp6-8-2-10-nan-without-a-standard-and-where-its-amplification-is-neither-known-nor-bounded-below-2-5 = запас по частоте, которого стандарт требует для пика (API 684, SP6.8.2.10); без стандарта, а также если коэффициент усиления неизвестен и не ограничен значением ниже 2,5, NaN
+term-separation-that-the-standard-requires-of-a-resonance-api-684-sp6-8-2-10-nan-of-an-antiresonance-and-where-its-amplification-is-neither-known-nor-bounded-below-2-5 = запас по частоте, которого стандарт требует для резонанса (API 684, SP6.8.2.10); для антирезонанса, а также если коэффициент усиления неизвестен и не ограничен значением ниже 2,5, NaN
 term-twist-over-the-largest = угол закручивания к наибольшему

@@ -147,6 +147,11 @@ distance-inside-unstable = { $open ->
        *[no] внутри, неустойчиво от { $from } до { $to }
     }
 distance-inside = среди рабочих частот вращения: { $places }
+distance-no-other-resonance = { $from ->
+        [none] других нет до { $to }
+       *[other] других нет в диапазоне от { $from } до { $to }
+    }
+distance-critically-damped = критически демпфирован при { $speeds }: коэффициент усиления ниже 2,5, API 684 не требует запаса по частоте
 distance-no-resonance = { $from ->
         [none] нет до { $to }
        *[other] нет в диапазоне от { $from } до { $to }

@@ -45,7 +45,10 @@ forced-response-margin-broken = Chastota zaxirasi kichik (API 684, SP6.8.2.10): 
         [yes] kuchaytirish koeffitsienti { $factor }
        *[no] so‘nishsiz
     }).
-forced-response-margin-none = Bu diapazonda hech bir rezonans chastota zaxirasini talab qilmaydi (API 684, SP6.8.2.10): kuchaytirish koeffitsienti 2,5 dan kam bo‘lmagan rezonans yo‘q.
+forced-response-margin-none = Bu diapazonda hech bir rezonans chastota zaxirasini talab qilmaydi (API 684, SP6.8.2.10): kuchaytirish koeffitsienti 2,5 dan kam bo‘lmagan rezonans yo‘q.{ $bounded ->
+        [yes] {" "}Diapazon chetigacha javob cho‘qqining 0,707 qismidan yuqori qoladi: kuchaytirish koeffitsienti { $most } dan oshmaydi.
+       *[no] {""}
+    }
 forced-response-margin-unknown = Chastota zaxiralari aniqlanmadi (API 684, SP6.8.2.10): rezonansning yarim quvvat nuqtalari diapazondan tashqarida yoki hisoblash to‘xtatildi. Diapazonni kengaytiring.
 forced-response-spin = Bu yerda "{ $spin }" aylanishi bilan aylanadigan qismlarning muvozanatsizligi ta’sir qiladi; aylanish chastotalari shu aylanishga tegishli.
 forced-response-other-spins = { $spins } aylanishi bilan aylanadigan qismlarning muvozanatsizligi boshqa chastotada ta’sir qiladi va bu yerda hisobga olinmagan: spin maydonini alohida hisobda bering.

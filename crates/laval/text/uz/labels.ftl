@@ -1612,4 +1612,7 @@ term-axial-share = o‘q bo‘ylab harakat ulushi
 term-torsional-share = buralish ulushi
 term-motion-along-and-about-the-axis = O‘q bo‘ylab va o‘q atrofidagi harakat
 term-axial-displacement-over-the-largest = o‘q bo‘ylab siljishning eng kattasiga nisbati
+term-bound-of-the-amplification-that-is-not-known-the-response-stays-above-0-707-of-the-peak-up-to-an-end-of-the-range-nan-elsewhere-and-without-a-standard = noma’lum kuchaytirish koeffitsientining yuqori chegarasi: diapazon chetigacha javob cho‘qqining 0,707 qismidan yuqori qoladi; boshqa hollarda va standartsiz NaN
+term-separation-that-the-standard-requires-of-a-peak-api-684-sp6-8-2-10-nan-without-a-standard-and-where-its-amplification-is-neither-known-nor-bounded-below-2-5 = standart cho‘qqi uchun talab qiladigan chastota zaxirasi (API 684, SP6.8.2.10); standartsiz, shuningdek kuchaytirish koeffitsienti noma’lum va 2,5 dan past chegaralanmagan bo‘lsa, NaN
+term-separation-that-the-standard-requires-of-a-resonance-api-684-sp6-8-2-10-nan-of-an-antiresonance-and-where-its-amplification-is-neither-known-nor-bounded-below-2-5 = standart rezonans uchun talab qiladigan chastota zaxirasi (API 684, SP6.8.2.10); antirezonansda, shuningdek kuchaytirish koeffitsienti noma’lum va 2,5 dan past chegaralanmagan bo‘lsa, NaN
 term-twist-over-the-largest = buralish burchagining eng kattasiga nisbati

@@ -130,6 +130,11 @@ distance-inside-unstable = { $open ->
         [both] ichida, tekshirilgan barcha tezliklarda noturg‘un, { $from } – { $to }
        *[no] ichida, { $from } dan { $to } gacha noturg‘un
     }
+distance-no-other-resonance = { $from ->
+        [none] { $to } tezlikkacha boshqasi topilmadi
+       *[other] { $from } – { $to } oralig‘ida boshqasi topilmadi
+    }
+distance-critically-damped = { $speeds } da kritik so‘ndirilgan: kuchaytirish koeffitsienti 2,5 dan past, API 684 chastota zaxirasini talab qilmaydi
 distance-no-resonance = { $from ->
         [none] { $to } tezlikkacha topilmadi
        *[other] { $from } – { $to } oralig‘ida topilmadi

@@ -12,7 +12,13 @@ support-map-fewer = { $modes ->
     }. Qutbiy inersiya momenti ekvatorialdan katta modalarda ular bo‘lmaydi.
 support-map-counted = Barcha { $roots } ta kritik aylanish chastotasi sanaldi: har birining ostidagi va ustidagi sonlar birga farq qiladi.
 support-map-together = Alohida sanash uchun boshqasiga juda yaqin kritik aylanish chastotalari soni: { $roots }.
-support-map-replaced = x va y bo‘yicha teng bikrlik bilan, so‘nishsiz va kesishma hadlarsiz almashtirildi: { $parts }. Ustunlar va massalar qoladi.
+support-map-replaced = x va y bo‘yicha teng bikrlik bilan, so‘nishsiz va kesishma hadlarsiz almashtirildi: { $parts }. Ustunlar va massalar qoladi.{ $nonlinears ->
+        [0] {""}
+       *[other] {" "}Bikrligi yuk va siljishga bog‘liq podshipnikning bu yerda egri chizig‘i yo‘q: { $nonlinear }.
+    }{ $softs ->
+        [0] {""}
+       *[other] {" "}Musbat bikrligi yo‘q, shuning uchun egri chizig‘i ham yo‘q: { $soft }.
+    }
 support-map-directions = Podshipniklardan tashqari mashinada ajralib turgan yo‘nalish bor: egri chiziqlarda to‘g‘ri va teskari pretsessiyalar bor.
 
 support-map-bearing = { $parts }{ $axes ->

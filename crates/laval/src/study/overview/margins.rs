@@ -57,9 +57,9 @@ pub(super) fn instability(over: &OverSpeed, operating: Operating) -> Nearest {
     Nearest::of(over.unstable.iter().map(place), operating)
 }
 
-/// Resonances around the operating speeds.
+/// Resonances around the operating speeds, but for critically damped ones.
 pub(super) fn resonance(over: &OverSpeed, operating: Operating) -> Nearest {
-    Nearest::of(over.resonances.iter().map(|r| r.speed), operating)
+    Nearest::of(over.resonances.iter().map(|r| r.speed).filter(|w| !over.critically_damped.contains(w)), operating)
 }
 
 /// Jumps and bifurcations of the nonlinear response around the operating speeds.

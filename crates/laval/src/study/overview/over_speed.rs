@@ -1,6 +1,6 @@
 //! Growth, response and jumps over the spin speed.
 
-use super::{Facts, ends};
+use super::{Facts, ends, studied};
 use crate::model::probe::Probe;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
@@ -65,6 +65,10 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         let other = other.filter(|c| c.order != 1.0 && c.located() && damping(c).abs() < LIGHT);
         out.resonances.extend(other.map(|c| Resonance { speed: facts.sign * c.speed, amplitude: None }));
         out.resonances.sort_by_number(|a| a.speed);
+        // a margin that the file requires holds for every resonance
+        if facts.resonance_margin().is_none() {
+            out.critically_damped = critically_damped(facts, &out.resonances);
+        }
     }
     if facts.sign < 0.0 {
         out.growth_speed.reverse();
@@ -78,6 +82,17 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     out.shown = shown(facts, &out);
     let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty() && out.unstable_response.is_empty());
     known.then_some(out)
+}
+
+/// Peaks of the response beside which every peak of a displacement is critically damped, by a response of the file that assesses the margins of API 684.
+fn critically_damped(facts: &Facts, resonances: &[Resonance]) -> Vec<f64> {
+    let assessed = studied::damped_peaks(facts.outcomes, facts.system.probes());
+    let damped = |w: f64| {
+        let mut beside = assessed.iter().filter(|p| (facts.sign * p.0 - w).abs() < SAME * w.abs()).peekable();
+        beside.peek().is_some() && beside.all(|p| p.1)
+    };
+    let peaks = resonances.iter().filter(|r| r.amplitude.as_ref().is_some_and(|a| a.1.is_finite()));
+    peaks.map(|r| r.speed).filter(|w| damped(*w)).collect()
 }
 
 /// The point of each body that moves most over the speed.

@@ -2,6 +2,7 @@
 
 use super::operating::Operating;
 use crate::model::field::RangeValue;
+use crate::model::probe::Probe;
 use crate::outcome::Outcome;
 use crate::solve::extrema::Curve;
 use crate::solve::linear_response::Response;
@@ -155,6 +156,11 @@ pub(super) fn forced(outcomes: &[Outcome], needed: Needed) -> Found<ForcedRespon
     let wide = |s: &ForcedResponse| !s.speed.is_one() && needed.within(&s.speed);
     let found = responses(outcomes).find(|(s, ..)| wide(s));
     found.map(|(_, r, name)| (r.clone(), name.to_string()))
+}
+
+/// Peaks of displacements of all responses that assess the margins of API 684, and whether each is critically damped.
+pub(super) fn damped_peaks(outcomes: &[Outcome], probes: &[Probe]) -> Vec<(f64, bool)> {
+    responses(outcomes).filter(|(s, ..)| s.margins).flat_map(|(_, r, _)| r.damped_peaks(probes)).collect()
 }
 
 /// The response at the speeds needed alone, taken from one that covers them.

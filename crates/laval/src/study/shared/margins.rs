@@ -30,6 +30,12 @@ pub fn required(factor: f64, below: bool) -> f64 {
     }
 }
 
+/// As [`required`]; where the factor is not known but is at most so much, none below [`CRITICALLY_DAMPED`].
+pub fn required_within(factor: f64, at_most: f64, below: bool) -> f64 {
+    let damped = factor.is_nan() && at_most < CRITICALLY_DAMPED;
+    required(if damped { at_most } else { factor }, below)
+}
+
 /// Operating speeds, rad/s: amounts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speeds {
@@ -82,6 +88,9 @@ mod tests {
         assert!(required(18.4, true) < 0.16 && required(18.6, true) == 0.16);
         assert!(required(18.4, false) < 0.26 && required(18.6, false) == 0.26);
         assert!(required(f64::NAN, true).is_nan() && required(f64::INFINITY, false) == 0.26);
+        // a bound decides alone below 2.5
+        assert_eq!([required_within(f64::NAN, 2.49, false), required_within(2.5, 1.0, false)], [0.0, 0.1]);
+        assert!(required_within(f64::NAN, 2.5, true).is_nan() && required_within(f64::NAN, f64::NAN, true).is_nan());
         let s = Speeds { low: 800.0, high: 1000.0 };
         assert_eq!([s.separation(600.0), s.separation(900.0), s.separation(-1200.0)], [0.25, 0.0, 0.2]);
         assert!(s.separation(f64::NAN).is_nan());

@@ -31,9 +31,9 @@ use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum};
 use crate::study::linear::over_frequency::growth_unassessed;
-use crate::study::shared::half_power::of_responses;
+use crate::study::shared::half_power::{at_most, ends, factor, of_responses};
 use crate::study::shared::journals::{JournalVibration, journals, vibrations};
-use crate::study::shared::margins::{STANDARD, Speeds};
+use crate::study::shared::margins::{CRITICALLY_DAMPED, STANDARD, Speeds};
 use crate::study::shared::operation;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -192,12 +192,12 @@ impl Study for ForcedResponse {
             // modes have other coefficients than the response
             strongest.clear();
         }
-        let half_power = half_power(system, &state, &found);
+        let (half_power, range_ends) = half_power(system, &state, &found);
         let orbits = orbits::orbits(self, system, &state, &found)?;
         let states = EndStates::find(state, self.speed.from, self.speed.to)?;
         let journals = self.journals(system, &found)?;
         let end = context.end(found.complete);
-        Ok(ForcedResponseResult { curve: found, half_power, strongest, observed, directions, orbits, states, journals, end })
+        Ok(ForcedResponseResult { curve: found, half_power, range_ends, strongest, observed, directions, orbits, states, journals, end })
     }
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -246,6 +246,9 @@ pub struct ForcedResponseResult {
     pub curve: Curve,
     /// Of every extremum of the curve: speeds on both sides of a maximum at which the amplitude is 1/sqrt(2) of it; NaN where it does not fall so far.
     pub half_power: Vec<[f64; 2]>,
+    /// The same of sides without such a speed: the end of the range up to which the amplitude stays above; NaN elsewhere.
+    #[serde(default)]
+    pub range_ends: Vec<[f64; 2]>,
     /// The mode that grows most at every speed of the search for resonances; none of a machine without time form.
     pub strongest: Vec<Strongest>,
     /// What the parts show.
@@ -263,22 +266,47 @@ pub struct ForcedResponseResult {
     pub end: End,
 }
 
+impl ForcedResponseResult {
+    /// Amplification factor of an extremum by its index, and what it is at most where it is not known; infinite without damping.
+    fn amplification(&self, index: usize) -> (f64, f64) {
+        let of = |all: &[[f64; 2]]| all.get(index).copied().unwrap_or([f64::NAN; 2]);
+        let Some(e) = self.curve.extrema.get(index).filter(|e| e.maximum) else { return (f64::NAN, f64::NAN) };
+        if e.unbounded {
+            return (f64::INFINITY, f64::NAN);
+        }
+        (factor(e.speed, of(&self.half_power)), at_most(e.speed, of(&self.half_power), of(&self.range_ends)))
+    }
+
+    /// Speeds of the maxima of displacements, and whether each is critically damped.
+    pub fn damped_peaks(&self, probes: &[Probe]) -> Vec<(f64, bool)> {
+        let moves = |e: &Extremum| e.maximum && probes.get(e.probe).is_some_and(|p| !p.is_tilt());
+        let damped = |k: usize| {
+            let (factor, at_most) = self.amplification(k);
+            factor < CRITICALLY_DAMPED || factor.is_nan() && at_most < CRITICALLY_DAMPED
+        };
+        self.curve.extrema.iter().enumerate().filter(|(_, e)| moves(e)).map(|(k, e)| (e.speed, damped(k))).collect()
+    }
+}
+
 /// Ratio of a spin to that of the machine.
 fn ratio(system: &System, name: &str) -> Option<f64> {
     system.spins().into_iter().find(|s| s.name.as_deref() == Some(name)).map(|s| s.ratio)
 }
 
-/// Half-power points of the maxima of a curve.
-fn half_power(system: &System, state: State, found: &Curve) -> Vec<[f64; 2]> {
+/// Half-power points of the maxima of a curve, and ends of the range before them.
+fn half_power(system: &System, state: State, found: &Curve) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
+    let gaps: Vec<f64> = found.poles().into_iter().chain(found.unknown.iter().copied()).collect();
     let computed = |w: f64| response(system, state, w).ok().flatten();
     let mut search = Search::new(&computed);
     let mut one = |e: &Extremum| {
         if !e.maximum || e.unbounded || !e.value.is_finite() {
-            return [f64::NAN; 2];
+            return ([f64::NAN; 2], [f64::NAN; 2]);
         }
-        of_responses((e.speed, e.value), &found.points, &system.probes()[e.probe], &mut search)
+        let (peak, probe) = ((e.speed, e.value), &system.probes()[e.probe]);
+        let sides = of_responses(peak, &found.points, probe, &mut search);
+        (sides, ends(peak, sides, &found.points, &gaps, probe, &mut search))
     };
-    found.extrema.iter().map(&mut one).collect()
+    found.extrema.iter().map(&mut one).unzip()
 }
 
 /// The largest resonance of a displacement, or of a tilt.

@@ -13,8 +13,7 @@ use crate::solve::pencil::time_forms;
 use crate::study::Study;
 use crate::study::linear::growing::{Follows, unstable};
 use crate::study::linear::operating::operating;
-use crate::study::shared::half_power::factor;
-use crate::study::shared::margins::{Speeds, required};
+use crate::study::shared::margins::{Speeds, required_within};
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
 use laval_num::order::SortByNumber;
@@ -294,6 +293,12 @@ impl<'a> Shown<'a> {
                 extrema.iter().map(|e| self.amplification(e)).collect(),
             )
             .float_if_any(
+                "amplification_at_most",
+                "",
+                "bound of the amplification that is not known: the response stays above 0.707 of the peak up to an end of the range; NaN elsewhere, and without a standard",
+                extrema.iter().map(|e| if self.study.margins { self.at_most(e) } else { f64::NAN }).collect(),
+            )
+            .float_if_any(
                 "separation",
                 "",
                 "distance of a resonance from the nearest operating speed, over that; 0 among them; NaN of an antiresonance",
@@ -302,7 +307,7 @@ impl<'a> Shown<'a> {
             .float_if_any(
                 "required_separation",
                 "",
-                "separation that the standard requires of a resonance (API 684, SP6.8.2.10); NaN of an antiresonance, and where its amplification is not known",
+                "separation that the standard requires of a resonance (API 684, SP6.8.2.10); NaN of an antiresonance, and where its amplification is neither known nor bounded below 2.5",
                 extrema.iter().map(|e| self.required(e)).collect(),
             )
             .build()
@@ -311,9 +316,17 @@ impl<'a> Shown<'a> {
 
     /// Speed of a peak over its width at half power.
     fn amplification(&self, e: &Extremum) -> f64 {
+        if e.unbounded { f64::NAN } else { self.factors(e).0 }
+    }
+
+    /// What that is at most where it is not known.
+    fn at_most(&self, e: &Extremum) -> f64 {
+        self.factors(e).1
+    }
+
+    fn factors(&self, e: &Extremum) -> (f64, f64) {
         let index = self.result.curve.extrema.iter().position(|o| std::ptr::eq(o, e));
-        let sides = index.and_then(|k| self.result.half_power.get(k)).copied();
-        sides.map_or(f64::NAN, |sides| factor(e.speed, sides))
+        index.map_or((f64::NAN, f64::NAN), |k| self.result.amplification(k))
     }
 
     /// Distance of a peak from the operating speeds, over the nearest.
@@ -325,8 +338,8 @@ impl<'a> Shown<'a> {
     /// Separation margin required of a peak; NaN without a standard, and where the factor of amplification is not known.
     fn required(&self, e: &Extremum) -> f64 {
         let operating = Speeds::of(self.system).filter(|_| e.maximum && self.study.margins);
-        let amplification = if e.unbounded { f64::INFINITY } else { self.amplification(e) };
-        operating.map_or(f64::NAN, |o| required(amplification, o.is_above(e.speed)))
+        let (amplification, at_most) = self.factors(e);
+        operating.map_or(f64::NAN, |o| required_within(amplification, at_most, o.is_above(e.speed)))
     }
 
     /// Whether the resonances keep the margins that the standard requires: the one that keeps least, or breaks most.
@@ -345,7 +358,9 @@ impl<'a> Shown<'a> {
                 (true, 0) => Finding::info("separation_margin", "forced-response-margin-none"),
                 _ => Finding::warning("separation_margin", "forced-response-margin-unknown"),
             };
-            return Some(finding.arg("unknown", Arg::count(unknown)));
+            let most = peaks.iter().map(|e| self.at_most(e)).filter(|x| x.is_finite()).reduce(f64::max);
+            let finding = finding.arg("bounded", Arg::word(if most.is_some() { "yes" } else { "no" }));
+            return Some(finding.arg("most", Arg::number(most.unwrap_or(0.0))).arg("unknown", Arg::count(unknown)));
         };
         let (kept, needed) = (self.separation(e), self.required(e));
         let side = match (kept == 0.0, operating.is_above(e.speed)) {

@@ -29,7 +29,7 @@ use crate::solve::rest::rest;
 use crate::solve::sweep::{Strongest, spectrum, sweep};
 use crate::study::linear::forced_response::observed::{Closed, Outside, assess};
 use crate::study::linear::over_frequency::{growth_unassessed, over_frequency};
-use crate::study::shared::half_power::of_responses;
+use crate::study::shared::half_power::{ends, of_responses};
 use crate::study::shared::margins::{STANDARD, Speeds};
 use crate::study::shared::place;
 use crate::study::shared::size;
@@ -273,7 +273,8 @@ frequency = { from = "5 Hz", to = "200 Hz" }
                 let around = &points[first..(k + 3 + BESIDE).min(points.len())];
                 let top = search.extremum(around, k + 1 - first, probe, true).filter(|t| t.1 >= w[1].1).unwrap_or(w[1]);
                 let half_power = of_responses(top, &points, probe, &mut search);
-                peaks.push(Peak { probe: index, at: top.0, value: top.1, half_power, bracket: (w[0].0, w[2].0) });
+                let range_ends = ends(top, half_power, &points, &singular, probe, &mut search);
+                peaks.push(Peak { probe: index, at: top.0, value: top.1, half_power, range_ends, bracket: (w[0].0, w[2].0) });
             }
         }
         let ends = [self.at(range.from).1, self.at(range.to).1];
@@ -323,6 +324,11 @@ impl HarmonicForce {
     }
 }
 
+/// No end known.
+fn unknown() -> [f64; 2] {
+    [f64::NAN; 2]
+}
+
 /// A maximum of an amplitude.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Peak {
@@ -334,6 +340,9 @@ pub struct Peak {
     pub value: f64,
     /// Half-power points; NaN on a side where the amplitude does not fall so far.
     pub half_power: [f64; 2],
+    /// Of sides without such a point: the end of the range up to which the amplitude stays above; NaN elsewhere.
+    #[serde(default = "unknown")]
+    pub range_ends: [f64; 2],
     /// Values computed beside it.
     pub bracket: (f64, f64),
 }

@@ -9,8 +9,8 @@ use crate::solve::linear_response::Response;
 use crate::study::Study;
 use crate::study::linear::growing::{Follows, unstable};
 use crate::study::linear::operating::operating;
-use crate::study::shared::half_power::factor;
-use crate::study::shared::margins::{Speeds, required};
+use crate::study::shared::half_power::{at_most, factor};
+use crate::study::shared::margins::{Speeds, required_within};
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, largest, probe_name};
 
@@ -59,6 +59,11 @@ impl Shown<'_> {
         factor(p.at, p.half_power)
     }
 
+    /// What that is at most where it is not known.
+    fn at_most(p: &Peak) -> f64 {
+        at_most(p.at, p.half_power, p.range_ends)
+    }
+
     fn is_unbounded(p: &Peak) -> bool {
         Self::amplification(p) > UNBOUNDED
     }
@@ -72,7 +77,7 @@ impl Shown<'_> {
 
     fn required(&self, p: &Peak) -> f64 {
         let operating = Speeds::of(self.system).filter(|_| self.study.margins);
-        operating.map_or(f64::NAN, |o| required(Self::amplification(p), o.is_above(p.at)))
+        operating.map_or(f64::NAN, |o| required_within(Self::amplification(p), Self::at_most(p), o.is_above(p.at)))
     }
 
     fn special(&self, p: &Peak) -> SpecialPoint {
@@ -136,6 +141,12 @@ impl Shown<'_> {
                 column(&|p| if Self::is_unbounded(p) { f64::NAN } else { Self::amplification(p) }),
             )
             .float_if_any(
+                "amplification_at_most",
+                "",
+                "bound of the amplification that is not known: the response stays above 0.707 of the peak up to an end of the range; NaN elsewhere, and without a standard",
+                column(&|p| if self.study.margins { Self::at_most(p) } else { f64::NAN }),
+            )
+            .float_if_any(
                 "separation",
                 "",
                 "distance of a peak from the nearest operating speed, over that; 0 among them; NaN without one, and over the frequency",
@@ -144,7 +155,7 @@ impl Shown<'_> {
             .float_if_any(
                 "required_separation",
                 "",
-                "separation that the standard requires of a peak (API 684, SP6.8.2.10); NaN without a standard, and where its amplification is not known",
+                "separation that the standard requires of a peak (API 684, SP6.8.2.10); NaN without a standard, and where its amplification is neither known nor bounded below 2.5",
                 column(&|p| self.required(p)),
             )
             .build()
@@ -264,7 +275,12 @@ impl Shown<'_> {
                     .evidence("its speed", p.at, "rad/s")
             }
             _ if unknown || !self.result.end.is_complete() => Finding::warning("separation_margin", "forced-response-margin-unknown"),
-            _ => Finding::info("separation_margin", "forced-response-margin-none"),
+            _ => {
+                let most = peaks.iter().map(|p| Self::at_most(p)).filter(|x| x.is_finite()).reduce(f64::max);
+                Finding::info("separation_margin", "forced-response-margin-none")
+                    .arg("bounded", Arg::word(if most.is_some() { "yes" } else { "no" }))
+                    .arg("most", Arg::number(most.unwrap_or(0.0)))
+            }
         }
     }
 }

@@ -57,7 +57,7 @@ impl Study for SupportStiffnessMap {
 modes = 4
 "#;
     const DOC: &'static str = "Undamped critical speeds over the stiffness of the supports: every bearing is replaced by the same stiffness in x and y, without damping and cross \
-        terms; pedestals and masses stay. The stiffness of the bearings themselves is laid over it, and where it meets the curves the share of the strain energy in the \
+        terms; pedestals and masses stay. The stiffness of the linear bearings is laid over it, and where it meets the curves the share of the strain energy in the \
         supports says whether other bearings or another shaft would move the critical speed.";
     const SEVERAL_SPINS: bool = true;
     const FIELDS: &'static [Field] = &[

@@ -222,7 +222,20 @@ impl Shown<'_> {
             Finding::info("together", "support-map-together").arg("roots", Arg::count(uncounted))
         };
         out.push(finding.evidence("largest last change of a speed, over it", largest(self.roots().map(|x| x.2.change)), ""));
-        out.push(Finding::info("replaced", "support-map-replaced").arg("parts", Arg::names(r.supports.iter().map(|&s| self.name(s)))));
+        let without = |linear: bool| -> Vec<String> {
+            let drawn = |s: usize| r.bearings.iter().any(|b| b.of.iter().any(|x| x.0 == s));
+            let of = r.supports.iter().filter(|&&s| self.system.slots()[s].is_linear() == linear && !drawn(s));
+            of.map(|&s| self.name(s)).collect()
+        };
+        let (nonlinear, soft) = (without(false), without(true));
+        out.push(
+            Finding::info("replaced", "support-map-replaced")
+                .arg("parts", Arg::names(r.supports.iter().map(|&s| self.name(s))))
+                .arg("nonlinears", Arg::count(nonlinear.len()))
+                .arg("nonlinear", Arg::names(nonlinear))
+                .arg("softs", Arg::count(soft.len()))
+                .arg("soft", Arg::names(soft)),
+        );
         if !r.forward_alone {
             out.push(Finding::info("directions", "support-map-directions"));
         }

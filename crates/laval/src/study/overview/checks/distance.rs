@@ -104,6 +104,12 @@ pub(super) fn jump(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) ->
     Some(check)
 }
 
+/// Critically damped peaks, which are left out.
+fn exempt(over: &OverSpeed) -> Option<Message> {
+    let speeds: Vec<Arg> = over.critically_damped.iter().map(|w| Arg::speed(*w)).collect();
+    (!speeds.is_empty()).then(|| Message::new("distance-critically-damped").arg("speeds", Arg::List(speeds)))
+}
+
 pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
     let set = facts.resonance_margin();
     let over = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some());
@@ -112,8 +118,9 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
     };
     let nearest = margins::resonance(over, speed);
-    let mut check = distance("check-resonance", "distance-no-resonance", &nearest, speed, set.unwrap_or(MARGIN), facts.searched(over));
-    check.detail = source(facts, over, &nearest, speed);
+    let none = if over.critically_damped.is_empty() { "distance-no-resonance" } else { "distance-no-other-resonance" };
+    let mut check = distance("check-resonance", none, &nearest, speed, set.unwrap_or(MARGIN), facts.searched(over));
+    check.detail = exempt(over).or_else(|| source(facts, over, &nearest, speed));
     if check.verdict == Verdict::Attention && set.is_some() {
         check.verdict = Verdict::Failed;
     }
