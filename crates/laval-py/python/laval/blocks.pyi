@@ -333,7 +333,7 @@ def limits(
     Args:
         displacement: largest steady displacement of bodies, the foundation among them, at the reference point and wherever something is attached; of one point alone as { "drum at 100 mm" = "0.2 mm" } (optional).
             a length (mm, m, µm), above 0 and at most 1e12 m; one value, or { name = .., name = .. }
-        velocity: largest steady vibration velocity of bodies, at the same points (optional).
+        velocity: largest steady vibration velocity of bodies, at the same points: its peak, which is sqrt(2) times the r.m.s. value of a harmonic vibration (optional).
             a velocity (m/s, mm/s), above 0 and at most 1e12 m/s; one value, or { name = .., name = .. }
         tilt: largest steady tilt of bodies (optional).
             an angle (deg, rad), above 0 and at most 1e12 rad (5.73e13 deg); one value, or { name = .., name = .. }

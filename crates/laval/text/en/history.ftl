@@ -11,6 +11,7 @@ history-largest = The largest { $quality ->
     } of "{ $body }" from equilibrium is { $value }.
 history-at-equilibrium = "{ $body }" stays at equilibrium, within the tolerance of the integration.
 history-only-tilts = "{ $body }" tilts, but its displacement stays at equilibrium within the tolerance of the integration.
+history-unresolved = "{ $body }" moves from equilibrium by at most { $value }, which the integration cannot distinguish from none at this tolerance: lower relative_tolerance.
 
 # A motion that passes every bound.
 history-unbounded = The motion of "{ $body }" diverges at { $speed }: it is { $displacement } from equilibrium at { $at }, where the integration ended. Avoid this speed or add damping.

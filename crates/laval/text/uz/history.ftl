@@ -11,6 +11,7 @@ history-largest = "{ $body }" jismining { $quality ->
     } { $value }.
 history-at-equilibrium = "{ $body }" jismi integrallash aniqligi doirasida muvozanat holatida qoladi.
 history-only-tilts = "{ $body }" jismi og‘adi, lekin siljishi integrallash aniqligi doirasida muvozanat holatida qoladi.
+history-unresolved = "{ $body }" jismi muvozanatdan ko‘pi bilan { $value } ga chetlashadi; bu aniqlikda integrallash uni noldan ajrata olmaydi: relative_tolerance ni kamaytiring.
 
 # Har qanday chegaradan oshadigan harakat.
 history-unbounded = "{ $body }" jismining harakati { $speed } tezlikda uzoqlashadi: integrallash tugagan { $at } paytida muvozanat holatidan siljish { $displacement }. Bu tezlikdan qoching yoki so‘ndirish qo‘shing.

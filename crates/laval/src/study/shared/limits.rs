@@ -31,7 +31,12 @@ pub const FIELDS: &[Field] = &[
         "",
         "largest steady displacement of bodies, the foundation among them, at the reference point and wherever something is attached; of one point alone as { \"drum at 100 mm\" = \"0.2 mm\" }",
     ),
-    Field::optional("velocity", named("m/s"), "", "largest steady vibration velocity of bodies, at the same points"),
+    Field::optional(
+        "velocity",
+        named("m/s"),
+        "",
+        "largest steady vibration velocity of bodies, at the same points: its peak, which is sqrt(2) times the r.m.s. value of a harmonic vibration",
+    ),
     Field::optional("tilt", named("rad"), "", "largest steady tilt of bodies"),
     Field::optional("force", named("N"), "", "largest steady force of parts, such as bearings"),
     Field::optional("moment", named("N m"), "", "largest steady moment of parts, such as shafts"),

@@ -71,6 +71,9 @@ pub(in crate::study) fn probe_motions<'f>(system: &System, record: &'f MotionRec
     moved.chain(tilts).collect()
 }
 
+/// Share of the displacement that the integration cannot distinguish from none, from which on one is not called none.
+const UNRESOLVED: f64 = 0.1;
+
 impl ProbeMotion<'_> {
     /// As the subject of a finding.
     pub fn label(&self) -> String {
@@ -98,6 +101,8 @@ impl ProbeMotion<'_> {
             Finding::info(self.id(), "history-largest").arg("quality", self.quality()).value(self.peak.amplitude, self.unit)
         } else if self.tilt {
             return None;
+        } else if !self.other && self.peak.amplitude > UNRESOLVED * self.still {
+            Finding::info(self.id(), "history-unresolved").value(self.peak.amplitude, "m")
         } else {
             Finding::info(self.id(), if self.other { "history-only-tilts" } else { "history-at-equilibrium" }).value(0.0, "m")
         };
