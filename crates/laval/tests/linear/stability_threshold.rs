@@ -2,7 +2,7 @@
 
 use crate::common::files::{finding, findings, load, run_all};
 use laval::model::field::Attach;
-use laval::outcome::{Arg, Data, Finding, Level, Outcome};
+use laval::outcome::{Data, Finding, Level, Outcome};
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
 use laval::solve::roots::in_region;
