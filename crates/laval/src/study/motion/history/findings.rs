@@ -101,10 +101,13 @@ impl ProbeMotion<'_> {
             Finding::info(self.id(), "history-largest").arg("quality", self.quality()).value(self.peak.amplitude, self.unit)
         } else if self.tilt {
             return None;
-        } else if !self.other && self.peak.amplitude > UNRESOLVED * self.still {
-            Finding::info(self.id(), "history-unresolved").value(self.peak.amplitude, "m")
         } else {
-            Finding::info(self.id(), if self.other { "history-only-tilts" } else { "history-at-equilibrium" }).value(0.0, "m")
+            let (key, value) = match self.other {
+                true => ("history-only-tilts", 0.0),
+                false if self.peak.amplitude > UNRESOLVED * self.still => ("history-unresolved", self.peak.amplitude),
+                false => ("history-at-equilibrium", 0.0),
+            };
+            Finding::info(self.id(), key).value(value, "m")
         };
         Some(finding.of(&self.body).arg("body", Arg::name(&self.body)))
     }
