@@ -180,7 +180,8 @@ fn the_account_of_a_shaft_closes() {
         let [heat, sources, drive, weight] = [0, 1, 2, 3].map(|k| y[from + k]);
         let exchanged = [heat, sources, drive, weight].iter().map(|x| x.abs()).sum::<f64>();
         let missing = after - before - (-heat + sources + drive + weight);
-        assert!(weight.abs() > 1e-6 * exchanged && missing.abs() < 1e-8 * exchanged, "{missing:e} of {exchanged:e}, {weight:e}");
+        // the drive exchanges most of it
+        assert!(missing.abs() < 1e-10 * exchanged && missing.abs() < 1e-4 * weight.abs(), "{missing:e} of {exchanged:e}, {weight:e}");
     }
 }
 
