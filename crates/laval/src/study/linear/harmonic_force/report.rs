@@ -217,15 +217,14 @@ impl Shown<'_> {
                     .arg("amplitude", Arg::quantity(p.value, "m"))
                     .arg("body", probes::arg(self.probe(p)))
                     .arg("known", Arg::word(if amplification.is_finite() { "yes" } else { "no" }))
-                    .arg("factor", Arg::number(amplification))
+                    .arg("factor", Arg::number(if amplification.is_finite() { amplification } else { 0.0 }))
                     .arg("over", over.clone());
                 let [low, high] = p.half_power;
                 let finding = finding.evidence("amplitude", p.value, "m").evidence("residual", residual, "");
-                out.push(finding.evidence("frequency or speed below at half power", low, "rad/s").evidence(
-                    "frequency or speed above at half power",
-                    high,
-                    "rad/s",
-                ));
+                // within the range there may be none
+                let sides = [("frequency or speed below at half power", low), ("frequency or speed above at half power", high)];
+                let known = sides.into_iter().filter(|s| s.1.is_finite());
+                out.push(known.fold(finding, |f, (what, at)| f.evidence(what, at, "rad/s")));
             }
             None => out.push(Finding::info("no_resonance", "harmonic-force-none").arg("over", over.clone())),
         }
