@@ -21,7 +21,6 @@ headline-unstable = Unstable at { $speed }. Do not run the machine at this speed
 headline-not-proven = Stability at { $speed } is not proven.
 headline-unknown = Stability at { $speed } was not computed.
 headline-unknown-table = Stability at { $speed } was not computed: the coefficients of "{ $part }" hold only at frequencies of vibration from { $from } to { $to }; the study "modes" gives the modes at these frequencies, and rows for other frequencies in the table give the rest.
-headline-unknown-because = Stability at { $speed } was not computed: { $reason }.
 headline-no-speed = No operating speed is set.
 headline-limit = Not met: { $checks }.
 headline-several = Which of several steady responses occurs depends on the run-up.

@@ -21,7 +21,6 @@ headline-unstable = { $speed } tezlikda noturg‘un. Mashinani bu tezlikda ishla
 headline-not-proven = { $speed } tezlikda turg‘unlik isbotlanmagan.
 headline-unknown = { $speed } tezlikda turg‘unlik hisoblanmagan.
 headline-unknown-table = { $speed } tezlikda turg‘unlik hisoblanmagan: "{ $part }" koeffitsiyentlari faqat { $from } dan { $to } gacha bo‘lgan tebranish chastotalari uchun berilgan; bu chastotalardagi modalarni "modes" hisobi beradi, qolganlari uchun jadvalga boshqa chastotalar qatorlarini qo‘shing.
-headline-unknown-because = { $speed } tezlikda turg‘unlik hisoblanmagan: { $reason }.
 headline-no-speed = Ish tezligi berilmagan.
 headline-limit = Bajarilmagan talablar: { $checks }.
 headline-buckled = Tinch holatda mashina o‘z o‘rnini saqlamaydi (statik noturg‘unlik): siljish { $time } ichida e marta o‘sadi.

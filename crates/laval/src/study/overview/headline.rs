@@ -39,7 +39,7 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             (Verdict::Attention, vec![at("headline-stable")])
         }
         Verdict::Attention => (Verdict::Attention, vec![at("headline-not-proven")]),
-        _ => (Verdict::NotComputed, vec![over_frequency::unknown(facts, check("check-stability"), speed)]),
+        _ => (Verdict::NotComputed, vec![over_frequency::unknown(facts, speed)]),
     };
     if stability != Verdict::Failed {
         let several = check("check-stability").is_some_and(|c| c.result.key == "stability-several");

@@ -4,7 +4,7 @@ use super::operating::Operating;
 use super::{Facts, Known};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Arg, Check, Message};
+use crate::outcome::{Arg, Message};
 use crate::study::linear::modes::ModesResult;
 use crate::text;
 
@@ -21,7 +21,7 @@ pub(super) fn whole(system: &System, known: Known<ModesResult>) -> Known<ModesRe
 }
 
 /// Why stability was not computed. Where a table over the frequency of vibration is the reason: its part, its frequencies and the study that takes it.
-pub(super) fn unknown(facts: &Facts, stability: Option<&Check>, speed: Operating) -> Message {
+pub(super) fn unknown(facts: &Facts, speed: Operating) -> Message {
     let m = |key: &str| Message::new(key).arg("speed", speed.arg());
     let beyond = matches!(&facts.modes, Some((_, Known::Refused(d))) if d.code == "modes.frequencies");
     let tables = || facts.system.over_frequency().map(|t| t.1);
@@ -31,9 +31,6 @@ pub(super) fn unknown(facts: &Facts, stability: Option<&Check>, speed: Operating
         let m = m("headline-unknown-table").arg("part", Arg::name(&slot.name));
         return m.arg("from", Arg::frequency(table.from)).arg("to", Arg::frequency(table.to));
     }
-    let reason = stability.filter(|c| c.result.key == "why-refused").and_then(|c| c.result.arg_named("reason"));
-    match reason {
-        Some(reason) => m("headline-unknown-because").arg("reason", reason.clone()),
-        None => m("headline-unknown"),
-    }
+    // other reasons stand beside the check
+    m("headline-unknown")
 }

@@ -4,7 +4,7 @@ use super::along::Along;
 use super::shapes::across;
 use super::{Modes, ModesResult, WHIRLS, amplitude};
 use crate::diagnostic::Diagnostic;
-use crate::model::part::{DofKind, Domain, Words};
+use crate::model::part::{DofKind, Domain, Physics, Words};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Message, Outcome, Panel, Points, Rule, Table};
@@ -91,7 +91,8 @@ impl<'a> Shown<'a> {
 
     /// Motion along and about the axis. Of parts without time form the masses are not known.
     fn along(&self) -> Option<Along> {
-        self.result.roots.is_none().then(|| Along::of(self.system, &self.result.about, self.modes()))?
+        let timed = self.system.slots().iter().all(|s| !matches!(s.physics, Physics::Frequency(_)));
+        timed.then(|| Along::of(self.system, &self.result.about, self.modes()))?
     }
 
     fn table(&self, along: Option<&Along>) -> Result<Table, Diagnostic> {
