@@ -3,6 +3,7 @@
 use super::Shaft;
 use super::element::{Element, M4, Plane};
 use super::line::Line;
+use crate::model::erased::D1;
 use crate::model::part::Params;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
@@ -73,28 +74,34 @@ impl Prepared {
     /// The parameters have these values and no derivatives.
     #[inline(always)]
     fn holds<S: Scalar>(&self, p: &Params<Shaft, S>) -> bool {
-        let same = |x: S, known: f64| (x - S::cst(known)).is_nothing();
         let known = &self.params;
-        let material =
-            [(p.modulus, known.modulus), (p.shear_modulus, known.shear_modulus), (p.density, known.density), (p.torque, known.torque)];
-        let sections = p.own.rows.iter().zip(&known.own.rows).all(|(s, k)| {
-            same(s.outer_diameter, k.outer_diameter)
+        let mut all = same(p.modulus, known.modulus)
+            && same(p.shear_modulus, known.shear_modulus)
+            && same(p.density, known.density)
+            && same(p.torque, known.torque);
+        for (s, k) in p.own.rows.iter().zip(&known.own.rows) {
+            all = all
+                && same(s.outer_diameter, k.outer_diameter)
                 && same(s.inner_diameter, k.inner_diameter)
                 && same(s.end_outer_diameter, k.end_outer_diameter)
-                && same(s.end_inner_diameter, k.end_inner_diameter)
-        });
-        let layers = || {
-            p.rows.iter().zip(&known.rows).all(|(l, k)| {
-                same(l.outer_diameter, k.outer_diameter)
-                    && same(l.inner_diameter, k.inner_diameter)
-                    && same(l.modulus, k.modulus)
-                    && same(l.shear_modulus, k.shear_modulus)
-                    && same(l.density, k.density)
-                    && same(l.stiffness, k.stiffness)
-            })
-        };
-        material.into_iter().all(|(x, known)| same(x, known)) && sections && layers()
+                && same(s.end_inner_diameter, k.end_inner_diameter);
+        }
+        for (l, k) in p.rows.iter().zip(&known.rows) {
+            all = all
+                && same(l.outer_diameter, k.outer_diameter)
+                && same(l.inner_diameter, k.inner_diameter)
+                && same(l.modulus, k.modulus)
+                && same(l.shear_modulus, k.shear_modulus)
+                && same(l.density, k.density)
+                && same(l.stiffness, k.stiffness);
+        }
+        all
     }
+}
+
+#[inline(always)]
+fn same<S: Scalar>(x: S, known: f64) -> bool {
+    (x - S::cst(known)).is_nothing()
 }
 
 impl Shaft {
@@ -106,7 +113,12 @@ impl Shaft {
     /// The matrices of all elements, by number.
     #[inline(always)]
     pub(super) fn each<S: Scalar>(&self, p: &Params<Self, S>, mut f: impl FnMut(usize, &Matrices<S>)) {
-        let Some(known) = self.prepared.as_deref().filter(|k| k.holds(p)) else { return self.computed(p, f) };
+        // members side by side have parameters of their own
+        let alone = size_of::<S>() <= size_of::<D1>();
+        let known = match &self.prepared {
+            Some(known) if alone && known.holds(p) => known,
+            _ => return self.computed(p, f),
+        };
         let mut last: Option<(usize, Matrices<S>)> = None;
         for (k, &which) in known.which.iter().enumerate() {
             let matrices = match last {
