@@ -111,7 +111,7 @@ pub(super) const ARROW: usize = 1000;
 
 /// The tint of strips: they warn.
 const STRIP_TINT: usize = 1;
-/// Tints of areas that have none of their own; the further one, grey, is that of what is not known.
+/// Tints of areas that have none of their own; the fifth, grey, marks unknown ranges.
 const FREE_TINTS: usize = 4;
 
 /// Most groups that get a colour of the palette; more get the ramp.
