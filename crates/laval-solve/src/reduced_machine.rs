@@ -51,6 +51,9 @@ pub(crate) fn is_plain(system: &System, slot: &Slot) -> bool {
     {
         return false;
     }
+    if slot.is_steady() {
+        return true;
+    }
     let w = system.machine.speed.filter(|w| *w != 0.0).unwrap_or(100.0);
     let [a, b, c, d] = [0.0, w, 2.0 * w, 3.0 * w].map(|w| at(system, [w, 0.6, 0.0], |s| s.name == slot.name));
     let entries = |t: &SparseTangent, k: usize| -> Vec<f64> {

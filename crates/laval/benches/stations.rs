@@ -1,6 +1,6 @@
 //! How the cost of linear studies grows with the number of stations of a shaft, on one core, beside all modes by full matrices. Prints the least time of some runs.
 //!
-//! `cargo bench -p laval --bench stations`
+//! `cargo bench -p laval --bench stations -- 51` (numbers of stations; several sizes where none is given)
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -40,7 +40,8 @@ fn main() {
     println!(
         "stations  coordinates  modes  modes, counted  their number  50 speeds  criticals  200 responses  20 stiffnesses  all modes, full (ms)"
     );
-    for stations in [26, 51, 101, 201, 501, 998] {
+    let given: Vec<usize> = std::env::args().filter_map(|a| a.parse().ok()).collect();
+    for stations in if given.is_empty() { vec![26, 51, 101, 201, 501, 998] } else { given } {
         let system = shaft(stations, true, false);
         let state = |w: f64| rest(&system, w);
         let runs = if stations > 300 { 2 } else { 10 };

@@ -59,6 +59,7 @@ impl System {
             stations: OnceLock::new(),
             probes: OnceLock::new(),
             assemblies: Default::default(),
+            steady: Default::default(),
             projection: None,
         };
         for input in &inputs {

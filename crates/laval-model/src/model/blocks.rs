@@ -163,7 +163,7 @@ pub struct Memory<S> {
 /// rows:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (g0 + gc cos(phase) + gs sin(phase))
 /// z' = A z + Aq q + Av v + Aa a + z0 + W' (hc cos(phase) + hs sin(phase))     (memory states, listed apart, come last in z)
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Blocks<S> {
     /// Spin speed W the blocks were evaluated at, rad/s.
     pub speed: S,

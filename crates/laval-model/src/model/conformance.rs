@@ -130,6 +130,7 @@ pub fn check<P: Part>(part: &P, params: &Params<P, f64>, options: &Options) -> V
         bench.affine();
         bench.inertia();
         bench.blocks();
+        bench.steady();
         bench.isotropy();
         bench.power();
         bench.rest();

@@ -52,6 +52,7 @@ macro_rules! faces {
             fn physics(&self) -> Physics;
             fn uses(&self) -> Uses;
             fn reach(&self) -> usize;
+            fn is_steady(&self) -> bool;
             fn memory(&self) -> usize;
             fn slots(&self) -> Vec<ParamSlot>;
             fn lists(&self) -> Vec<List>;

@@ -37,6 +37,9 @@ macro_rules! parts {
             fn reach(&self) -> usize {
                 self.extent().map_or(usize::MAX, |e| e.reach())
             }
+            fn is_steady(&self) -> bool {
+                self.extent().is_some_and(|e| e.is_steady())
+            }
             fn memory(&self) -> usize {
                 Part::memory(self)
             }

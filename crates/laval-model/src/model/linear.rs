@@ -159,21 +159,39 @@ impl<S: Scalar> Default for LinearModel<S> {
 }
 
 impl<S: Scalar> LinearModel<S> {
-    fn reset(&mut self, assembly: &Arc<Assembly>, n: usize, speed: S) {
+    /// Zeros, or what is kept of some parts, whose loads that turn are those at 1 rad/s.
+    pub(super) fn reset(&mut self, assembly: &Arc<Assembly>, n: usize, speed: S, kept: Option<&LinearModel<f64>>) {
         self.assembly = assembly.clone();
         (self.n, self.speed) = (n, speed);
         self.memory.clear();
-        for values in [
+        self.loads.reset(n, assembly.states.len());
+        let own = [
             &mut self.mass,
             &mut self.damping,
             &mut self.gyroscopic,
             &mut self.stiffness,
             &mut self.circulatory,
             &mut self.spin_accel_stiffness,
-        ] {
-            refill(values, assembly.pattern.entries(), S::zero());
+        ];
+        let Some(k) = kept else {
+            return own.into_iter().for_each(|values| refill(values, assembly.pattern.entries(), S::zero()));
+        };
+        let known = [&k.mass, &k.damping, &k.gyroscopic, &k.stiffness, &k.circulatory, &k.spin_accel_stiffness];
+        for (values, known) in own.into_iter().zip(known) {
+            values.clear();
+            values.extend(known.iter().map(|&x| S::cst(x)));
         }
-        self.loads.reset(n, assembly.states.len());
+        let (loads, known, square) = (&mut self.loads, &k.loads, speed * speed);
+        for (values, known, factor) in [
+            (&mut loads.force, &known.force, S::one()),
+            (&mut loads.force_cos, &known.force_cos, square),
+            (&mut loads.force_sin, &known.force_sin, square),
+            (&mut loads.spin_accel_force, &known.spin_accel_force, S::one()),
+            (&mut loads.spin_accel_cos, &known.spin_accel_cos, S::one()),
+            (&mut loads.spin_accel_sin, &known.spin_accel_sin, S::one()),
+        ] {
+            values.iter_mut().zip(known).for_each(|(x, &known)| *x = factor.scale(known));
+        }
     }
 
     /// Sparsity over the unknowns: coordinates, [`states`](Self::states), then the states of parts that are not linear, whose rows are empty here.
@@ -218,6 +236,10 @@ impl<S: Scalar> LinearModel<S> {
     /// `A0, A1, A2` of the dynamic stiffness `A0 + s A1 + s^2 A2` of what the blocks hold: everything but memory and impedances.
     pub fn polynomial(&self) -> [Vec<S>; 3] {
         let (pattern, held) = (self.pattern(), self.held());
+        if pattern.n() == self.n {
+            let with_speed = |fixed: &[S], per_speed: &[S]| fixed.iter().zip(per_speed).map(|(&x, &y)| x + self.speed * y).collect();
+            return [with_speed(&self.stiffness, &self.circulatory), with_speed(&self.damping, &self.gyroscopic), self.mass.clone()];
+        }
         let mut out = [(); 3].map(|()| vec![S::zero(); pattern.entries()]);
         for i in 0..held {
             for (e, j) in pattern.row(i).take_while(|x| x.1 < held) {
@@ -374,15 +396,36 @@ impl<S: Scalar> Default for LinearScratch<S> {
 }
 
 impl System {
-    /// Assembles the linear parts at a spin speed (rad/s).
+    /// Assembles the linear parts at a spin speed (rad/s): those that are the same at every speed first, from what is kept of them where the parameters are those of the machine.
     pub fn linear<S: Evaluate>(&self, params: &[S], speed: S, form: Form, out: &mut LinearModel<S>, scratch: &mut LinearScratch<S>) {
-        let assembly = self.assembly(form);
-        out.reset(assembly, self.n(), speed);
-        for stamp in &assembly.stamps {
+        let kept = self.steady(params, form);
+        out.reset(self.assembly(form), self.n(), speed, kept);
+        if kept.is_none() {
+            self.add_linear(params, form, Slot::is_steady, out, scratch);
+        }
+        self.add_linear(params, form, |s| !s.is_steady(), out, scratch);
+        if form == Form::Frequency {
+            self.add_loads(params, speed, &mut out.loads, &mut scratch.local);
+        }
+    }
+
+    /// Adds some of the linear parts at the speed of the model.
+    pub(super) fn add_linear<S: Evaluate>(
+        &self,
+        params: &[S],
+        form: Form,
+        which: impl Fn(&Slot) -> bool,
+        out: &mut LinearModel<S>,
+        scratch: &mut LinearScratch<S>,
+    ) {
+        for stamp in &self.assembly(form).stamps {
             let slot = &self.slots()[stamp.slot];
+            if !which(slot) {
+                continue;
+            }
             let m = stamp.states;
             let b = &mut scratch.local;
-            let own_speed = slot.speed(params, speed);
+            let own_speed = slot.speed(params, out.speed);
             b.reset_band(slot.map.len(), m, slot.reach, own_speed);
             S::linear(&*slot.part, &params[slot.params.clone()], own_speed, b);
             if let Some(ratio) = slot.ratio {
@@ -408,9 +451,6 @@ impl System {
             if slot.memory > 0 {
                 out.memory.push(SlotMemory { slot: stamp.slot, speed: own_speed, first: slot.states.start + m, list: b.memory.clone() });
             }
-        }
-        if form == Form::Frequency {
-            self.add_loads(params, speed, &mut out.loads, &mut scratch.local);
         }
     }
 

@@ -23,6 +23,7 @@ pub mod rows;
 pub mod slot;
 pub mod spins;
 pub mod station;
+mod steady;
 pub mod system;
 pub mod tangent;
 pub mod timed;

@@ -129,6 +129,9 @@ macro_rules! absorbed {
             fn reach(&self) -> usize {
                 self.0.reach()
             }
+            fn is_steady(&self) -> bool {
+                self.0.is_steady()
+            }
             fn memory(&self) -> usize {
                 0
             }
@@ -292,6 +295,7 @@ impl System {
             stations: OnceLock::from(stations.collect::<Vec<_>>()),
             probes: OnceLock::from(probes.collect::<Vec<_>>()),
             assemblies: Default::default(),
+            steady: Default::default(),
             projection: Some(Arc::new(Projection { basis: basis.clone(), coordinates: self.coordinates.clone() })),
         }
     }

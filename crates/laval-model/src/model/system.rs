@@ -4,6 +4,7 @@ use super::assembly::{Assembly, Form};
 use super::blocks::Blocks;
 use super::erased::{Evaluate, MovableMasses};
 use super::field::{Extra, Field};
+use super::linear::LinearModel;
 use super::params::ParamSlot;
 use super::part::{At, Correction, DofKind, Energy, Observed, Outline, Rows, Validity};
 use super::probe::Probe;
@@ -34,6 +35,7 @@ pub struct System {
     pub(super) stations: OnceLock<Vec<Station>>,
     pub(super) probes: OnceLock<Vec<Probe>>,
     pub(super) assemblies: [OnceLock<Arc<Assembly>>; 2],
+    pub(super) steady: [OnceLock<Option<LinearModel<f64>>>; 2],
     pub(super) projection: Option<Arc<Projection>>,
 }
 

@@ -400,6 +400,9 @@ impl Extent for Disc {
     fn rows(&self) -> RowCounts {
         [self.unbalances, 0]
     }
+    fn is_steady(&self) -> bool {
+        true
+    }
 }
 
 impl BodyPart for Disc {

@@ -34,6 +34,8 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
+use crate::model::capability::Extent;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
@@ -335,6 +337,16 @@ material_damping = "2e-5 s"         # loss of the material, turning with the sha
             wrong.push(("material_damping", text!("a shaft with material damping must be equally stiff in x and y")));
         }
         wrong
+    }
+    #[inline(always)]
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for ShaftLumped {
+    fn is_steady(&self) -> bool {
+        true
     }
 }
 

@@ -150,7 +150,9 @@ struct Band {
 impl Band {
     fn reset(&mut self, n: usize, half: usize, parts: usize) {
         (self.n, self.half, self.sign) = (n, half, [1.0; LANES]);
-        refill(&mut self.data, n * width(half) * parts, [0.0; LANES]);
+        self.data.resize(n * width(half) * parts, [0.0; LANES]);
+        // what only exchanges fill is cleared at the first of them
+        self.data.chunks_exact_mut(width(half) * parts).for_each(|column| column[half * parts..].fill([0.0; LANES]));
         refill(&mut self.exchanged, n, [0.0; LANES]);
     }
 }
@@ -191,6 +193,13 @@ impl<N: InLanes> Kernel for Factor<'_, N> {
             offset.store(&mut exchanged[k]);
             let farthest = exchanged[k].iter().fold(0.0, |m: f64, x| if *x > m { *x } else { m }) as usize;
             reach = reach.max((k + farthest + half).min(n - 1));
+            if *above == half && reach - k > half {
+                for column in data.chunks_exact_mut(w * p) {
+                    for x in &mut column[..half * p] {
+                        *x = [0.0; LANES];
+                    }
+                }
+            }
             *above = (*above).max(reach - k);
             for i in 1..=farthest {
                 let mask = is(offset, i);

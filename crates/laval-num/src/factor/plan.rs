@@ -8,6 +8,9 @@ use std::sync::Arc;
 const SMALL: usize = 24;
 /// Most unknowns in the border.
 const BORDER: usize = 64;
+/// A band that is wider than this times the least width that its fullest row allows may be a ring: a chain whose ends couple with one foundation. So many borders that open it are tried.
+const RING: usize = 3;
+const OPENINGS: usize = 8;
 
 /// Most numbers of a band that is stored for every lane.
 const IN_LANES: usize = 250_000;
@@ -56,6 +59,27 @@ pub(super) fn effort(inner: usize, half: usize, border: usize) -> f64 {
     n * b * (2.0 * b + 1.0) + n * k * (3.0 * b + k) + k * k * k / 3.0
 }
 
+/// Groups of unknowns that couple with the same others, of the least degree: removing one opens a ring.
+fn openings(pattern: &Pattern, by_degree: &[usize]) -> Vec<Vec<usize>> {
+    let columns = |i: usize| pattern.row(i).map(|e| e.1);
+    let mut taken = vec![false; pattern.n()];
+    let mut out = Vec::new();
+    for &first in by_degree.iter().rev() {
+        if taken[first] {
+            continue;
+        }
+        let group: Vec<usize> = columns(first).filter(|&j| columns(j).eq(columns(first))).collect();
+        group.iter().for_each(|&i| taken[i] = true);
+        if group.len() <= BORDER {
+            out.push(group);
+        }
+        if out.len() == OPENINGS {
+            break;
+        }
+    }
+    out
+}
+
 impl Plan {
     /// For the matrices of a pattern.
     pub fn new(pattern: &Arc<Pattern>) -> Self {
@@ -70,17 +94,24 @@ impl Plan {
         // unknowns of equal degree go together: those of one point of a foundation
         let steps = (0..=BORDER.min(n / 2)).filter(|&k| k == 0 || degree(by_degree[k - 1]) > degree(by_degree[k]));
         let mut best: Option<(f64, Vec<usize>, usize, usize)> = None;
-        for border in steps {
+        let mut attempt = |border: &[usize]| {
             let mut inside = vec![true; n];
-            by_degree[..border].iter().for_each(|&i| inside[i] = false);
+            border.iter().for_each(|&i| inside[i] = false);
             let mut order = reverse_cuthill_mckee(pattern, &inside);
             let (inner, half) = (order.len(), half_width(pattern, &order));
-            let cost = effort(inner, half, border);
+            let cost = effort(inner, half, border.len());
             if best.as_ref().is_none_or(|b| cost < b.0) {
-                let mut rest = by_degree[..border].to_vec();
+                let mut rest = border.to_vec();
                 rest.sort_unstable();
                 order.extend(rest);
                 best = Some((cost, order, inner, half));
+            }
+            half
+        };
+        let narrowest = steps.map(|border| attempt(&by_degree[..border])).min().unwrap_or(0);
+        if 2 * narrowest > RING * (degree(by_degree[0]) / 2) {
+            for border in openings(pattern, &by_degree) {
+                attempt(&border);
             }
         }
         let Some((_, order, inner, half)) = best.filter(|b| b.0 < (n as f64).powi(3) / 3.0) else { return dense };

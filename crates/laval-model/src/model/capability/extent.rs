@@ -14,6 +14,10 @@ pub trait Extent: Parametric {
     fn rows(&self) -> RowCounts {
         [0; MOST_LISTS]
     }
+    /// What [`linear`](super::super::part::Part::linear) adds is the same at every speed, but for loads that turn, which grow with its square; the part has no states.
+    fn is_steady(&self) -> bool {
+        false
+    }
     /// The same part with what it computes from its parameters alone kept for these values; other values it computes as before.
     fn prepared(&self, _p: &Params<Self, f64>) -> Option<Arc<dyn Erased>>
     where
@@ -34,6 +38,7 @@ pub mod erased {
     pub trait Extent {
         fn reach(&self) -> usize;
         fn rows(&self) -> RowCounts;
+        fn is_steady(&self) -> bool;
         fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>>;
     }
 
@@ -45,6 +50,9 @@ pub mod erased {
         #[inline(always)]
         fn rows(&self) -> RowCounts {
             super::Extent::rows(self)
+        }
+        fn is_steady(&self) -> bool {
+            super::Extent::is_steady(self)
         }
         fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>> {
             super::Extent::prepared(self, &self.given(p))

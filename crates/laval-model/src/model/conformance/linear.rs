@@ -60,6 +60,21 @@ impl<P: Part> Bench<'_, P> {
             }
         }
     }
+    /// What says that it is the same at every speed is, but for loads that turn, which grow with the square of the speed.
+    pub(super) fn steady(&mut self) {
+        if !self.part.extent().is_some_and(|e| e.is_steady()) {
+            return;
+        }
+        let [slow, mut fast] = [0.2, 1.0].map(|share| Blocks { speed: 0.0, ..self.blocks_at(share * self.options.speed).0 });
+        let mut squares = true;
+        for (x, y) in [(&slow.force_cos, &mut fast.force_cos), (&slow.force_sin, &mut fast.force_sin)] {
+            squares &= x.iter().zip(&*y).all(|(&x, &y)| within(x - 0.04 * y, 1e-14, y.abs()));
+            y.clone_from(x);
+        }
+        if !squares || slow != fast || self.m > 0 {
+            self.fail(Promise::Blocks, "blocks of a steady part change with the speed, or it has states".into());
+        }
+    }
     fn blocks_at(&self, speed: f64) -> Local {
         let mut b = Blocks::default();
         b.reset_band(self.n, self.m - Part::memory(self.part), self.part.extent().map_or(usize::MAX, |e| e.reach()), speed);

@@ -3,7 +3,7 @@
 use super::*;
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::{Axes, Memory};
-use crate::model::capability::{FrequencyDomain, VaryingInertia};
+use crate::model::capability::{Extent, FrequencyDomain, VaryingInertia};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::Layout;
@@ -183,6 +183,7 @@ enum Form {
     Right,
     ResidualBeside,
     GyroscopicNotSkew,
+    SteadyBySpeed,
     Memory,
     Frequency { conjugate: bool, stated: f64 },
     WithoutImpedance,
@@ -238,6 +239,15 @@ impl Part for Linear {
     fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
         (self.0 != Form::WithoutImpedance).then_some(self as _)
     }
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        (self.0 == Form::SteadyBySpeed).then_some(self as _)
+    }
+}
+
+impl Extent for Linear {
+    fn is_steady(&self) -> bool {
+        true
+    }
 }
 
 impl FrequencyDomain for Linear {
@@ -264,6 +274,7 @@ fn wrong_linear_and_frequency_parts_are_caught() {
         (exact(0.2), None),
         (Form::ResidualBeside, Some(Promise::Blocks)),
         (Form::GyroscopicNotSkew, Some(Promise::Blocks)),
+        (Form::SteadyBySpeed, Some(Promise::Blocks)),
         (Form::Frequency { conjugate: false, stated: 0.2 }, Some(Promise::Impedance)),
         (exact(1e-4), Some(Promise::Impedance)),
         (Form::WithoutImpedance, Some(Promise::Impedance)),

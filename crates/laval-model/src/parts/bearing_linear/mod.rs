@@ -379,6 +379,9 @@ impl Extent for BearingLinear {
     fn rows(&self) -> RowCounts {
         [self.table.as_deref().map_or(0, Table::count), 0]
     }
+    fn is_steady(&self) -> bool {
+        self.table.is_none()
+    }
 }
 
 impl Scope for BearingLinear {

@@ -105,6 +105,9 @@ const MOST_ELEMENTS: i64 = 500;
 const MOST: usize = 1000;
 /// Largest slope, rad, whose square is left out.
 const SMALL: f64 = 0.1;
+/// Length and diameter, m, from which on a number without its unit is more likely than such a shaft.
+const LONGEST: f64 = 50.0;
+const THICKEST: f64 = 5.0;
 /// Coordinates of a node of a shaft that bends only.
 const BENDING: usize = 4;
 
@@ -533,19 +536,25 @@ material = "steel"
         wrong
     }
     fn warnings(&self, p: &Params<Self, f64>) -> Vec<Text> {
+        let (length, mut out) = (self.lengths.iter().sum::<f64>(), Vec::new());
+        let thickest = p.own.rows.iter().map(|s| s.outer_diameter.max(s.end_outer_diameter)).fold(0.0, f64::max);
+        if length > LONGEST || thickest > THICKEST {
+            let (length, diameter) = (text::quantity(length, "m"), text::quantity(thickest, "m"));
+            out.push(text!("it is {length} long and up to {diameter} thick: lengths without a unit are in metres", length, diameter));
+        }
         // both ends clamped: no other support of the ends holds more
         let stiffest =
             (0..self.mesh.pieces.len()).map(|k| self.element(p, k)).map(|e| e.bending(0.0).max(e.bending(1.0))).fold(0.0, f64::max);
-        let limit = stiffest * (2.0 * PI / self.lengths.iter().sum::<f64>()).powi(2);
+        let limit = stiffest * (2.0 * PI / length).powi(2);
         if p.axial_force < -limit {
             let (force, limit) = (text::quantity(-p.axial_force, "N"), text::quantity(limit, "N"));
-            return vec![text!(
+            out.push(text!(
                 "a compression of {force} buckles it, unless bearings between its ends hold it: with both ends clamped it bears {limit} at most",
                 force,
                 limit
-            )];
+            ));
         }
-        Vec::new()
+        out
     }
     fn body(&self) -> Option<&dyn erased::BodyPart> {
         Some(self)
@@ -562,6 +571,9 @@ impl Extent for Shaft {
     #[inline(always)]
     fn rows(&self) -> RowCounts {
         [self.lengths.len(), self.layers.len()]
+    }
+    fn is_steady(&self) -> bool {
+        true
     }
     fn prepared(&self, p: &Params<Self, f64>) -> Option<ErasedPart> {
         Some(self.prepared_for(p).erased())

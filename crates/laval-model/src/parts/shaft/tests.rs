@@ -324,6 +324,19 @@ fn mistakes_of_layers_are_reported() {
     }
 }
 
+/// Millimetres written without their unit are metres.
+#[test]
+fn a_shaft_of_metres_is_a_remark() {
+    let of = |length: f64, diameter: f64| {
+        let rows = vec![SectionParams::new(diameter)];
+        Shaft::new(&[length], &[diameter]).warnings(&Listed { own: ShaftParams::new(), rows }.into())
+    };
+    assert!(of(12.0, 0.6).is_empty());
+    for wrong in [of(500.0, 0.05), of(0.5, 50.0), of(f64::INFINITY, 0.05)] {
+        assert!(wrong.len() == 1 && wrong[0].to_string().contains("in metres"), "{wrong:?}");
+    }
+}
+
 /// Matrices that were kept are those computed from the parameters, to the last digit; other values, and derivatives, are computed.
 #[test]
 fn kept_matrices_are_the_computed_ones() {

@@ -15,8 +15,9 @@ use crate::study::{Context, Study};
 /// A run-up is known where it is known from this share of the lowest operating speed on.
 const BEGINS: f64 = 0.25;
 
-/// Rows of the motion kept: the page needs the largest displacement alone.
+/// Rows of the motion kept, and the tolerated error of a step: the page needs the largest displacement alone, to three digits.
 const ROWS: i64 = 100;
+const TOLERANCE: f64 = 1e-5;
 
 /// The run-up from standstill to this speed in this time, s.
 pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context: &Context) -> Known<Outcome> {
@@ -24,6 +25,7 @@ pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context
     values.set("to", Value::Number(speed), None);
     values.set("duration", Value::Number(time), None);
     values.set("points", Value::Integer(ROWS), None);
+    values.set("relative_tolerance", Value::Number(TOLERANCE), None);
     let mut wrong = Diagnostics::default();
     let Some(study) = RunUp::build(&values, system, &mut wrong) else { return Known::Refused(wrong.into_error()) };
     within(&study, system, context).and_then(|result| study.report(system, &result, RunUp::KIND).ok())
