@@ -26,10 +26,10 @@ pub use crate::parts::spin_load::{SpinLoad, SpinLoadParams};
 pub use crate::parts::stop::{Stop, StopParams};
 pub use crate::study::{Context, ErasedStudy, TypedStudy};
 pub use crate::study::{
-    backbone::Backbone, basins::Basins, bifurcation_loci::BifurcationLoci, campbell::Campbell, critical_speeds::CriticalSpeeds,
-    forced_response::ForcedResponse, harmonic_force::HarmonicForce, limit_cycles::LimitCycles, methods::Methods, modes::Modes,
-    motion_map::MotionMap, nonlinear_response::NonlinearResponse, operating_window::OperatingWindow, optimum::Optimum,
-    response_map::ResponseMap, run_up::RunUp, sensitivity::Sensitivity, separation::Separation, stability_map::StabilityMap,
-    stability_threshold::StabilityThreshold, statics::Static, stationary::Stationary, support_stiffness_map::SupportStiffnessMap,
-    sweep::Sweep, transient::Transient, uncertainty::Uncertainty,
+    backbone::Backbone, basins::Basins, bearing_coefficients::BearingCoefficients, bifurcation_loci::BifurcationLoci, campbell::Campbell,
+    critical_speeds::CriticalSpeeds, forced_response::ForcedResponse, harmonic_force::HarmonicForce, limit_cycles::LimitCycles,
+    methods::Methods, modes::Modes, motion_map::MotionMap, nonlinear_response::NonlinearResponse, operating_window::OperatingWindow,
+    optimum::Optimum, response_map::ResponseMap, run_up::RunUp, sensitivity::Sensitivity, separation::Separation,
+    stability_map::StabilityMap, stability_threshold::StabilityThreshold, statics::Static, stationary::Stationary,
+    support_stiffness_map::SupportStiffnessMap, sweep::Sweep, transient::Transient, uncertainty::Uncertainty,
 };

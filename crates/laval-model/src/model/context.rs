@@ -304,6 +304,12 @@ impl Observed {
     pub const TILT: &'static str = "tilt";
     /// Name of a moment across the axis, N m.
     pub const MOMENT: &'static str = "moment";
+    /// Name of the eccentricity of a journal in a film, over its clearance.
+    pub const ECCENTRICITY: &'static str = "eccentricity over clearance";
+    /// Name of the least thickness of a film, m.
+    pub const FILM: &'static str = "least film thickness";
+    /// Name of a torque against the spin, N m.
+    pub const TORQUE: &'static str = "torque";
 
     /// A displacement or tilt of a body, which analyses list by body.
     pub fn is_motion_of_body(&self) -> bool {

@@ -136,9 +136,9 @@ viscosity = "20 mPa s"
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let (f, e) = (self.force(p, at), at.q[0].hypot(at.q[1]));
         out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
-        out.push(Observed { name: "eccentricity over clearance", unit: "", value: e / p.clearance });
-        out.push(Observed { name: "least film thickness", unit: "m", value: p.clearance - e });
-        out.push(Observed { name: "torque", unit: "N m", value: self.torque(p, at) });
+        out.push(Observed { name: Observed::ECCENTRICITY, unit: "", value: e / p.clearance });
+        out.push(Observed { name: Observed::FILM, unit: "m", value: p.clearance - e });
+        out.push(Observed { name: Observed::TORQUE, unit: "N m", value: self.torque(p, at) });
     }
     fn validity(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
         out.push(Validity { what: ECCENTRICITY, ratio: at.q[0].hypot(at.q[1]) / (LIMIT * p.clearance) });

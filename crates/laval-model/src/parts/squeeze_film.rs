@@ -104,7 +104,7 @@ film = "full"
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let (f, e) = (self.force(p, at), at.q[0].hypot(at.q[1]));
         out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
-        out.push(Observed { name: "eccentricity over clearance", unit: "", value: e / p.clearance });
+        out.push(Observed { name: Observed::ECCENTRICITY, unit: "", value: e / p.clearance });
     }
     fn validity(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
         out.push(Validity { what: ECCENTRICITY, ratio: at.q[0].hypot(at.q[1]) / (LIMIT * p.clearance) });

@@ -12,6 +12,7 @@
 
 pub mod alignment;
 pub mod beam;
+pub mod bearing;
 mod equations;
 pub mod forces;
 pub mod influence;

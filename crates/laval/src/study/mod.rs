@@ -19,8 +19,8 @@ pub use context::{Context, Progress, STEP, Silent};
 pub use kind::{ErasedStudy, Study, StudyKind, TypedStudy, kind};
 pub use laval_num::work::Cancel;
 pub use linear::{
-    approximation, campbell, criterion, critical_speeds, forced_response, harmonic_force, modes, stability_map, stability_threshold,
-    statics, support_stiffness_map,
+    approximation, bearing_coefficients, campbell, criterion, critical_speeds, forced_response, harmonic_force, modes, stability_map,
+    stability_threshold, statics, support_stiffness_map,
 };
 pub use motion::{basins, motion_map, record, run_up, sweep, transient};
 pub use nonlinear::{backbone, bifurcation_loci, limit_cycles, methods, nonlinear_response, response_map, stationary};

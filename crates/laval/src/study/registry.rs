@@ -8,6 +8,7 @@ pub fn registry() -> Vec<StudyKind> {
     vec![
         kind::<linear::modes::Modes>(),
         kind::<linear::statics::Static>(),
+        kind::<linear::bearing_coefficients::BearingCoefficients>(),
         kind::<linear::campbell::Campbell>(),
         kind::<linear::critical_speeds::CriticalSpeeds>(),
         kind::<linear::support_stiffness_map::SupportStiffnessMap>(),

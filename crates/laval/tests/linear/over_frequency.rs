@@ -380,6 +380,7 @@ fn other_studies_refuse_by_name() {
         "stability_threshold",
         "support_stiffness_map",
         "static",
+        "bearing_coefficients",
         "nonlinear_response",
         "backbone",
         "limit_cycles",

@@ -37,7 +37,7 @@ fn run(text: &str) -> Outcome {
 }
 
 /// What leaves the table from 1000 to 12000 rpm.
-const BEYOND: [&str; 28] = [
+const BEYOND: [&str; 29] = [
     "kind = \"modes\"\nspeed = \"12001 rpm\"",
     "kind = \"campbell\"\nspeed = { from = \"1000 rpm\", to = \"13000 rpm\", points = 5 }",
     "kind = \"critical_speeds\"\nspeed = { from = \"900 rpm\", to = \"12000 rpm\", points = 5 }",
@@ -72,6 +72,7 @@ const BEYOND: [&str; 28] = [
     "kind = \"static\"\nspeed = \"13000 rpm\"",
     "kind = \"harmonic_force\"\nplace = \"rotor\"\nspeed = \"13000 rpm\"",
     "kind = \"stability_threshold\"\nplace = \"rotor\"\nspeed = \"13000 rpm\"",
+    "kind = \"bearing_coefficients\"\nspeed = { from = \"500 rpm\", to = \"6000 rpm\", points = 3 }",
 ];
 
 #[test]

@@ -48,7 +48,7 @@ macro_rules! studies {
     };
 }
 studies! {
-    Backbone Basins BifurcationLoci Campbell CriticalSpeeds ForcedResponse HarmonicForce LimitCycles Methods Modes MotionMap NonlinearResponse OperatingWindow
+    Backbone Basins BearingCoefficients BifurcationLoci Campbell CriticalSpeeds ForcedResponse HarmonicForce LimitCycles Methods Modes MotionMap NonlinearResponse OperatingWindow
     Optimum ResponseMap RunUp Sensitivity Separation StabilityMap StabilityThreshold Static Stationary SupportStiffnessMap Sweep Transient Uncertainty
 }
 

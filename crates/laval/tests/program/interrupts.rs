@@ -40,6 +40,8 @@ damping = "25 N s/m"
 const ON_ROTOR: &[&str] = &[
     r#"kind = "modes""#,
     r#"kind = "static""#,
+    r#"kind = "bearing_coefficients"
+speed = { from = "10 rad/s", to = "900 rad/s", points = 20 }"#,
     r#"kind = "support_stiffness_map"
 rest_frequencies = true"#,
     r#"kind = "campbell"

@@ -116,7 +116,7 @@ const STUDIES: &[(&str, &str)] = &[
 /// Studies in which nothing moves across the axis.
 const WITHOUT_MOTION: &[&str] = &["separation"];
 /// Studies of a machine at rest or without its loads: of cups they see the masses of their part.
-const APART: &[&str] = &["static", "support_stiffness_map"];
+const APART: &[&str] = &["static", "support_stiffness_map", "bearing_coefficients"];
 
 /// A rotor that tilts on a foundation, on springs that harden; `rotor` says what the disc is, `more` what is beside it. Where a cycle is wanted the losses turn.
 fn machine(rotor: &str, more: &str, axes: &str) -> String {

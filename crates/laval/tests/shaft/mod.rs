@@ -2,6 +2,7 @@
 
 mod alignment;
 mod axis;
+mod bearing_coefficients;
 mod by_entries;
 mod closed_forms;
 mod definition;

@@ -1,5 +1,6 @@
 # The question that each kind of study answers, as a heading.
 study-static = Deflections and loads at rest
+study-bearing_coefficients = Bearings at rest over the speed
 study-modes = Natural modes at one speed
 study-campbell = Natural frequencies over the speed
 study-critical_speeds = Critical speeds

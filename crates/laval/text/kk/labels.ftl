@@ -660,6 +660,17 @@ term-worst = ең нашары
 term-worst-stable-state = ең нашар орнықты күй
 term-yes = иә
 term-zero = нөл
+term-supports-at-rest-over-the-speed = Айналу жиілігіне байланысты тыныштықтағы тіректер
+term-attitude = жүктемеден бұрыш
+term-film = қабықша
+term-threshold-mass = шекті масса
+term-whirl-ratio = прецессия қатынасы
+term-load = жүктеме
+term-coefficients-of-the-supports-over-the-speed = Айналу жиілігіне байланысты тірек коэффициенттері
+term-oil-films-over-the-speed = Айналу жиілігіне байланысты май қабықшалары
+term-angle-from-the-load = жүктемеден бұрыш
+term-least-film-thickness = қабықшаның ең аз қалыңдығы
+term-eccentricity-over-the-clearance = эксцентриситеттің саңылауға қатынасы
 
 # Names of parameters (fields of the machine file).
 term-ball-mass = шарик массасы
@@ -934,6 +945,9 @@ term-width-of-the-lower-bracket = төменгі аралық ені
 term-width-of-the-upper-bracket = жоғарғы аралық ені
 term-width-over-mean-speed = енінің орташа айналу жиілігіне қатынасы
 term-within-this-share-of-the-unbalance-without-balls = шариктерсіз дисбаланстың осы үлесі шегінде
+term-frequency-of-the-whirl = прецессия жиілігі
+term-states-at-rest = тепе-теңдік күйлері
+term-displacement-of-the-turning-body-in-it = айналатын дененің ондағы орын ауыстыруы
 
 # Meanings of columns: tooltips of headings. Least visible.
 term-1-where-it-lies-at-an-end-of-the-range-of-speeds-nan-where-there-is-none = айналу жиілігі ауқымының шетінде жатса 1; жоқ болса NaN
@@ -1388,6 +1402,12 @@ term-with-its-interactions = өзара әсерлерімен
 term-work-of-the-drive-since-the-start = жетектің басынан бергі жұмысы
 term-work-of-the-parts-own-sources-and-of-a-kick-since-the-start = бөлшектердің өз көздерінің және соққының басынан бергі жұмысы
 term-work-of-the-weight-since-the-start = ауырлық күшінің басынан бергі жұмысы
+term-force-that-it-carries = ол көтеретін күш
+term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation = жүктемеден орын ауыстыруға дейінгі бұрыш, айналу бағытында
+term-least-thickness-of-the-film = қабықшаның ең аз қалыңдығы
+term-power-that-it-takes-from-the-spin = айналудан алатын қуаты
+term-rigid-mass-on-it-from-which-on-it-whirls-nan-where-none-does = оның үстіндегі прецессия басталатын қатты масса; ондай жоқ жерде NaN
+term-frequency-of-that-whirl-over-the-speed = сол прецессия жиілігінің айналу жиілігіне қатынасы
 
 # Small pictures and the polar diagram.
 term-mode-shapes = Модалардың пішіндері

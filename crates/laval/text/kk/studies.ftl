@@ -1,5 +1,6 @@
 # The question that each kind of study answers, as a heading.
 study-static = Тыныштықтағы иілулер мен жүктемелер
+study-bearing_coefficients = Айналу жиілігіне байланысты тыныштықтағы мойынтіректер
 study-modes = Бір айналу жиілігіндегі меншікті модалар
 study-campbell = Айналу жиілігіне тәуелді меншікті жиіліктер
 study-critical_speeds = Сындық айналу жиіліктері

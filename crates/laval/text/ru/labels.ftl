@@ -660,6 +660,17 @@ term-worst = худшее
 term-worst-stable-state = худшее устойчивое состояние
 term-yes = да
 term-zero = ноль
+term-supports-at-rest-over-the-speed = Опоры в покое в зависимости от частоты вращения
+term-attitude = угол к нагрузке
+term-film = плёнка
+term-threshold-mass = пороговая масса
+term-whirl-ratio = отношение прецессии
+term-load = нагрузка
+term-coefficients-of-the-supports-over-the-speed = Коэффициенты опор в зависимости от частоты вращения
+term-oil-films-over-the-speed = Масляные плёнки в зависимости от частоты вращения
+term-angle-from-the-load = угол от нагрузки
+term-least-film-thickness = наименьшая толщина плёнки
+term-eccentricity-over-the-clearance = эксцентриситет к зазору
 
 # Names of parameters (fields of the machine file).
 term-ball-mass = масса шарика
@@ -934,6 +945,9 @@ term-width-of-the-lower-bracket = ширина нижнего интервала
 term-width-of-the-upper-bracket = ширина верхнего интервала
 term-width-over-mean-speed = отношение ширины к средней частоте вращения
 term-within-this-share-of-the-unbalance-without-balls = с точностью до этой доли дисбаланса без шариков
+term-frequency-of-the-whirl = частота прецессии
+term-states-at-rest = положения равновесия
+term-displacement-of-the-turning-body-in-it = смещение вращающегося тела в ней
 
 # Meanings of columns: tooltips of headings.
 term-1-where-it-lies-at-an-end-of-the-range-of-speeds-nan-where-there-is-none = 1, если лежит на конце диапазона частот вращения; NaN, если нет
@@ -1388,6 +1402,12 @@ term-with-its-interactions = с его взаимодействиями
 term-work-of-the-drive-since-the-start = работа привода с начала движения
 term-work-of-the-parts-own-sources-and-of-a-kick-since-the-start = работа собственных источников элементов и начального толчка с начала движения
 term-work-of-the-weight-since-the-start = работа силы тяжести с начала движения
+term-force-that-it-carries = сила, которую она несёт
+term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation = угол от нагрузки до смещения в направлении вращения
+term-least-thickness-of-the-film = наименьшая толщина плёнки
+term-power-that-it-takes-from-the-spin = мощность, отнимаемая от вращения
+term-rigid-mass-on-it-from-which-on-it-whirls-nan-where-none-does = жёсткая масса на ней, начиная с которой она прецессирует; NaN, где такой нет
+term-frequency-of-that-whirl-over-the-speed = частота этой прецессии к частоте вращения
 
 # Small pictures and the polar diagram.
 term-mode-shapes = Формы мод

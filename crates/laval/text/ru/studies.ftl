@@ -1,5 +1,6 @@
 # The question that each kind of study answers, as a heading.
 study-static = Прогибы и нагрузки в покое
+study-bearing_coefficients = Подшипники в покое в зависимости от частоты вращения
 study-modes = Собственные моды при одной частоте вращения
 study-campbell = Собственные частоты в зависимости от частоты вращения
 study-critical_speeds = Критические частоты вращения

@@ -662,6 +662,17 @@ term-worst = eng yomon
 term-worst-stable-state = eng yomon turg‘un holat
 term-yes = ha
 term-zero = nol
+term-supports-at-rest-over-the-speed = Aylanish chastotasiga bog‘liq tinch tayanchlar
+term-attitude = yuklamadan burchak
+term-film = parda
+term-threshold-mass = chegaraviy massa
+term-whirl-ratio = pretsessiya nisbati
+term-load = yuklama
+term-coefficients-of-the-supports-over-the-speed = Aylanish chastotasiga bog‘liq tayanch koeffitsiyentlari
+term-oil-films-over-the-speed = Aylanish chastotasiga bog‘liq moy pardalari
+term-angle-from-the-load = yuklamadan burchak
+term-least-film-thickness = pardaning eng kichik qalinligi
+term-eccentricity-over-the-clearance = ekssentrisitetning tirqishga nisbati
 
 # Parametrlar nomlari (mashina fayli maydonlari).
 term-ball-mass = sharcha massasi
@@ -936,6 +947,9 @@ term-width-of-the-lower-bracket = quyi oraliq kengligi
 term-width-of-the-upper-bracket = yuqori oraliq kengligi
 term-width-over-mean-speed = kenglikning o‘rtacha tezlikka nisbati
 term-within-this-share-of-the-unbalance-without-balls = sharchalarsiz disbalansning shu ulushi aniqligida
+term-frequency-of-the-whirl = pretsessiya chastotasi
+term-states-at-rest = muvozanat holatlari
+term-displacement-of-the-turning-body-in-it = aylanuvchi jismning undagi siljishi
 
 # Ustunlarning ma’nosi (sarlavha ustidagi izohlar).
 term-1-where-it-lies-at-an-end-of-the-range-of-speeds-nan-where-there-is-none = tezlik oralig‘ining uchida bo‘lsa, 1; mavjud bo‘lmagan joyda NaN
@@ -1390,6 +1404,12 @@ term-with-its-interactions = o‘zaro ta’sirlari bilan
 term-work-of-the-drive-since-the-start = boshidan beri yuritma ishi
 term-work-of-the-parts-own-sources-and-of-a-kick-since-the-start = boshidan beri qismlar o‘z manbalarining va turtkining ishi
 term-work-of-the-weight-since-the-start = boshidan beri og‘irlik kuchi ishi
+term-force-that-it-carries = u ko‘taradigan kuch
+term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation = yuklamadan siljishgacha burchak, aylanish yo‘nalishida
+term-least-thickness-of-the-film = pardaning eng kichik qalinligi
+term-power-that-it-takes-from-the-spin = aylanishdan oladigan quvvati
+term-rigid-mass-on-it-from-which-on-it-whirls-nan-where-none-does = undagi pretsessiya boshlanadigan bikr massa; bo‘lmagan joyda NaN
+term-frequency-of-that-whirl-over-the-speed = shu pretsessiya chastotasining aylanish chastotasiga nisbati
 
 # Small pictures and the polar diagram.
 term-mode-shapes = Modalar shakllari

@@ -1,5 +1,6 @@
 # Har bir hisob turi javob beradigan savol, sarlavha sifatida.
 study-static = Tinch holatdagi egilishlar va yuklamalar
+study-bearing_coefficients = Aylanish chastotasiga bog‘liq tinch holatdagi podshipniklar
 study-modes = Bir tezlikdagi xususiy modalar
 study-campbell = Tezlik bo‘yicha xususiy chastotalar
 study-critical_speeds = Kritik aylanish chastotalari

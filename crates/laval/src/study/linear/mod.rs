@@ -1,6 +1,7 @@
 //! Studies of the machine linearised about its equilibrium.
 
 pub mod approximation;
+pub mod bearing_coefficients;
 pub mod campbell;
 pub mod criterion;
 pub mod critical_speeds;

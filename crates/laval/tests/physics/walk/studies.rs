@@ -62,7 +62,7 @@ pub const STUDIES: &[(&str, &str, bool)] = &[
 pub const WITHOUT_MOTION: &[&str] = &["separation"];
 
 /// Studies of a machine at rest or without its loads, in which most properties change nothing: they have tests of their own.
-pub const APART: &[&str] = &["static", "support_stiffness_map"];
+pub const APART: &[&str] = &["static", "support_stiffness_map", "bearing_coefficients"];
 
 /// Properties that are changed in studies that are not quick, too.
 pub const MAIN: &[&str] = &[
