@@ -65,7 +65,7 @@ mod tests {
         Builder::new("shaft")
             .horizontal()
             .part("a", BearingLinear::constant(Link::Between(Attach::at("shaft", 0.0), Attach::ground())), bearing())
-            .part("shaft", Shaft::new(&[0.3, 0.5], &[0.04, 0.05]), Listed { own, rows })
+            .part("shaft", Shaft::new(&[0.3, 0.5], &[0.04, 0.05]).coordinates(true, true), Listed { own, rows })
             .part("disc", Disc::tilting().on(Attach::at("shaft", 0.3)), disc)
             .part("b", BearingLinear::constant(Link::Between(Attach::at("shaft", 0.8), Attach::ground())), bearing())
             .build()
@@ -92,6 +92,8 @@ mod tests {
                 let (here, beside) = (anew(speed), [anew(speed - 1.0), anew(speed + 1.0)]);
                 let size = here.iter().fold(0.0f64, |m, x| m.max(x.re.abs()));
                 assert!(here.len() == kept.len() && size > 1e6);
+                let turned = linear(&system, system.params(), speed, form).loads.spin_accel_force;
+                assert!(turned.iter().any(|x| *x != 0.0));
                 for (k, (x, y)) in kept.iter().zip(&here).enumerate() {
                     let same = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs();
                     assert!(same(x.re, y.re) && same(alone[k], y.re), "{k}: {x:?} {y:?}");

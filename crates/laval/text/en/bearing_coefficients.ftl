@@ -1,7 +1,10 @@
 # Supports at rest over the speed.
 bearing-coefficients-state = { $part } carries { $value } at { $speed }, with a stiffness of { $x } in x and { $y } in y.
-bearing-coefficients-film = { $part } carries { $value } at { $speed } at an eccentricity of { $eccentricity } of its clearance, { $attitude } from the load{ $takes ->
-        [power] ; the film is at least { $film } thick and takes { $power }
+bearing-coefficients-film = { $part } carries { $value } at { $speed } at an eccentricity of { $eccentricity } of its clearance{ $loaded ->
+        [yes] , { $attitude } from the load
+       *[no] {""}
+    }{ $shows ->
+        [film] ; the film is at least { $film } thick and takes { $power }
        *[nothing] {""}
     }.
 bearing-coefficients-threshold = { $any ->
@@ -12,13 +15,4 @@ bearing-coefficients-no-rest = { $count ->
         [one] One speed has
        *[other] { $count } speeds have
     } no state at rest, up to { $value }.
-bearing-coefficients-line = { $part }{ $shown ->
-        [kxx] , kxx
-        [kyy] , kyy
-        [kxy] , kxy
-        [kyx] , kyx
-        [cxx] , cxx
-        [cyy] , cyy
-       *[alone] {""}
-    }
 bearing-coefficients-alt = The supports of the machine at rest at { $speeds } speeds, one line for each.

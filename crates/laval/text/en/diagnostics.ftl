@@ -284,6 +284,7 @@ diag-it-has-at-most-6555 = it has at most { $most }
 diag-section-the-inner-diameter-must-be-eed5 = section { $number }: the inner diameter must be less than the outer one
 diag-layer-overlaps-the-shaft-at-its-d014 = layer { $number } overlaps the shaft at { $position }: its inner diameter is { $inner }, the outer diameter of the shaft there { $outer }
 diag-modulus-and-shear-modulus-make-a-9d86 = modulus and shear_modulus make a Poisson's ratio of { $nu }, which no metal has: E = 2 G (1 + nu)
+diag-it-is-long-and-up-to-8cad = it is { $length } long and up to { $diameter } thick: lengths without a unit are in metres
 diag-a-compression-of-buckles-it-unless-2945 = a compression of { $force } buckles it, unless bearings between its ends hold it: with both ends clamped it bears { $limit } at most
 
 ## laval-model/src/parts/shaft_lumped.rs
@@ -1252,6 +1253,11 @@ diag-parts-with-waves-without-number-have-9300 = parts with waves without number
 diag-the-approximation-is-no-machine-47ae = the approximation is no machine: { $why }
 diag-leave-compare-out-5311 = leave compare out
 
+## laval/src/study/linear/bearing_coefficients.rs
+
+diag-the-machine-has-no-support-with-f148 = the machine has no support with coefficients
+diag-a-support-is-a-part-with-05ea = a support is a part with stiffness between what turns and what does not; supports names others
+
 ## laval/src/study/linear/campbell.rs
 
 diag-speeds-at-which-modes-are-counted-0ff8 = speeds at which modes are counted, one after another
@@ -1332,7 +1338,6 @@ diag-give-them-the-same-offsets-or-ca7d = give them the same offsets, or name on
 ## laval/src/study/linear/support_stiffness_map/mod.rs
 
 diag-the-machine-has-no-support-that-86fb = the machine has no support that could be replaced
-diag-a-support-is-a-part-with-05ea = a support is a part with stiffness between what turns and what does not; supports names others
 
 ## laval/src/study/motion/basins/axes.rs
 

@@ -1,7 +1,10 @@
 # Supports at rest over the speed.
 bearing-coefficients-state = { $speed } кезінде { $part } { $value } көтереді; қатаңдығы x бойынша { $x }, y бойынша { $y }.
-bearing-coefficients-film = { $speed } кезінде { $part } { $value } көтереді, эксцентриситеті саңылаудың { $eccentricity }, жүктемеден бұрышы { $attitude }{ $takes ->
-        [power] ; қабықша қалыңдығы кемінде { $film }, шығыны { $power }
+bearing-coefficients-film = { $speed } кезінде { $part } { $value } көтереді, эксцентриситеті саңылаудың { $eccentricity }{ $loaded ->
+        [yes] , жүктемеден бұрышы { $attitude }
+       *[no] {""}
+    }{ $shows ->
+        [film] ; қабықша қалыңдығы кемінде { $film }, шығыны { $power }
        *[nothing] {""}
     }.
 bearing-coefficients-threshold = { $any ->
@@ -9,13 +12,4 @@ bearing-coefficients-threshold = { $any ->
        *[some] { $part } үстіндегі { $value } артық қатты масса прецессия жасайды
     }, жиілігі айналу жиілігінің { $share }; иілгіш ротор ертерек бастайды.
 bearing-coefficients-no-rest = Тепе-теңдік күйі жоқ айналу жиіліктері: { $count }, { $value } дейін.
-bearing-coefficients-line = { $part }{ $shown ->
-        [kxx] , kxx
-        [kyy] , kyy
-        [kxy] , kxy
-        [kyx] , kyx
-        [cxx] , cxx
-        [cyy] , cyy
-       *[alone] {""}
-    }
 bearing-coefficients-alt = { $speeds } айналу жиілігіндегі тыныштықтағы машина тіректері, әрқайсысына бір сызық.

@@ -1403,11 +1403,12 @@ term-work-of-the-drive-since-the-start = жетектің басынан бер�
 term-work-of-the-parts-own-sources-and-of-a-kick-since-the-start = бөлшектердің өз көздерінің және соққының басынан бергі жұмысы
 term-work-of-the-weight-since-the-start = ауырлық күшінің басынан бергі жұмысы
 term-force-that-it-carries = ол көтеретін күш
-term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation = жүктемеден орын ауыстыруға дейінгі бұрыш, айналу бағытында
-term-least-thickness-of-the-film = қабықшаның ең аз қалыңдығы
-term-power-that-it-takes-from-the-spin = айналудан алатын қуаты
 term-rigid-mass-on-it-from-which-on-it-whirls-nan-where-none-does = оның үстіндегі прецессия басталатын қатты масса; ондай жоқ жерде NaN
-term-frequency-of-that-whirl-over-the-speed = сол прецессия жиілігінің айналу жиілігіне қатынасы
+term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation-nan-without-a-load = жүктемеден орын ауыстыруға дейінгі бұрыш, айналу бағытында; жүктемесіз NaN
+term-least-thickness-of-the-film-nan-of-a-support-without-one = қабықшаның ең аз қалыңдығы; қабықшасыз тіректе NaN
+term-power-that-it-takes-from-the-spin-nan-of-a-support-that-shows-none = айналудан алатын қуаты; оны көрсетпейтін тіректе NaN
+term-frequency-of-that-whirl-over-the-speed-nan-where-none-does = сол прецессия жиілігінің айналу жиілігіне қатынасы; ондай жоқ жерде NaN
+term-eccentricity-over-the-clearance-nan-of-a-support-without-a-film = эксцентриситеттің саңылауға қатынасы; қабықшасыз тіректе NaN
 
 # Small pictures and the polar diagram.
 term-mode-shapes = Модалардың пішіндері

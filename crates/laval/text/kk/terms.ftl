@@ -450,6 +450,7 @@ term-shortest-separation-or-largest-throughput = ең қысқа бөлу нем
 term-smallest-vibration-against-its-limits = шектерге қатысты ең аз діріл
 term-speeds-over-which-states-are-followed-from-a-ten-thousandth-of-the-highest-on-at-standstill-nothing-holds-the-masses-points-number-of-speeds-in-the-table-of-states-21-unless-given = күйлер бақыланатын айналу жиіліктері, ең үлкенінің он мыңнан бірінен бастап (тыныштықта массаларды ештеңе ұстамайды); points: күйлер кестесіндегі жиіліктер саны, өзгеше берілмесе, 21
 term-spin-speeds-looked-at-points-120-unless-given-are-added-where-something-happens = қаралатын айналу жиіліктері; өзгеріс болатын жерде нүктелер (өзгеше берілмесе, 120) қосылады
+term-spin-speeds-60-unless-their-number-is-given-or-one = айналу жиіліктері: саны берілмесе 60, немесе біреуі
 term-spin-speeds-to-search-120-points-unless-given = ізделетін айналу жиіліктері; өзгеше берілмесе, 120 нүкте
 term-spin-speeds-above-zero-200-points-unless-given = нөлден үлкен айналу жиіліктері; өзгеше берілмесе, 200 нүкте
 term-spin-speeds-120-points-unless-given = айналу жиіліктері; өзгеше берілмесе, 120 нүкте

@@ -1,7 +1,10 @@
 # Supports at rest over the speed.
 bearing-coefficients-state = { $part } несёт { $value } при { $speed }; жёсткость по x { $x }, по y { $y }.
-bearing-coefficients-film = { $part } несёт { $value } при { $speed } с эксцентриситетом { $eccentricity } зазора под углом { $attitude } к нагрузке{ $takes ->
-        [power] ; толщина плёнки не меньше { $film }, потери { $power }
+bearing-coefficients-film = { $part } несёт { $value } при { $speed } с эксцентриситетом { $eccentricity } зазора{ $loaded ->
+        [yes] {" "}под углом { $attitude } к нагрузке
+       *[no] {""}
+    }{ $shows ->
+        [film] ; толщина плёнки не меньше { $film }, потери { $power }
        *[nothing] {""}
     }.
 bearing-coefficients-threshold = { $any ->
@@ -9,13 +12,4 @@ bearing-coefficients-threshold = { $any ->
        *[some] Жёсткая масса больше { $value } на { $part } прецессирует
     } с частотой { $share } частоты вращения; гибкий ротор прецессирует раньше.
 bearing-coefficients-no-rest = Частот вращения без положения равновесия: { $count }, вплоть до { $value }.
-bearing-coefficients-line = { $part }{ $shown ->
-        [kxx] , kxx
-        [kyy] , kyy
-        [kxy] , kxy
-        [kyx] , kyx
-        [cxx] , cxx
-        [cyy] , cyy
-       *[alone] {""}
-    }
 bearing-coefficients-alt = Опоры машины в покое при { $speeds } частотах вращения, по одной линии на каждую.

@@ -1403,11 +1403,12 @@ term-work-of-the-drive-since-the-start = работа привода с нача
 term-work-of-the-parts-own-sources-and-of-a-kick-since-the-start = работа собственных источников элементов и начального толчка с начала движения
 term-work-of-the-weight-since-the-start = работа силы тяжести с начала движения
 term-force-that-it-carries = сила, которую она несёт
-term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation = угол от нагрузки до смещения в направлении вращения
-term-least-thickness-of-the-film = наименьшая толщина плёнки
-term-power-that-it-takes-from-the-spin = мощность, отнимаемая от вращения
 term-rigid-mass-on-it-from-which-on-it-whirls-nan-where-none-does = жёсткая масса на ней, начиная с которой она прецессирует; NaN, где такой нет
-term-frequency-of-that-whirl-over-the-speed = частота этой прецессии к частоте вращения
+term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation-nan-without-a-load = угол от нагрузки до смещения в направлении вращения; без нагрузки NaN
+term-least-thickness-of-the-film-nan-of-a-support-without-one = наименьшая толщина плёнки; у опоры без плёнки NaN
+term-power-that-it-takes-from-the-spin-nan-of-a-support-that-shows-none = мощность, отнимаемая от вращения; NaN у опоры, которая её не показывает
+term-frequency-of-that-whirl-over-the-speed-nan-where-none-does = частота этой прецессии к частоте вращения; NaN, где её нет
+term-eccentricity-over-the-clearance-nan-of-a-support-without-a-film = эксцентриситет к зазору; у опоры без плёнки NaN
 
 # Small pictures and the polar diagram.
 term-mode-shapes = Формы мод

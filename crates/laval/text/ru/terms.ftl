@@ -326,6 +326,7 @@ term-shortest-separation-or-largest-throughput = кратчайшее разде
 term-smallest-vibration-against-its-limits = наименьшая вибрация по отношению к пределам
 term-speeds-over-which-states-are-followed-from-a-ten-thousandth-of-the-highest-on-at-standstill-nothing-holds-the-masses-points-number-of-speeds-in-the-table-of-states-21-unless-given = частоты, по которым прослеживаются состояния, от одной десятитысячной наибольшей (в покое массы ничто не удерживает); points: число частот в таблице состояний, 21, если не задано иначе
 term-spin-speeds-looked-at-points-120-unless-given-are-added-where-something-happens = рассматриваемые частоты вращения; точки (120, если не задано иначе) добавляются, где что-либо происходит
+term-spin-speeds-60-unless-their-number-is-given-or-one = частоты вращения: 60, если их число не задано, или одна
 term-spin-speeds-to-search-120-points-unless-given = частоты вращения для поиска; 120 точек, если не задано иначе
 term-spin-speeds-above-zero-200-points-unless-given = частоты вращения больше нуля; 200 точек, если не задано иначе
 term-spin-speeds-120-points-unless-given = частоты вращения; 120 точек, если не задано иначе

@@ -1,7 +1,10 @@
 # Supports at rest over the speed.
 bearing-coefficients-state = { $speed } da { $part } { $value } ko‘taradi; bikrligi x bo‘yicha { $x }, y bo‘yicha { $y }.
-bearing-coefficients-film = { $speed } da { $part } { $value } ko‘taradi, ekssentrisiteti tirqishning { $eccentricity } qismi, yuklamadan burchagi { $attitude }{ $takes ->
-        [power] ; pardaning qalinligi kamida { $film }, yo‘qotish { $power }
+bearing-coefficients-film = { $speed } da { $part } { $value } ko‘taradi, ekssentrisiteti tirqishning { $eccentricity } qismi{ $loaded ->
+        [yes] , yuklamadan burchagi { $attitude }
+       *[no] {""}
+    }{ $shows ->
+        [film] ; pardaning qalinligi kamida { $film }, yo‘qotish { $power }
        *[nothing] {""}
     }.
 bearing-coefficients-threshold = { $any ->
@@ -9,13 +12,4 @@ bearing-coefficients-threshold = { $any ->
        *[some] { $part } ustidagi { $value } dan ortiq bikr massa pretsessiya qiladi
     }, chastotasi aylanish chastotasining { $share } qismi; egiluvchan rotor ertaroq boshlaydi.
 bearing-coefficients-no-rest = Muvozanat holati yo‘q aylanish chastotalari: { $count }, { $value } gacha.
-bearing-coefficients-line = { $part }{ $shown ->
-        [kxx] , kxx
-        [kyy] , kyy
-        [kxy] , kxy
-        [kyx] , kyx
-        [cxx] , cxx
-        [cyy] , cyy
-       *[alone] {""}
-    }
 bearing-coefficients-alt = { $speeds } aylanish chastotasidagi tinch mashina tayanchlari, har biriga bir chiziq.

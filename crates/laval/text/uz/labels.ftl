@@ -1405,11 +1405,12 @@ term-work-of-the-drive-since-the-start = boshidan beri yuritma ishi
 term-work-of-the-parts-own-sources-and-of-a-kick-since-the-start = boshidan beri qismlar o‘z manbalarining va turtkining ishi
 term-work-of-the-weight-since-the-start = boshidan beri og‘irlik kuchi ishi
 term-force-that-it-carries = u ko‘taradigan kuch
-term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation = yuklamadan siljishgacha burchak, aylanish yo‘nalishida
-term-least-thickness-of-the-film = pardaning eng kichik qalinligi
-term-power-that-it-takes-from-the-spin = aylanishdan oladigan quvvati
 term-rigid-mass-on-it-from-which-on-it-whirls-nan-where-none-does = undagi pretsessiya boshlanadigan bikr massa; bo‘lmagan joyda NaN
-term-frequency-of-that-whirl-over-the-speed = shu pretsessiya chastotasining aylanish chastotasiga nisbati
+term-angle-from-the-load-to-the-displacement-in-the-sense-of-the-rotation-nan-without-a-load = yuklamadan siljishgacha burchak, aylanish yo‘nalishida; yuklamasiz NaN
+term-least-thickness-of-the-film-nan-of-a-support-without-one = pardaning eng kichik qalinligi; pardasiz tayanchda NaN
+term-power-that-it-takes-from-the-spin-nan-of-a-support-that-shows-none = aylanishdan oladigan quvvati; uni ko‘rsatmaydigan tayanchda NaN
+term-frequency-of-that-whirl-over-the-speed-nan-where-none-does = shu pretsessiya chastotasining aylanish chastotasiga nisbati; bo‘lmagan joyda NaN
+term-eccentricity-over-the-clearance-nan-of-a-support-without-a-film = ekssentrisitetning tirqishga nisbati; pardasiz tayanchda NaN
 
 # Small pictures and the polar diagram.
 term-mode-shapes = Modalar shakllari

@@ -326,6 +326,7 @@ term-shortest-separation-or-largest-throughput = eng qisqa ajratish yoki eng kat
 term-smallest-vibration-against-its-limits = chegaralarga nisbatan eng kichik tebranish
 term-speeds-over-which-states-are-followed-from-a-ten-thousandth-of-the-highest-on-at-standstill-nothing-holds-the-masses-points-number-of-speeds-in-the-table-of-states-21-unless-given = holatlar kuzatiladigan tezliklar, eng kattasining o‘n mingdan biridan boshlab (to‘xtaganda massalarni hech narsa ushlamaydi); points: holatlar jadvalidagi tezliklar soni, berilmasa, 21
 term-spin-speeds-looked-at-points-120-unless-given-are-added-where-something-happens = ko‘riladigan aylanish tezliklari; o‘zgarish bo‘lgan joyda nuqtalar (berilmasa, 120) qo‘shiladi
+term-spin-speeds-60-unless-their-number-is-given-or-one = aylanish tezliklari: soni berilmasa 60 ta, yoki bittasi
 term-spin-speeds-to-search-120-points-unless-given = qidiriladigan aylanish tezliklari; berilmasa, 120 nuqta
 term-spin-speeds-above-zero-200-points-unless-given = noldan katta aylanish tezliklari; berilmasa, 200 nuqta
 term-spin-speeds-120-points-unless-given = aylanish tezliklari; berilmasa, 120 nuqta

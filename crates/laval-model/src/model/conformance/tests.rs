@@ -157,7 +157,7 @@ fn a_capability_that_is_implemented_must_be_declared() {
     let (plain, heavy) = (declared(&Toy(Wrong::Nothing)), declared(&Toy(Wrong::HeavierThanSaid)));
     assert_eq!(undeclared(crate::implemented!(Toy), std::slice::from_ref(&plain)), ["varying_inertia"]);
     assert!(undeclared(crate::implemented!(Toy), &[plain, heavy]).is_empty());
-    assert_eq!(undeclared(crate::implemented!(Linear), &[declared(&Linear(Form::WithoutImpedance))]), ["frequency_domain"]);
+    assert_eq!(undeclared(crate::implemented!(Linear), &[declared(&Linear(Form::WithoutImpedance))]), ["extent", "frequency_domain"]);
     assert!(undeclared(crate::implemented!(Bad), &[declared(&Bad)]).is_empty());
 }
 

@@ -39,6 +39,8 @@ pub struct BearingCoefficients {
 
 /// Speeds unless given.
 const POINTS: usize = 60;
+/// Difference of two speeds that is rounding, over one of them.
+const SAME: f64 = 1e-9;
 const NAMES: [&str; 8] = ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"];
 
 impl Study for BearingCoefficients {
@@ -69,9 +71,10 @@ impl Study for BearingCoefficients {
     fn compute(&self, system: &System, context: &Context) -> Result<CoefficientsResult, Diagnostic> {
         let supports = self.supported(system)?;
         let mut speeds = self.speed.linspace(POINTS);
-        speeds.extend(operating(system, self.speed.from, self.speed.to).map(|o| o.speed()));
+        let near = |a: f64, b: f64| (a - b).abs() <= SAME * b.abs();
+        let operates = operating(system, self.speed.from, self.speed.to).map(|o| o.speed());
+        speeds.extend(operates.filter(|w| !speeds.iter().any(|x| near(*x, *w))));
         ascending(&mut speeds);
-        speeds.dedup();
         let mut out = CoefficientsResult { rows: Vec::new(), states: Vec::new(), refused: Vec::new(), end: End::Reached };
         let mut complete = true;
         for &speed in &speeds {
@@ -157,7 +160,7 @@ impl Row {
             eccentricity: shown(Observed::ECCENTRICITY),
             film: shown(Observed::FILM),
             power: shown(Observed::TORQUE) * speed,
-            threshold: b.threshold().map_or([f64::NAN; 2], |t| [t.mass, t.frequency]),
+            threshold: b.threshold().filter(|_| speed != 0.0).map_or([f64::NAN; 2], |t| [t.mass, t.frequency]),
         }
     }
 
@@ -218,10 +221,11 @@ impl Shown<'_> {
         self.result.rows.iter().any(|r| r.eccentricity.is_finite())
     }
 
-    /// The speed that findings speak of: the operating speed, or the highest.
+    /// The speed that findings speak of, among those computed: the operating speed, or the highest.
     fn speed(&self) -> Option<f64> {
         let (first, last) = (self.result.states.first()?.0, self.result.states.last()?.0);
-        Some(operating(self.system, first, last).map_or(last, |o| o.speed()))
+        let wanted = self.system.machine.speed.filter(|w| (first * (1.0 - SAME)..=last * (1.0 + SAME)).contains(w)).unwrap_or(last);
+        self.result.states.iter().map(|s| s.0).min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs()))
     }
 
     fn table(&self) -> Result<Table, Diagnostic> {
@@ -234,35 +238,37 @@ impl Shown<'_> {
             .float("load", "N", "force that it carries", column(&Row::load))
             .float("x", "m", "displacement of the turning body in it", column(&|r| r.place[0]))
             .float("y", "m", "displacement of the turning body in it", column(&|r| r.place[1]))
-            .float_if_any("eccentricity", "", "eccentricity over the clearance", column(&|r| r.eccentricity))
-            .float("attitude", "rad", "angle from the load to the displacement, in the sense of the rotation", column(&Row::attitude))
-            .float_if_any("film", "m", "least thickness of the film", column(&|r| r.film))
-            .float_if_any("power", "W", "power that it takes from the spin", column(&|r| r.power));
+            .float_if_any(
+                "eccentricity",
+                "",
+                "eccentricity over the clearance; NaN of a support without a film",
+                column(&|r| r.eccentricity),
+            )
+            .float(
+                "attitude",
+                "rad",
+                "angle from the load to the displacement, in the sense of the rotation; NaN without a load",
+                column(&Row::attitude),
+            )
+            .float_if_any("film", "m", "least thickness of the film; NaN of a support without one", column(&|r| r.film))
+            .float_if_any("power", "W", "power that it takes from the spin; NaN of a support that shows none", column(&|r| r.power));
         for (k, name) in NAMES.into_iter().enumerate() {
             let (unit, doc) = if k < 4 { ("N/m", "stiffness") } else { ("N s/m", "damping") };
             table = table.float(name, unit, doc, column(&|r| r.coefficients[k]));
         }
         table
             .float("threshold_mass", "kg", "rigid mass on it from which on it whirls; NaN where none does", column(&|r| r.threshold[0]))
-            .float("whirl_ratio", "", "frequency of that whirl over the speed", column(&|r| r.threshold[1] / r.speed.abs()))
+            .float(
+                "whirl_ratio",
+                "",
+                "frequency of that whirl over the speed; NaN where none does",
+                column(&|r| r.threshold[1] / r.speed.abs()),
+            )
             .build()
             .map_err(inconsistent)
     }
 
-    /// One line for each support.
-    fn line(&self, column: &str, word: &'static str) -> Line {
-        let mut slots: Vec<usize> = self.result.rows.iter().map(|r| r.slot).collect();
-        slots.sort_unstable();
-        slots.dedup();
-        let called = |slot: usize| {
-            let name = self.name(slot).to_string();
-            let read = Message::new("bearing-coefficients-line").arg("part", Arg::name(&name)).arg("shown", Arg::word(word));
-            (name, read.into())
-        };
-        Line::new("bearings", "speed", column).group("bearing").called(slots.into_iter().map(called).collect())
-    }
-
-    fn figure(&self, name: &'static str, title: &'static str, panels: Vec<Panel>) -> Figure {
+    fn figure(&self, name: &'static str, title: &'static str, panels: impl IntoIterator<Item = Panel>) -> Figure {
         let alt = Message::new("bearing-coefficients-alt").arg("speeds", Arg::count(self.result.states.len()));
         let mut figure = Figure::new(name, title, alt).x(Axis::new("spin speed", "rad/s"));
         let (first, last) = (self.result.states[0].0, self.result.states[self.result.states.len() - 1].0);
@@ -276,25 +282,20 @@ impl Shown<'_> {
     }
 
     fn coefficients(&self) -> Figure {
-        let panel = |axis: &'static str, unit: &'static str, names: [&'static str; 2]| {
-            names.into_iter().fold(Panel::new(Axis::new(axis, unit)), |panel, name| panel.mark(self.line(name, name)))
-        };
-        let panels = vec![
-            panel("stiffness", "N/m", ["kxx", "kyy"]),
-            panel("cross stiffness", "N/m", ["kxy", "kyx"]),
-            panel("damping", "N s/m", ["cxx", "cyy"]),
-        ];
+        let panels = ["kxx", "kyy", "kxy", "kyx", "cxx", "cyy"].map(|name| {
+            let unit = if name.starts_with('k') { "N/m" } else { "N s/m" };
+            Panel::new(Axis::new(name, unit)).height(0.7).mark(line(name))
+        });
         self.figure("coefficients", "Coefficients of the supports over the speed", panels)
     }
 
     fn film(&self) -> Figure {
-        let panel =
-            |axis: &'static str, unit: &'static str, name: &'static str| Panel::new(Axis::new(axis, unit)).mark(self.line(name, "alone"));
-        let panels = vec![
-            panel("eccentricity over the clearance", "", "eccentricity"),
-            panel("angle from the load", "rad", "attitude"),
-            panel("least film thickness", "m", "film"),
+        let panels = [
+            ("eccentricity over the clearance", "", "eccentricity"),
+            ("angle from the load", "rad", "attitude"),
+            ("least film thickness", "m", "film"),
         ];
+        let panels = panels.map(|(label, unit, column)| Panel::new(Axis::new(label, unit)).mark(line(column)));
         self.figure("film", "Oil films over the speed", panels)
     }
 
@@ -308,12 +309,14 @@ impl Shown<'_> {
             let mut finding =
                 Finding::info("bearing", key).of(name).value(r.load(), "N").arg("part", Arg::name(name)).arg("speed", Arg::speed(speed));
             if film {
+                let attitude = Some(r.attitude()).filter(|a| a.is_finite());
                 finding = finding
                     .arg("eccentricity", Arg::percent(r.eccentricity))
-                    .arg("attitude", Arg::quantity(r.attitude(), "rad"))
-                    .arg("film", Arg::quantity(r.film, "m"))
-                    .arg("power", Arg::quantity(r.power, "W"))
-                    .arg("takes", Arg::word(if r.power.is_finite() { "power" } else { "nothing" }));
+                    .arg("loaded", Arg::word(if attitude.is_some() { "yes" } else { "no" }))
+                    .arg("attitude", Arg::quantity(attitude.unwrap_or(0.0), "rad"))
+                    .arg("shows", Arg::word(if r.film.is_finite() && r.power.is_finite() { "film" } else { "nothing" }))
+                    .arg("film", Arg::quantity(if r.film.is_finite() { r.film } else { 0.0 }, "m"))
+                    .arg("power", Arg::quantity(if r.power.is_finite() { r.power } else { 0.0 }, "W"));
             } else {
                 finding = finding.arg("x", Arg::quantity(r.coefficients[0], "N/m")).arg("y", Arg::quantity(r.coefficients[3], "N/m"));
             }
@@ -339,6 +342,11 @@ impl Shown<'_> {
         }
         out
     }
+}
+
+/// One line for each support.
+fn line(column: &'static str) -> Line {
+    Line::new("bearings", "speed", column).group("bearing")
 }
 
 #[cfg(test)]
