@@ -21,7 +21,7 @@ use crate::solve::statics::bearing::{BearingState, bearing_state};
 use crate::solve::statics::own;
 use crate::solve::statics::supports::Support;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{SPEED_RANGE, inconsistent, one_or_range, state_remarks};
+use crate::study::shared::support::{SPEED_RANGE, beyond_rounding, inconsistent, largest, one_or_range, state_remarks};
 use crate::study::shared::supporting;
 use crate::study::{Context, Study};
 use crate::text;
@@ -151,6 +151,9 @@ impl Row {
     fn of(slot: usize, speed: f64, b: &BearingState) -> Row {
         let shown = |name: &str| b.observed.iter().find(|o| o.name == name).map_or(f64::NAN, |o| o.value);
         let [k, c] = [b.stiffness, b.damping];
+        // a film without a load holds no mass, but for rounding
+        let held = |mass: f64, frequency: f64| beyond_rounding(mass * frequency * frequency, largest(k.map(f64::abs)));
+        let threshold = b.threshold().filter(|_| speed != 0.0);
         Row {
             slot,
             speed,
@@ -160,7 +163,7 @@ impl Row {
             eccentricity: shown(Observed::ECCENTRICITY),
             film: shown(Observed::FILM),
             power: shown(Observed::TORQUE) * speed,
-            threshold: b.threshold().filter(|_| speed != 0.0).map_or([f64::NAN; 2], |t| [t.mass, t.frequency]),
+            threshold: threshold.map_or([f64::NAN; 2], |t| [if held(t.mass, t.frequency) > 0.0 { t.mass } else { 0.0 }, t.frequency]),
         }
     }
 
