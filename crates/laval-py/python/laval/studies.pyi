@@ -9,7 +9,7 @@ from typing import Any, Literal
 from laval._blocks import Extra, Part, Study
 from laval._types import Lateral, Named, ParameterRange, Point, Quantities, Quantity, Range, Tolerance
 
-__all__ = ['modes', 'static', 'campbell', 'critical_speeds', 'support_stiffness_map', 'stability_map', 'stability_threshold', 'forced_response', 'harmonic_force', 'nonlinear_response', 'bifurcation_loci', 'response_map', 'stationary', 'sensitivity', 'backbone', 'limit_cycles', 'methods', 'transient', 'run_up', 'separation', 'operating_window', 'sweep', 'motion_map', 'basins', 'uncertainty', 'optimum']
+__all__ = ['modes', 'static', 'bearing_coefficients', 'campbell', 'critical_speeds', 'support_stiffness_map', 'stability_map', 'stability_threshold', 'forced_response', 'harmonic_force', 'nonlinear_response', 'bifurcation_loci', 'response_map', 'stationary', 'sensitivity', 'backbone', 'limit_cycles', 'methods', 'transient', 'run_up', 'separation', 'operating_window', 'sweep', 'motion_map', 'basins', 'uncertainty', 'optimum']
 
 def __getattr__(name: str) -> Any: ...
 def __dir__() -> list[str]: ...
@@ -77,6 +77,28 @@ def static(
         [[study]]
         kind = "static"
         speed = "3000 rpm"
+    """
+
+def bearing_coefficients(
+    *,
+    name: str | None = None,
+    speed: Range,
+    supports: str | None = None,
+) -> Study:
+    """The supports of the machine at rest over the speed: the load that each carries, where its journal lies, eccentricity, attitude, least film and power of oil films, the eight stiffness and damping coefficients about that state, and the rigid mass that begins to whirl on them.
+
+    Args:
+        name: by which others refer to it.
+        speed: spin speeds, 60 unless their number is given, or one (required).
+            one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
+        supports: names of the parts that support the rotor, separated by commas; every part with stiffness between what turns and what does not, unless given (optional).
+            a text
+
+    In a machine file::
+
+        [[study]]
+        kind = "bearing_coefficients"
+        speed = { from = "600 rpm", to = "6000 rpm" }
     """
 
 def campbell(
