@@ -91,6 +91,22 @@ fn coefficients_of_a_table() {
     assert!(o.tables[0].column("eccentricity").is_none() && o.figures.len() == 1);
 }
 
+/// A squeeze film beside a spring has an eccentricity, and neither a thickness nor power to show; without a load there is no attitude.
+#[test]
+fn figures_show_what_is_there() {
+    let spring = "kind = \"bearing_linear\"\nkxx = 7e6\nkyy = 8e6";
+    let squeeze =
+        format!("[[part]]\nkind = \"squeeze_film\"\nname = \"f\"\nbetween = [{{ body = \"s\", at = 0.0 }}, \"ground\"]\n{OIL}\n[[study]]");
+    let range = "speed = { from = \"1000 rpm\", to = \"9000 rpm\", points = 3 }";
+    let text = machine("horizontal", [spring; 2], &format!("{range}\nsupports = \"a, b, f\"")).replace("[[study]]", &squeeze);
+    let o = run_all(&text).remove(0);
+    let table = o.tables.iter().find(|t| t.name() == "bearings").unwrap();
+    assert!(table.column("eccentricity").is_some() && table.column("film").is_none() && o.figures.len() == 2);
+    assert_eq!(findings(&o, "bearing").len(), 3);
+    let o = journals("vertical", range);
+    assert!(o.figures.len() == 2 && column(&o, "attitude").iter().all(|a| a.is_nan()));
+}
+
 #[test]
 fn a_machine_without_supports_is_refused() {
     let damper = "kind = \"damper\"\ndamping = 100.0";

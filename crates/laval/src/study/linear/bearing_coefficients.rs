@@ -292,13 +292,15 @@ impl Shown<'_> {
         self.figure("coefficients", "Coefficients of the supports over the speed", panels)
     }
 
+    /// What the films of the machine show: a squeeze film has no thickness of its own, and without a load there is no angle.
     fn film(&self) -> Figure {
-        let panels = [
-            ("eccentricity over the clearance", "", "eccentricity"),
-            ("angle from the load", "rad", "attitude"),
-            ("least film thickness", "m", "film"),
+        let panels: [(&'static str, &'static str, &'static str, fn(&Row) -> f64); 3] = [
+            ("eccentricity over the clearance", "", "eccentricity", |r| r.eccentricity),
+            ("angle from the load", "rad", "attitude", Row::attitude),
+            ("least film thickness", "m", "film", |r| r.film),
         ];
-        let panels = panels.map(|(label, unit, column)| Panel::new(Axis::new(label, unit)).mark(line(column)));
+        let known = panels.into_iter().filter(|p| self.result.rows.iter().any(|r| p.3(r).is_finite()));
+        let panels = known.map(|(label, unit, column, _)| Panel::new(Axis::new(label, unit)).mark(line(column)));
         self.figure("film", "Oil films over the speed", panels)
     }
 
