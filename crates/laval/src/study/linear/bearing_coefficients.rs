@@ -294,13 +294,13 @@ impl Shown<'_> {
 
     /// What the films of the machine show: a squeeze film has no thickness of its own, and without a load there is no angle.
     fn film(&self) -> Figure {
-        let panels: [(&'static str, &'static str, &'static str, fn(&Row) -> f64); 3] = [
-            ("eccentricity over the clearance", "", "eccentricity", |r| r.eccentricity),
-            ("angle from the load", "rad", "attitude", Row::attitude),
-            ("least film thickness", "m", "film", |r| r.film),
+        let known = |of: fn(&Row) -> f64| self.result.rows.iter().any(|r| of(r).is_finite());
+        let panels = [
+            ("eccentricity over the clearance", "", "eccentricity", known(|r| r.eccentricity)),
+            ("angle from the load", "rad", "attitude", known(Row::attitude)),
+            ("least film thickness", "m", "film", known(|r| r.film)),
         ];
-        let known = panels.into_iter().filter(|p| self.result.rows.iter().any(|r| p.3(r).is_finite()));
-        let panels = known.map(|(label, unit, column, _)| Panel::new(Axis::new(label, unit)).mark(line(column)));
+        let panels = panels.into_iter().filter(|p| p.3).map(|p| Panel::new(Axis::new(p.0, p.1)).mark(line(p.2)));
         self.figure("film", "Oil films over the speed", panels)
     }
 
