@@ -23,9 +23,10 @@ use clap::{Parser, Subcommand};
 use laval::text;
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::ffi::OsString;
+use std::io;
 use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex, mpsc};
 use std::thread;
 
 /// Done.
@@ -112,14 +113,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
 fn start_threads() {
     let said = std::env::var("RAYON_NUM_THREADS").ok().and_then(|n| n.parse().ok()).filter(|n| *n > 0);
     let wanted = said.unwrap_or_else(|| thread::available_parallelism().map_or(1, NonZeroUsize::get));
-    let gate = Mutex::new(());
-    let tried = thread::scope(|scope| {
-        let held = gate.lock();
-        let all: Result<Vec<_>, _> = (0..wanted).map(|_| thread::Builder::new().spawn_scoped(scope, || drop(gate.lock()))).collect();
-        drop(held);
-        all.map(drop)
-    });
-    if let Err(e) = tried {
+    if let Err(e) = try_threads(wanted) {
         terminal::say(&text!(
             "note: {wanted} threads cannot be started ({e}): one computes. RAYON_NUM_THREADS says how many are wanted.",
             wanted,
@@ -128,6 +122,30 @@ fn start_threads() {
         // fails where threads run already
         let _ = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
     }
+}
+
+/// Starts `wanted` threads that are alive together, and ends them. A thread takes memory of its own once it runs, and one that gets none ends the program: each
+/// is started when the one before it runs, and all have given their memory back at the end.
+fn try_threads(wanted: usize) -> io::Result<()> {
+    let gate = Arc::new(Mutex::new(()));
+    let (runs, running) = mpsc::channel();
+    let mut started = Vec::new();
+    let mut start = || {
+        let (gate, runs) = (gate.clone(), runs.clone());
+        started.push(thread::Builder::new().spawn(move || {
+            let _ = runs.send(());
+            drop(gate.lock());
+        })?);
+        let _ = running.recv();
+        Ok(())
+    };
+    let held = gate.lock();
+    let tried = (0..wanted).try_for_each(|_| start());
+    drop(held);
+    for thread in started {
+        let _ = thread.join();
+    }
+    tried
 }
 
 /// Help and version are answers; anything else is a wrong request.
