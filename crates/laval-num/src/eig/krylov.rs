@@ -69,13 +69,14 @@ impl<T: Number + super::Number> Quadratic<'_, T> {
         a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| a0 + s * (a1 + s * a2)).collect()
     }
 
-    /// Entries of A1 and A2 that are not both zero.
-    fn rates(&self) -> Rates<T> {
+    /// Entries of A1 and A2 that are not both zero, for the unknowns of the iteration.
+    fn rates(&self, shift: T, size: f64, weights: &[f64]) -> Rates<T> {
         let [_, a1, a2] = self.terms;
         let mut out = Rates { ends: Vec::with_capacity(self.plan.n()), entries: Vec::with_capacity(self.plan.pattern().entries()) };
         for i in 0..self.plan.n() {
-            let row = self.plan.pattern().row(i).map(|(e, j)| (j, a1[e], a2[e]));
-            out.entries.extend(row.filter(|x| x.1 != T::ZERO || x.2 != T::ZERO));
+            let row = self.plan.pattern().row(i).filter(|&(e, _)| a1[e] != T::ZERO || a2[e] != T::ZERO);
+            let times = |x: T, k: f64| Number::times(x, k);
+            out.entries.extend(row.map(|(e, j)| (j, times(a1[e] + shift * a2[e], 1.0 / weights[j]), times(a2[e], size / weights[j]))));
             out.ends.push(out.entries.len());
         }
         out
@@ -92,23 +93,23 @@ impl<T: Number + super::Number> Quadratic<'_, T> {
     }
 }
 
-/// Rows of A1 and A2: column and both values, and where each row ends.
+/// Rows of `(A1 + p A2) D` and `d A2 D` with D the inverse weights: column and both values, and where each row ends.
 struct Rates<T> {
     ends: Vec<usize>,
     entries: Vec<(usize, T, T)>,
 }
 
 impl<T: Number> Rates<T> {
-    /// `A1 x + A2 y`.
-    fn apply(&self, x: &[T], y: &[T], out: &mut [T]) {
+    /// Applied to u and w, the halves of a vector.
+    fn apply(&self, halves: (&[T], &[T]), out: &mut [T]) {
         let mut from = 0;
         for (out, &end) in out.iter_mut().zip(&self.ends) {
-            let (mut of_x, mut of_y) = (T::ZERO, T::ZERO);
-            for &(j, a1, a2) in &self.entries[from..end] {
-                of_x += a1 * x[j];
-                of_y += a2 * y[j];
+            let (mut of_u, mut of_w) = (T::ZERO, T::ZERO);
+            for &(j, a, b) in &self.entries[from..end] {
+                of_u += a * halves.0[j];
+                of_w += b * halves.1[j];
             }
-            (*out, from) = (of_x + of_y, end);
+            (*out, from) = (of_u + of_w, end);
         }
     }
 }
@@ -128,9 +129,14 @@ impl<const P: usize> Planes<P> {
         }
         Planes(out)
     }
-    #[inline(always)]
+    #[cfg(test)]
     fn at<T: Number>(&self, i: usize) -> T {
         T::read(&std::array::from_fn::<f64, P, _>(|p| self.0[p][i]))
+    }
+    fn read<T: Number>(&self, out: &mut [T]) {
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = T::read(&std::array::from_fn::<f64, P, _>(|p| self.0[p][i]));
+        }
     }
     fn all(&mut self) -> impl Iterator<Item = &mut f64> {
         self.0.iter_mut().flatten()
@@ -253,8 +259,8 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
     let n = problem.plan.n();
     let factored = |p: T| Some((p, Factors::new(problem.plan, &problem.at(p)).ok()?));
     let Some((shift, factors)) = shifts.find_map(factored) else { return Err(EigError::SingularPencil) };
-    let (weights, rates, level) = (problem.weights(size), problem.rates(), Level::best());
-    let over: Vec<f64> = weights.iter().map(|w| 1.0 / w).collect();
+    let (weights, level) = (problem.weights(size), Level::best());
+    let rates = problem.rates(shift, size, &weights);
     let most = most.min(2 * n);
     // an arbitrary start, the same every time
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
@@ -266,21 +272,20 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
     let mut start = Planes::<P>::from(start);
     start.normalise();
     let (mut basis, mut columns): (Vec<Planes<P>>, Vec<Vec<T>>) = (vec![start], Vec::new());
-    let (mut x, mut y, mut image) = (vec![T::ZERO; n], vec![T::ZERO; n], vec![T::ZERO; n]);
+    let (mut last, mut next) = (vec![T::ZERO; 2 * n], vec![T::ZERO; 2 * n]);
     loop {
         let k = columns.len();
         spend((P * P * (n * 30 + 8 * n * k)) as u64);
-        let b = &basis[k];
-        for i in 0..n {
-            let (u, w): (T, T) = (b.at(i), b.at(n + i));
-            x[i] = Number::times(u, over[i]);
-            y[i] = Number::times(Number::times(w, size) + shift * u, over[i]);
+        basis[k].read(&mut last);
+        let (u, w) = last.split_at(n);
+        let (image, rate) = next.split_at_mut(n);
+        rates.apply((u, w), image);
+        factors.solve(image);
+        for (((image, rate), &u), &weight) in image.iter_mut().zip(rate).zip(u).zip(&weights) {
+            *image = Number::times(*image, -weight);
+            *rate = Number::times(u + shift * *image, 1.0 / size);
         }
-        rates.apply(&x, &y, &mut image);
-        factors.solve(&mut image);
-        image.iter_mut().zip(&weights).for_each(|(v, &d)| *v = Number::times(*v, -d));
-        let second = |i: usize| Number::times(b.at::<T>(i) + shift * image[i], 1.0 / size);
-        let mut next = Planes::<P>::from((0..2 * n).map(|i| if i < n { image[i] } else { second(i - n) }));
+        let mut next = Planes::<P>::from(next.iter().copied());
         let before = next.norm();
         if !before.is_finite() {
             return Err(EigError::NotFinite);
@@ -294,7 +299,7 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
         columns.push(column);
         let steps = k + 1;
         if ended || steps >= most || (steps % ROUND == 0 && steps as f64 >= FIRST * wanted as f64) {
-            let found = resolved(&columns, shift.act(C64::ONE))?;
+            let found = resolved::<T, P>(&columns, shift.act(C64::ONE), level)?;
             if ended || steps >= most || found.values.len() >= wanted {
                 return Ok(if ended { Nearest { radius: f64::INFINITY, ..found } } else { found });
             }
@@ -304,19 +309,24 @@ fn arnoldi<T: Number + super::Number, const P: usize>(
 }
 
 /// What a Hessenberg matrix, column by column with the entry below its last row, shows of the eigenvalues.
-fn resolved<T: Number + super::Number>(columns: &[Vec<T>], shift: C64) -> Result<Nearest, EigError> {
+fn resolved<T: Number + super::Number, const P: usize>(columns: &[Vec<T>], shift: C64, level: Level) -> Result<Nearest, EigError> {
     let m = columns.len();
     let h = Mat::from_fn(m, m, |i, j| columns[j].get(i).copied().unwrap_or(T::ZERO));
     let beyond = columns[m - 1][m].size();
     let mut out = Nearest { values: Vec::new(), radius: f64::INFINITY };
     let all = T::of_hessenberg(&h)?;
     let largest = all.iter().map(|m| m.abs()).fold(0.0, f64::max);
-    let mut before = (C64::ZERO, f64::NAN);
-    for &value in all.iter().filter(|m| m.abs() > INFINITE * largest) {
+    let finite: Vec<C64> = all.into_iter().filter(|m| m.abs() > INFINITE * largest).collect();
+    // of a real matrix conjugate values have conjugate vectors
+    let second = |k: usize| T::REAL && k > 0 && finite[k].im < 0.0 && finite[k] == finite[k - 1].conj();
+    let alone: Vec<C64> = (0..finite.len()).filter(|&k| !second(k)).map(|k| finite[k]).collect();
+    let mut components = alone.chunks(LANES).flat_map(|some| dispatch(level, LastComponents::<T, P> { h: &h, values: some }));
+    let mut last = 0.0;
+    for (k, &value) in finite.iter().enumerate() {
         let size = value.abs();
-        // of a real matrix conjugate values have conjugate vectors
-        let last = if T::REAL && value == before.0.conj() { before.1 } else { last_component(&h, value) };
-        before = (value, last);
+        if !second(k) {
+            last = components.next().unwrap_or(f64::INFINITY);
+        }
         if beyond * last <= RESOLVED * size {
             out.values.push(shift + value.recip());
         } else {
@@ -328,22 +338,57 @@ fn resolved<T: Number + super::Number>(columns: &[Vec<T>], shift: C64) -> Result
     Ok(out)
 }
 
-/// Last component of an eigenvector of a Hessenberg matrix over its norm: all rows but the first give the other components from it.
-fn last_component<T: Number + super::Number>(h: &Mat<T>, value: C64) -> f64 {
-    let m = h.rows();
-    let mut y = vec![C64::ZERO; m];
-    y[m - 1] = C64::ONE;
-    let mut squares = 1.0;
-    for k in (1..m).rev() {
-        let below = h[(k, k - 1)];
-        let row = (k..m).fold(value * y[k], |sum, j| sum - h[(k, j)].act(y[j]));
-        y[k - 1] = row / below.act(C64::ONE);
-        squares += y[k - 1].norm_sqr();
-        if !(squares < FAR) {
-            return 0.0;
+/// Last components of eigenvectors of a Hessenberg matrix over their norms, of as many eigenvalues as there are lanes: all rows but the first give the other components
+/// from the last one.
+struct LastComponents<'a, T, const P: usize> {
+    h: &'a Mat<T>,
+    values: &'a [C64],
+}
+
+impl<T: Number, const P: usize> Kernel for LastComponents<'_, T, P> {
+    type Out = [f64; LANES];
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) -> [f64; LANES] {
+        let m = self.h.rows();
+        let mut value = [[0.0; LANES]; 2];
+        for (l, v) in self.values.iter().enumerate() {
+            (value[0][l], value[1][l]) = (v.re, v.im);
         }
+        let value = [S::load(&value[0]), S::load(&value[1])];
+        let mut y = vec![[S::zero(); 2]; m];
+        y[m - 1][0] = S::cst(1.0);
+        let mut squares = S::cst(1.0);
+        for k in (1..m).rev() {
+            let last = y[k];
+            let mut sum = [value[0] * last[0] - value[1] * last[1], value[0] * last[1] + value[1] * last[0]];
+            for j in k..m {
+                let (mut h, y) = ([0.0; P], y[j]);
+                self.h[(k, j)].write(&mut h);
+                let re = S::cst(h[0]);
+                sum = [sum[0] - re * y[0], sum[1] - re * y[1]];
+                if P == 2 {
+                    let im = S::cst(h[P - 1]);
+                    sum = [sum[0] + im * y[1], sum[1] - im * y[0]];
+                }
+            }
+            let mut below = [0.0; P];
+            self.h[(k, k - 1)].write(&mut below);
+            let (re, im) = (below[0], if P == 2 { below[P - 1] } else { 0.0 });
+            let over = 1.0 / (re * re + im * im);
+            let (re, im) = (S::cst(re * over), S::cst(im * over));
+            y[k - 1] = [sum[0] * re + sum[1] * im, sum[1] * re - sum[0] * im];
+            squares += y[k - 1][0] * y[k - 1][0] + y[k - 1][1] * y[k - 1][1];
+            if !S::bits(squares.lt(S::cst(FAR))).any() {
+                break;
+            }
+        }
+        // beside larger ones the last component is nothing
+        let mut out = squares.to_array();
+        for x in &mut out {
+            *x = if *x < FAR { 1.0 / x.sqrt() } else { 0.0 };
+        }
+        out
     }
-    1.0 / squares.sqrt()
 }
 
 #[cfg(test)]
@@ -414,6 +459,29 @@ mod tests {
                 assert!(inner(b, next).abs() <= 1e-14 * next.norm() && (inner(b, &vector(7)) - c(h[0], h[1])).abs() <= 1e-13 * next.norm());
             }
         }
+    }
+
+    fn last_components<T: Number + super::super::Number, const P: usize>(entry: impl Fn(usize, usize) -> T) {
+        let n = 11;
+        let h = Mat::from_fn(n, n, |i, j| if i > j + 1 { T::ZERO } else { entry(i, j) });
+        let values = T::of_hessenberg(&h).unwrap();
+        for some in values.chunks(LANES) {
+            for level in Level::supported() {
+                let found = dispatch(level, LastComponents::<T, P> { h: &h, values: some });
+                for (&value, found) in some.iter().zip(found) {
+                    let singular = Mat::from_fn(n, n, |i, j| h[(i, j)].act(C64::ONE) - if i == j { value } else { C64::ZERO });
+                    let last = <C64 as super::super::Number>::svd(&singular).unwrap().v[(n - 1, n - 1)].abs();
+                    assert!((found - last).abs() <= 1e-9 * last, "{value:?} {found} {last}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn last_components_are_those_of_eigenvectors() {
+        let wave = |i: usize, j: usize| (1.0 + 2.3 * i as f64 + 0.7 * (j * j) as f64).sin() + if i == j + 1 { 1.5 } else { 0.0 };
+        last_components::<f64, 1>(wave);
+        last_components::<C64, 2>(|i, j| c(wave(i, j), wave(j + 3, i)));
     }
 
     #[test]

@@ -70,7 +70,11 @@ pub fn polish(t: &ScaledQuadratic, starts: &[Start], factors: &mut LaneFactors<C
     let count = starts.len().min(LANES);
     let (mut x, mut y) = (vec![[[0.0; LANES]; 2]; n], vec![[[0.0; LANES]; 2]; n]);
     // an arbitrary direction, the same every time
-    let any = |i: usize| C64::cis(1.0 + 2.4 * i as f64).scale(1.0 + 0.3 * (i as f64).sin());
+    let any: Vec<C64> = if starts.iter().all(|s| s.vectors.is_some()) {
+        vec![C64::ONE; n]
+    } else {
+        (0..n).map(|i| C64::cis(1.0 + 2.4 * i as f64).scale(1.0 + 0.3 * (i as f64).sin())).collect()
+    };
     let mut fresh = false;
     for l in 0..LANES {
         let vectors = starts.get(l).and_then(|s| s.vectors);
@@ -78,7 +82,7 @@ pub fn polish(t: &ScaledQuadratic, starts: &[Start], factors: &mut LaneFactors<C
         for i in 0..n {
             let (a, b) = match vectors {
                 Some((right, left)) => (right[i].scale(1.0 / t.columns()[i]), left[i].scale(1.0 / t.rows()[i])),
-                None => (any(i), any(i)),
+                None => (any[i], any[i]),
             };
             set(&mut x[i], l, a);
             set(&mut y[i], l, b);

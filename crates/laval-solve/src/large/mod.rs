@@ -41,6 +41,9 @@ const COVERED: f64 = 0.95;
 const NARROW: f64 = 0.01;
 /// Two starts at this relative distance lead to one root.
 const SAME: f64 = 1e-6;
+/// Size of a start over the frequency up to which roots are sought, where starts are near roots, and where parts with memory or given in the frequency domain move them.
+const JUST_BEYOND: f64 = 1.01;
+const BEYOND: f64 = 1.5;
 
 /// Size of a root over that of the lowest frequencies, and of its imaginary part over the real one, that is rounding.
 const REAL: f64 = 1e-4;
@@ -163,6 +166,7 @@ pub(super) fn starts(t: &Characteristic, sectors: &[Option<Sector>], frequency: 
         None => lowest(&blocks, t.speed().abs()),
     };
     slowest.resize_with(blocks.len(), || None);
+    let reach = frequency * if t.as_polynomial().is_some() { JUST_BEYOND } else { BEYOND };
     let mut values: Vec<(Option<Sector>, C64)> = Vec::new();
     for (block, first) in blocks.iter().zip(slowest) {
         let low = if block.mirrored() { 0.0 } else { -frequency };
@@ -171,7 +175,7 @@ pub(super) fn starts(t: &Characteristic, sectors: &[Option<Sector>], frequency: 
                 s = s.conj();
             }
             let known = |v: &(Option<Sector>, C64)| v.0 == block.sector && (v.1 - s).abs() <= SAME * s.abs();
-            if s.abs() <= 1.5 * frequency && !values.iter().any(known) {
+            if s.re.abs() <= reach && s.im.abs() <= reach && !values.iter().any(known) {
                 values.push((block.sector, s));
             }
         }

@@ -15,7 +15,7 @@ const MOST_REMARKS: usize = 3;
 const MOST_NEXT: usize = 2;
 /// Remarks that come before the whole results of checks.
 const FIRST: usize = 2;
-/// Lines of the result of a check, and of a remark, where there is room.
+/// Lines of the result of a check, and of a remark, that come first where there is room.
 const LINES: usize = 2;
 /// Widths of the columns of checks, the last takes what is left.
 const WHAT: usize = 24;
@@ -39,7 +39,7 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         page.next.iter().take(MOST_NEXT).map(|m| Lines::new(wrapped(&plain::line(&style.message(m)), width - 2))).collect();
     next.iter_mut().for_each(|n| n.shown = n.lines.len());
 
-    // one line each, then the whole results of checks, the worst first, then more remarks and suggestions
+    // one line each, then two for the results of checks, the worst first, then more remarks and suggestions, then what is left of the results
     let fixed = 1 + headline.len() + usize::from(!checks.is_empty()) + strip.len();
     let used = |checks: &[Cells], remarks: &[Lines], next: &[Lines]| {
         let blocks = usize::from(!remarks.is_empty()) + usize::from(!next.is_empty());
@@ -54,9 +54,8 @@ pub fn summary(report: &Report, how: Terminal) -> String {
     }
     let mut order: Vec<usize> = (0..checks.len()).collect();
     order.sort_by_key(|&k| std::cmp::Reverse(page.checks[k].verdict));
-    for k in order {
-        let before = checks[k].result.shown;
-        checks[k].result.shown = checks[k].result.lines.len().min(LINES);
+    for &k in &order {
+        let before = checks[k].result.grow(LINES);
         if used(&checks, &remarks, &next) > MOST_LINES {
             checks[k].result.shown = before;
         }
@@ -72,9 +71,15 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         }
     }
     for k in 0..remarks.len() {
-        remarks[k].shown = remarks[k].lines.len().min(LINES);
+        let before = remarks[k].grow(LINES);
         if used(&checks, &remarks, &next) > MOST_LINES {
-            remarks[k].shown = 1;
+            remarks[k].shown = before;
+        }
+    }
+    for k in order {
+        let before = checks[k].result.grow(usize::MAX);
+        if used(&checks, &remarks, &next) > MOST_LINES {
+            checks[k].result.shown = before;
         }
     }
 
@@ -112,6 +117,13 @@ impl Lines {
     fn new(lines: Vec<String>) -> Lines {
         let shown = lines.len().min(1);
         Lines { lines, shown }
+    }
+
+    /// Shows up to `most` lines; the number shown before.
+    fn grow(&mut self, most: usize) -> usize {
+        let before = self.shown;
+        self.shown = self.lines.len().min(most).max(before);
+        before
     }
 
     /// The lines shown, with a mark where some are left out.
