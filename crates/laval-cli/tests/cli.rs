@@ -361,7 +361,7 @@ fn threads_that_cannot_be_started_are_not_needed() {
     let program = dir.command(["run", "pump.toml"]);
     let mut limited = Command::new("sh");
     limited.args(["-c", "ulimit -v 3000000 && exec \"$0\" \"$@\""]).arg(program.get_program()).args(program.get_args());
-    // the last thread that could be started must not take what is left of the memory to some kilobytes: large stacks make that unlikely
+    // a thread that starts with less than 12 kB of memory free ends the program; with large stacks that is improbable
     limited.current_dir(&dir.0).env("RAYON_NUM_THREADS", "3000").env("RUST_MIN_STACK", "67108864");
     let said = Said::of(&limited.output().unwrap());
     assert!(said.code == 0 && said.err.contains("3000 threads cannot be started"), "{} {}", said.code, said.err);

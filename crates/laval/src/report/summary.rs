@@ -15,7 +15,7 @@ const MOST_REMARKS: usize = 3;
 const MOST_NEXT: usize = 2;
 /// Remarks that come before the whole results of checks.
 const FIRST: usize = 2;
-/// Lines of the result of a check, and of a remark, that come first where there is room.
+/// Lines of a remark, and of the result of a check before remarks take room.
 const LINES: usize = 2;
 /// Widths of the columns of checks, the last takes what is left.
 const WHAT: usize = 24;
@@ -39,7 +39,7 @@ pub fn summary(report: &Report, how: Terminal) -> String {
         page.next.iter().take(MOST_NEXT).map(|m| Lines::new(wrapped(&plain::line(&style.message(m)), width - 2))).collect();
     next.iter_mut().for_each(|n| n.shown = n.lines.len());
 
-    // one line each, then two for the results of checks, the worst first, then more remarks and suggestions, then what is left of the results
+    // one line each, then a second line of the results of checks, the worst first, then more remarks and suggestions, then the whole results
     let fixed = 1 + headline.len() + usize::from(!checks.is_empty()) + strip.len();
     let used = |checks: &[Cells], remarks: &[Lines], next: &[Lines]| {
         let blocks = usize::from(!remarks.is_empty()) + usize::from(!next.is_empty());
@@ -54,12 +54,15 @@ pub fn summary(report: &Report, how: Terminal) -> String {
     }
     let mut order: Vec<usize> = (0..checks.len()).collect();
     order.sort_by_key(|&k| std::cmp::Reverse(page.checks[k].verdict));
-    for &k in &order {
-        let before = checks[k].result.grow(LINES);
-        if used(&checks, &remarks, &next) > MOST_LINES {
-            checks[k].result.shown = before;
+    let lengthen = |checks: &mut [Cells], remarks: &[Lines], next: &[Lines], most: usize| {
+        for &k in &order {
+            let before = checks[k].result.grow(most);
+            if used(checks, remarks, next) > MOST_LINES {
+                checks[k].result.shown = before;
+            }
         }
-    }
+    };
+    lengthen(&mut checks, &remarks, &next, LINES);
     for (all, more) in [(&mut remarks, &mut more_remarks), (&mut next, &mut more_next)] {
         all.append(more);
     }
@@ -76,12 +79,7 @@ pub fn summary(report: &Report, how: Terminal) -> String {
             remarks[k].shown = before;
         }
     }
-    for k in order {
-        let before = checks[k].result.grow(usize::MAX);
-        if used(&checks, &remarks, &next) > MOST_LINES {
-            checks[k].result.shown = before;
-        }
-    }
+    lengthen(&mut checks, &remarks, &next, usize::MAX);
 
     let mut out = vec![paint(&plain::line(&report.machine), "1")];
     out.extend(headline.iter().enumerate().map(|(k, line)| {

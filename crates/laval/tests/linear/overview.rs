@@ -229,6 +229,17 @@ fn the_summary_is_in_the_units_of_the_file() {
     assert!(out.lines().all(|l| l.chars().count() <= 80), "{out}");
 }
 
+/// Results of several lines are whole in the terminal where its lines suffice.
+#[test]
+fn results_are_not_cut_where_there_is_room() {
+    let free = "[machine]\nname = \"free rotor\"\nspeed = 314.0\naxis = \"horizontal\"\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\n\
+                section = [{ length = 1.0, outer_diameter = 0.04 }]\n";
+    let report = Report { overview: Some(page(free)), style: Style { units: Units::everyday(), ..Style::default() }, ..Report::default() };
+    let out = summary(&report, Terminal::default());
+    assert!(out.contains("by any stiffness") && !out.contains('…'), "{out}");
+    assert!(out.lines().count() <= 23, "{out}");
+}
+
 /// Resonances, jumps and ranges without a stable response stand in the strip of the terminal and in the figure of the page.
 #[test]
 fn what_happens_over_the_speed_is_marked() {
