@@ -49,7 +49,7 @@ const ROUND: usize = 4;
 /// Shifts that are tried, and their distance over the size of the eigenvalues.
 const SHIFTS: i32 = 4;
 const BESIDE: f64 = 1e-6;
-/// Square of the norm of a vector, over that of its last component, beside which that is nothing.
+/// Square of the norm of a vector, over that of its last component, from which on the component counts as zero.
 const FAR: f64 = 1e60;
 /// Squares of a norm that are exact to rounding.
 const SQUARES: std::ops::Range<f64> = 1e-200..1e280;
@@ -338,8 +338,11 @@ fn resolved<T: Number + super::Number, const P: usize>(columns: &[Vec<T>], shift
     Ok(out)
 }
 
-/// Last components of eigenvectors of a Hessenberg matrix over their norms, of as many eigenvalues as there are lanes: all rows but the first give the other components
-/// from the last one.
+/// Last components of eigenvectors y of a Hessenberg matrix H over their norms, of as many eigenvalues as there are lanes: from the last row up to the second
+///
+/// ```text
+/// y[k-1] = (value y[k] - sum over j >= k of H[k,j] y[j]) / H[k,k-1],    y[m-1] = 1
+/// ```
 struct LastComponents<'a, T, const P: usize> {
     h: &'a Mat<T>,
     values: &'a [C64],
@@ -382,7 +385,7 @@ impl<T: Number, const P: usize> Kernel for LastComponents<'_, T, P> {
                 break;
             }
         }
-        // beside larger ones the last component is nothing
+        // zero where the norm is beyond the limit or has overflowed
         let mut out = squares.to_array();
         for x in &mut out {
             *x = if *x < FAR { 1.0 / x.sqrt() } else { 0.0 };

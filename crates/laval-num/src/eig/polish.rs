@@ -69,7 +69,7 @@ pub fn polish(t: &ScaledQuadratic, starts: &[Start], factors: &mut LaneFactors<C
     let n = t.n();
     let count = starts.len().min(LANES);
     let (mut x, mut y) = (vec![[[0.0; LANES]; 2]; n], vec![[[0.0; LANES]; 2]; n]);
-    // an arbitrary direction, the same every time
+    // an arbitrary direction, the same every time; where all starts have vectors it fills unused lanes alone
     let any: Vec<C64> = if starts.iter().all(|s| s.vectors.is_some()) {
         vec![C64::ONE; n]
     } else {
