@@ -16,6 +16,7 @@ use super::roots::{in_region, mode_near};
 use super::sectors::Sector;
 use super::sweep::{Sweep, spectrum};
 use super::ties::{rank, settle};
+use crate::model::spins::same_ratio;
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::order::SortByNumber;
@@ -52,9 +53,15 @@ impl Critical {
     pub fn located(&self) -> bool {
         self.defect.is_finite() && self.step <= SMALL * self.speed.abs()
     }
-    /// An unbalance can drive the mode: in a machine without preferred direction it drives forward whirls alone.
+    /// An unbalance of the machine's spin can drive the mode.
     pub fn driven_by_unbalance(&self) -> bool {
-        self.order == 1.0 && self.whirl.is_lateral() && !matches!(self.sector, Some(Sector::Backward | Sector::Axial))
+        self.driven_by(1.0)
+    }
+    /// An unbalance of a spin of this ratio to that of the machine can drive the mode: in a machine without preferred direction it drives whirls of its own direction alone.
+    pub fn driven_by(&self, ratio: f64) -> bool {
+        let against = if ratio < 0.0 { Sector::Forward } else { Sector::Backward };
+        let direction = self.sector.is_none_or(|s| s != Sector::Axial && s != against);
+        same_ratio(self.order, ratio.abs()) && self.whirl.is_lateral() && direction
     }
 }
 

@@ -25,7 +25,7 @@ const BEND: f64 = 0.3;
 const STILL: f64 = 1e-4;
 
 /// Of a large machine roots are counted at the first speed, at the last and at each of so many between them.
-const COUNT_EACH: usize = 8;
+const COUNT_EACH: usize = 16;
 
 /// Steps between two speeds: more where two roots seem to lead to one.
 const PIECES: [usize; 4] = [1, 4, 16, 64];
@@ -125,7 +125,9 @@ pub(super) fn follow_large(
             out.ambiguous.push((speeds[k - 1], speed));
         }
         let mut spectrum = Spectrum::default();
-        if k == 0 || k + 1 == speeds.len() || k % COUNT_EACH == 0 {
+        let last = k + 1 == speeds.len();
+        // not close before the last
+        if k == 0 || last || k % COUNT_EACH == 0 && k + COUNT_EACH / 2 < speeds.len() {
             let starts: Vec<C64> = led.iter().map(|l| signed(l.root.value, l.sector)).collect();
             let request = Request { frequency, starts: &starts, ..Request::default() };
             let Some(found) = piece(|| roots(system, &about, &request)) else { break };

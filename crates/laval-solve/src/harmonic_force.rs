@@ -21,14 +21,14 @@ pub enum Direction {
     X,
     /// Along y.
     Y,
-    /// Turning from x towards y.
+    /// Turning as the point does: from x towards y where its spin is positive.
     Forward,
-    /// Turning the other way.
+    /// Turning against it.
     Backward,
 }
 
 impl Direction {
-    /// Complex amplitudes in x and y.
+    /// Complex amplitudes in x and y at a point whose spin is positive.
     pub fn amplitudes(self) -> [C64; 2] {
         match self {
             Direction::X => [C64::ONE, C64::ZERO],
@@ -44,6 +44,8 @@ pub struct Forced {
     /// The machine; a body that bends has a node at the point.
     pub system: System,
     rows: [Row; 2],
+    /// Ratio of the spin of the point to that of the machine.
+    ratio: f64,
 }
 
 impl Forced {
@@ -52,8 +54,8 @@ impl Forced {
     /// # Errors
     /// A point that the machine does not have.
     pub fn new(system: &System, at: &Attach) -> Result<Self, Diagnostics> {
-        let (system, rows) = placed(system, at)?;
-        Ok(Forced { system, rows })
+        let (system, rows, ratio) = placed(system, at)?;
+        Ok(Forced { system, rows, ratio })
     }
 
     /// Whether the point moves across the axis.
@@ -76,7 +78,10 @@ impl Forced {
         let mut t = Characteristic::new(&self.system, &about);
         let [entries, _] = t.entries(imaginary(frequency));
         let mut load = vec![C64::ZERO; t.size()];
-        for (row, amplitude) in self.rows.iter().zip(direction.amplitudes()) {
+        // a negative frequency turns the force the other way by itself
+        let turned = self.ratio * speed * frequency < 0.0;
+        let amplitudes = direction.amplitudes().map(|z| if turned { z.conj() } else { z });
+        for (row, amplitude) in self.rows.iter().zip(amplitudes) {
             row.iter().for_each(|&(i, x)| load[i] += amplitude.scale(x * force));
         }
         t.sectors().polarise(&mut load);

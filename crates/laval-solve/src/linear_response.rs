@@ -11,7 +11,7 @@ use crate::model::system::System;
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Field;
-use laval_num::factor::{Factors, Forced, LaneFactors, Plan, Solved, Terms, solve_each};
+use laval_num::factor::{Each, Factors, Forced, Plan, Solved, Terms};
 use laval_num::lanes::LANES;
 use laval_num::work::spend;
 use serde::{Deserialize, Serialize};
@@ -93,8 +93,8 @@ pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Resp
 /// # Errors
 /// As the state, speed by speed.
 pub fn responses(system: &System, state: State, speeds: &[f64]) -> Vec<Result<Option<Response>, Diagnostic>> {
-    let mut factors = LaneFactors::default();
-    speeds.chunks(LANES).flat_map(|some| together(system, state, some, &mut factors)).collect()
+    let mut each = Each::default();
+    speeds.chunks(LANES).flat_map(|some| together(system, state, some, &mut each)).collect()
 }
 
 /// Responses at speeds that are looked at from left to right, some of them together.
@@ -138,7 +138,7 @@ impl<'a> Ahead<'a> {
     }
 }
 
-fn together(system: &System, state: State, speeds: &[f64], factors: &mut LaneFactors<C64>) -> Vec<Result<Option<Response>, Diagnostic>> {
+fn together(system: &System, state: State, speeds: &[f64], each: &mut Each) -> Vec<Result<Option<Response>, Diagnostic>> {
     let single = |&speed: &f64| response(system, state, speed);
     if !plan(system).suits_lanes() || !is_polynomial(system) {
         return speeds.iter().map(single).collect();
@@ -154,7 +154,7 @@ fn together(system: &System, state: State, speeds: &[f64], factors: &mut LaneFac
         }
     }
     let mut out: Vec<Option<Result<Option<Response>, Diagnostic>>> = speeds.iter().map(|_| None).collect();
-    for (k, solved) in which.into_iter().zip(solve_each(plan(system), &systems, factors)) {
+    for (k, solved) in which.into_iter().zip(each.solve(plan(system), &systems)) {
         let size = all[k].iter().flat_map(|e| &e.load).map(|z| z.abs()).fold(0.0, f64::max);
         let response = |s: Solved| Response { speed: speeds[k], x: s.x, residual: if size > 0.0 { s.residual / size } else { s.residual } };
         out[k] = solved.map(response).map(|r| Ok(Some(r)));

@@ -49,6 +49,26 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
     Ok(found)
 }
 
+/// Static rest over the speed, as [`rest`] at each: found once where it is the same at every speed, of linear parts whose stiffness and constant loads know no speed.
+pub fn over_speed(system: &System) -> impl Fn(f64) -> Result<Equilibrium, Diagnostic> + Sync {
+    let once = same_at_every_speed(system).then(|| rest(system, 0.0).ok()).flatten();
+    move |speed| match &once {
+        Some(found) => Ok(Equilibrium { speed, ..found.clone() }),
+        None => rest(system, speed),
+    }
+}
+
+/// Stiffness and constant loads are those of any speed. What is linear in the speed and equal at two speeds is equal at all.
+fn same_at_every_speed(system: &System) -> bool {
+    let at = |speed: f64| {
+        let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+        system.linear(system.params(), speed, Form::Frequency, &mut model, &mut scratch);
+        let [stiffness, ..] = model.polynomial();
+        (stiffness, model.loads.force, model.loads.rate)
+    };
+    system.slots().iter().all(Slot::is_steady) && at(0.0) == at(1.0)
+}
+
 /// Where the bodies of a machine hang whose forces turn with the rotor: equilibrium of the means over a turn of the loads, with what moves inside the rotor (balls) held
 /// where `places` says, at 0 otherwise.
 ///
@@ -419,4 +439,50 @@ fn no_equilibrium(step: f64) -> Diagnostic {
         text!("no equilibrium was found (Newton's method stopped with a step of {step} typical sizes)", step = text::number(step, 2)),
     )
     .help(text!("check the load and the characteristics of nonlinear parts, or start from another state"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::builder::Builder;
+    use crate::model::field::Attach;
+    use crate::model::params::Listed;
+    use crate::model::part::Link;
+    use laval_model::parts::bearing_linear::{BearingLinear, BearingLinearParams};
+    use laval_model::parts::shaft::{SectionParams, Shaft, ShaftParams};
+
+    fn lying_shaft(rotating_damping: f64) -> System {
+        let bearing = || BearingLinearParams { kxx: 1e6, kyy: 2e6, cyy: 20.0, ..BearingLinearParams::new() };
+        let own = ShaftParams { rotating_damping, ..ShaftParams::new() };
+        let held = |z: f64| BearingLinear::constant(Link::Between(Attach::at("shaft", z), Attach::ground()));
+        Builder::new("shaft")
+            .horizontal()
+            .part("a", held(0.0), bearing())
+            .part(
+                "shaft",
+                Shaft::new(&[0.3, 0.5], &[0.04, 0.05]),
+                Listed { own, rows: vec![SectionParams::new(0.04), SectionParams::new(0.05)] },
+            )
+            .part("b", held(0.8), bearing())
+            .build()
+            .unwrap()
+    }
+
+    /// The sag of a shaft is that of any speed, to the bit; damping that turns with it moves it sideways by the speed.
+    #[test]
+    fn rest_over_the_speed_is_that_at_each() {
+        for rotating_damping in [0.0, 1e-5] {
+            let system = lying_shaft(rotating_damping);
+            assert_eq!(same_at_every_speed(&system), rotating_damping == 0.0);
+            let state = over_speed(&system);
+            let still = rest(&system, 0.0).unwrap();
+            assert!(max_abs(&still.q) > 1e-6);
+            for speed in [0.0, 1.0, 300.0, -500.0] {
+                let (found, own) = (state(speed).unwrap(), rest(&system, speed).unwrap());
+                assert!(found.speed == speed && found.frame == own.frame);
+                assert_eq!((&found.q, &found.z), (&own.q, &own.z));
+                assert_eq!(found.q == still.q, rotating_damping == 0.0 || speed == 0.0);
+            }
+        }
+    }
 }

@@ -3,6 +3,9 @@
 //!
 //! `cargo bench -p laval --bench basins -- 200` computes 200 by 200 starts (the default); 1000 computes the whole map. A speed behind it computes that alone.
 
+#[path = "common/allocator.rs"]
+mod allocator;
+
 #[path = "common/clock.rs"]
 mod clock;
 #[path = "common/processor.rs"]

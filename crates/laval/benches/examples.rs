@@ -2,6 +2,9 @@
 //!
 //! `cargo bench -p laval --bench examples [-- EXAMPLES... KINDS...]`, each by a part of its name; `page` is the first page
 
+#[path = "common/allocator.rs"]
+mod allocator;
+
 #[path = "common/processor.rs"]
 mod processor;
 

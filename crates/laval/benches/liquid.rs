@@ -4,6 +4,9 @@
 //!
 //! `cargo bench -p laval --bench liquid`; a word behind `--` leaves out maps whose name does not contain it.
 
+#[path = "common/allocator.rs"]
+mod allocator;
+
 #[path = "common/clock.rs"]
 mod clock;
 #[path = "common/processor.rs"]

@@ -3,6 +3,9 @@
 //!
 //! `cargo bench -p laval --bench motion`
 
+#[path = "common/allocator.rs"]
+mod allocator;
+
 #[path = "common/processor.rs"]
 mod processor;
 

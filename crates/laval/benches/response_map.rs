@@ -3,6 +3,9 @@
 //!
 //! `cargo bench -p laval --bench response_map -- 10` computes 10 by 10 machines (the default); 100 computes all 10 000.
 
+#[path = "common/allocator.rs"]
+mod allocator;
+
 #[path = "common/clock.rs"]
 mod clock;
 #[path = "../tests/common/mod.rs"]

@@ -3,6 +3,9 @@
 //!
 //! `nice -n -19 taskset -c 0 cargo bench -p laval --bench separation`
 
+#[path = "common/allocator.rs"]
+mod allocator;
+
 #[path = "common/clock.rs"]
 mod clock;
 #[path = "common/processor.rs"]

@@ -5,6 +5,9 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
+#[path = "common/allocator.rs"]
+mod allocator;
+
 #[path = "common/processor.rs"]
 mod processor;
 

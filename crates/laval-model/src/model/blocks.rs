@@ -31,7 +31,7 @@ impl<S: Scalar> Grid<S> {
     }
     /// Square with entries at most `reach` beside the diagonal, all zero, keeping the allocation.
     pub fn reset_band(&mut self, n: usize, reach: usize) {
-        if reach.saturating_mul(2).saturating_add(1) >= n {
+        if reach.saturating_add(1) >= n {
             return self.reset(n, n);
         }
         (self.rows, self.cols, self.reach, self.step, self.shift) = (n, n, reach, 2 * reach, reach);

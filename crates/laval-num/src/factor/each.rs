@@ -31,6 +31,7 @@ pub struct Solved {
     pub residual: f64,
 }
 
+#[derive(Debug)]
 struct Entry {
     row: usize,
     column: usize,
@@ -38,79 +39,89 @@ struct Entry {
     terms: [Row; 3],
 }
 
-/// Solves up to as many systems as there are lanes; `None` of a matrix that is singular or not finite. Of a plan that does not suit lanes nothing is solved.
-pub fn solve_each(plan: &Plan, systems: &[Forced], factors: &mut LaneFactors<C64>) -> Vec<Option<Solved>> {
-    let (Some(band), Some(last)) = (plan.band.as_ref().filter(|_| plan.suits_lanes()), systems.last()) else {
-        return systems.iter().map(|_| None).collect();
-    };
-    let n = plan.n();
-    let lane = |l: usize| systems.get(l).unwrap_or(last);
-    let frequency: Row = std::array::from_fn(|l| lane(l).frequency);
-    let mut entries: Vec<Entry> = Vec::new();
-    for row in 0..n {
-        for (e, column) in plan.pattern.row(row) {
-            let terms: [Row; 3] = std::array::from_fn(|k| std::array::from_fn(|l| lane(l).terms[k][e]));
-            if terms.iter().flatten().any(|x| *x != 0.0) {
-                entries.push(Entry { row, column, target: band.targets[e], terms });
-            }
-        }
-    }
-    let size = |e: &Entry| {
-        let of = |l: usize| {
-            let w = frequency[l];
-            (e.terms[0][l] - w * w * e.terms[2][l]).abs() + (w * e.terms[1][l]).abs()
+/// Solver of systems side by side. Reusable: it keeps its memory.
+#[derive(Debug, Default)]
+pub struct Each {
+    factors: LaneFactors<C64>,
+    entries: Vec<Entry>,
+}
+
+impl Each {
+    /// Solves up to as many systems as there are lanes; `None` of a matrix that is singular or not finite. Of a plan that does not suit lanes nothing is solved.
+    pub fn solve(&mut self, plan: &Plan, systems: &[Forced]) -> Vec<Option<Solved>> {
+        let Each { factors, entries } = self;
+        let (Some(band), Some(last)) = (plan.band.as_ref().filter(|_| plan.suits_lanes()), systems.last()) else {
+            return systems.iter().map(|_| None).collect();
         };
-        (0..LANES).map(of).fold(0.0, f64::max)
-    };
-    let sizes: Vec<(usize, usize, f64)> = entries.iter().map(|e| (e.row, e.column, size(e))).collect();
-    let (rows, columns) = scales(n, &sizes);
-    for e in &mut entries {
-        let scale = rows[e.row] * columns[e.column];
-        e.terms.iter_mut().flatten().for_each(|x| *x *= scale);
-    }
-    let value = |e: &Entry| -> Pair {
-        let of = |l: usize| (e.terms[0][l] - frequency[l] * frequency[l] * e.terms[2][l], frequency[l] * e.terms[1][l]);
-        [std::array::from_fn(|l| of(l).0), std::array::from_fn(|l| of(l).1)]
-    };
-    factors.factor_entries(plan, entries.iter().map(|e| (e.target, value(e))));
-    let part = |i: usize, f: fn(C64) -> f64| -> Row { std::array::from_fn(|l| f(lane(l).right[i]) * rows[i]) };
-    let b: Vec<Pair> = (0..n).map(|i| [part(i, |z| z.re), part(i, |z| z.im)]).collect();
-    let mut x = b.clone();
-    factors.solve(&mut x, false);
-    let mut rest = b.clone();
-    let residual = |x: &[Pair], rest: &mut [Pair]| {
-        spend(100 * (LANES * entries.len()) as u64);
-        rest.copy_from_slice(&b);
-        dispatch(Level::best(), Residual { entries: &entries, frequency: &frequency, x, rest });
-    };
-    let (mut open, mut last) = ([true; LANES], [f64::INFINITY; LANES]);
-    for _ in 0..CORRECTIONS {
-        residual(&x, &mut rest);
-        factors.solve(&mut rest, false);
-        let (size, more) = (largest(&x), largest(&rest));
-        for l in 0..LANES {
-            let change = more[l] / size[l];
-            // nothing that is not a number is a correction
-            let corrects = open[l] && change < 0.5 * last[l];
-            if corrects {
-                for (x, r) in x.iter_mut().zip(&rest) {
-                    (x[0][l], x[1][l]) = (x[0][l] + r[0][l], x[1][l] + r[1][l]);
+        let n = plan.n();
+        let lane = |l: usize| systems.get(l).unwrap_or(last);
+        let frequency: Row = std::array::from_fn(|l| lane(l).frequency);
+        entries.clear();
+        for row in 0..n {
+            for (e, column) in plan.pattern.row(row) {
+                let terms: [Row; 3] = std::array::from_fn(|k| std::array::from_fn(|l| lane(l).terms[k][e]));
+                if terms.iter().flatten().any(|x| *x != 0.0) {
+                    entries.push(Entry { row, column, target: band.targets[e], terms });
                 }
             }
-            (open[l], last[l]) = (corrects && change > EXACT, change);
         }
-        if !open.contains(&true) {
-            break;
+        let size = |e: &Entry| {
+            let of = |l: usize| {
+                let w = frequency[l];
+                (e.terms[0][l] - w * w * e.terms[2][l]).abs() + (w * e.terms[1][l]).abs()
+            };
+            (0..LANES).map(of).fold(0.0, f64::max)
+        };
+        let sizes: Vec<(usize, usize, f64)> = entries.iter().map(|e| (e.row, e.column, size(e))).collect();
+        let (rows, columns) = scales(n, &sizes);
+        for e in entries.iter_mut() {
+            let scale = rows[e.row] * columns[e.column];
+            e.terms.iter_mut().flatten().for_each(|x| *x *= scale);
         }
+        let value = |e: &Entry| -> Pair {
+            let of = |l: usize| (e.terms[0][l] - frequency[l] * frequency[l] * e.terms[2][l], frequency[l] * e.terms[1][l]);
+            [std::array::from_fn(|l| of(l).0), std::array::from_fn(|l| of(l).1)]
+        };
+        factors.factor_entries(plan, entries.iter().map(|e| (e.target, value(e))));
+        let part = |i: usize, f: fn(C64) -> f64| -> Row { std::array::from_fn(|l| f(lane(l).right[i]) * rows[i]) };
+        let b: Vec<Pair> = (0..n).map(|i| [part(i, |z| z.re), part(i, |z| z.im)]).collect();
+        let mut x = b.clone();
+        factors.solve(&mut x, false);
+        let mut rest = b.clone();
+        let residual = |x: &[Pair], rest: &mut [Pair]| {
+            spend(100 * (LANES * entries.len()) as u64);
+            rest.copy_from_slice(&b);
+            dispatch(Level::best(), Residual { entries, frequency: &frequency, x, rest });
+        };
+        let (mut open, mut last) = ([true; LANES], [f64::INFINITY; LANES]);
+        for _ in 0..CORRECTIONS {
+            residual(&x, &mut rest);
+            factors.solve(&mut rest, false);
+            let (size, more) = (largest(&x), largest(&rest));
+            for l in 0..LANES {
+                let change = more[l] / size[l];
+                // nothing that is not a number is a correction
+                let corrects = open[l] && change < 0.5 * last[l];
+                if corrects {
+                    for (x, r) in x.iter_mut().zip(&rest) {
+                        (x[0][l], x[1][l]) = (x[0][l] + r[0][l], x[1][l] + r[1][l]);
+                    }
+                }
+                (open[l], last[l]) = (corrects && change > EXACT, change);
+            }
+            if !open.contains(&true) {
+                break;
+            }
+        }
+        residual(&x, &mut rest);
+        let solved = |l: usize| {
+            let of = |all: &[Pair], i: usize| c(all[i][0][l], all[i][1][l]);
+            let solution: Vec<C64> = (0..n).map(|i| of(&x, i).scale(columns[i])).collect();
+            let residual = (0..n).map(|i| of(&rest, i).abs() / rows[i]).fold(0.0, f64::max);
+            solution.iter().all(|z| z.is_finite()).then_some(Solved { x: solution, residual })
+        };
+        (0..systems.len().min(LANES)).map(solved).collect()
     }
-    residual(&x, &mut rest);
-    let solved = |l: usize| {
-        let of = |all: &[Pair], i: usize| c(all[i][0][l], all[i][1][l]);
-        let solution: Vec<C64> = (0..n).map(|i| of(&x, i).scale(columns[i])).collect();
-        let residual = (0..n).map(|i| of(&rest, i).abs() / rows[i]).fold(0.0, f64::max);
-        solution.iter().all(|z| z.is_finite()).then_some(Solved { x: solution, residual })
-    };
-    (0..systems.len().min(LANES)).map(solved).collect()
 }
 
 fn largest(x: &[Pair]) -> Row {
@@ -221,7 +232,7 @@ mod tests {
                 .enumerate()
                 .map(|(l, (terms, right))| Forced { frequency: frequency(l), terms: terms.each_ref().map(Vec::as_slice), right })
                 .collect();
-            let solved = solve_each(&plan, &systems, &mut LaneFactors::default());
+            let solved = Each::default().solve(&plan, &systems);
             assert_eq!(solved.len(), 11);
             for (l, solved) in solved.into_iter().enumerate() {
                 let (solved, s) = (solved.unwrap(), c(0.0, frequency(l)));
@@ -251,7 +262,7 @@ mod tests {
         let system = |terms, frequency| Forced { frequency, terms, right: &right };
         // 1 - w^2 is zero at w = 1
         let systems = [system([&one, &zero, &one], 1.0), system([&one, &zero, &one], 2.0), system([&wrong, &zero, &one], 2.0)];
-        let solved = solve_each(&plan, &systems, &mut LaneFactors::default());
+        let solved = Each::default().solve(&plan, &systems);
         assert!(solved[0].is_none() && solved[2].is_none());
         let x = &solved[1].as_ref().unwrap().x;
         assert!(x.iter().all(|x| (*x - c(-1.0 / 3.0, 0.0)).abs() < 1e-15));

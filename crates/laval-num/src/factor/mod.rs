@@ -38,7 +38,7 @@ use crate::dense::{Field, Lu, Mat, Singular};
 use crate::dual::Dual;
 use crate::work::spend;
 use banded::Banded;
-pub use each::{Forced, Solved, solve_each};
+pub use each::{Each, Forced, Solved};
 pub use forms::Forms;
 pub use lanes::{InLanes, LaneFactors, Pair, Row};
 pub use pattern::Pattern;

@@ -283,7 +283,7 @@ def forced_response(
             one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
         standard: standard whose separation margins are assessed (default none).
             "none" (peaks and their factors of amplification alone) or "api_684" (separation margins of API 684 (SP6.8.2.10) and API 617 against the operating speeds)
-        spin: of a machine of several spins: the part of kind "spin" whose unbalance acts; speeds are then those of this spin. Without it, the unbalance of what turns at the speed of the machine acts (optional).
+        spin: of a machine of several spins: the part of kind "speed_ratio" whose unbalance acts; speeds are then those of this spin. Without it, the unbalance of what turns at the speed of the machine acts (optional).
             a text
 
     In a machine file::

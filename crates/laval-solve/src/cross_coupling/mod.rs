@@ -6,7 +6,7 @@
 //!
 //! A mode is followed by its exact derivative and Newton's method on T; a step that ends far from the tangent is halved.
 //!
-//! Symbols: q cross-coupled stiffness kxy = -kyx, N/m; b_x, b_y displacements of the place; s = growth + i frequency; x, y null vectors of T.
+//! Symbols: q cross-coupled stiffness kxy = -kyx, N/m, of the opposite sign where the place turns from y towards x; b_x, b_y displacements of the place; s = growth + i frequency; x, y null vectors of T.
 //!
 //! Validity: small motions about the equilibrium without q, at one spin speed.
 //!
@@ -130,8 +130,8 @@ const ROUNDING: f64 = 1e-13;
 /// Growth over the eigenvalue that is none: of a mode without damping.
 pub const NEUTRAL: f64 = 1e-10;
 
-/// The machine with a part at a place, which has no stiffness yet, and the name of the part.
-fn with_point(system: &System, at: &Attach) -> Result<(System, String), Diagnostics> {
+/// The machine with a part at a place, which has no stiffness yet and drives whirls of this sense, and the name of the part.
+fn with_point(system: &System, at: &Attach, sense: f64) -> Result<(System, String), Diagnostics> {
     let mut name = "cross_coupling".to_string();
     while system.slot(&name).is_some() {
         name.push('_');
@@ -139,29 +139,31 @@ fn with_point(system: &System, at: &Attach) -> Result<(System, String), Diagnost
     let mut inputs = system.inputs();
     inputs.push(PartInput {
         name: name.clone(),
-        part: CrossCoupling(at.clone()).erased(),
+        part: CrossCoupling { at: at.clone(), sense }.erased(),
         params: CrossCouplingFamily::to_vec(&CrossCouplingParams { cross_coupled: 0.0 }),
         span: None,
     });
     Ok((System::assemble(system.machine.clone(), inputs)?, name))
 }
 
-/// The machine with a node at a place, and the displacements of the place in x and y over its coordinates.
-pub(crate) fn placed(system: &System, at: &Attach) -> Result<(System, [Row; 2]), Diagnostics> {
-    let (system, name) = with_point(system, at)?;
-    let map = system.slot(&name).map(|s| s.map.clone()).unwrap_or_default();
+/// The machine with a node at a place, the displacements of the place in x and y over its coordinates, and the ratio of its spin to that of the machine.
+pub(crate) fn placed(system: &System, at: &Attach) -> Result<(System, [Row; 2], f64), Diagnostics> {
+    let (system, name) = with_point(system, at, 1.0)?;
+    let slot = system.slot(&name);
+    let map = slot.map(|s| s.map.clone()).unwrap_or_default();
     let row = |k: usize| map.get(k).cloned().unwrap_or_default();
-    let rows = [row(0), row(1)];
-    Ok((system, rows))
+    let (rows, ratio) = ([row(0), row(1)], slot.map_or(1.0, |s| s.speed(system.params(), 1.0)));
+    Ok((system, rows, ratio))
 }
 
 impl Coupled {
-    /// Places the stiffness; the state is that of the machine without it.
+    /// Places the stiffness, which drives whirls in the sense in which the place turns; the state is that of the machine without it.
     ///
     /// # Errors
     /// A place that the machine does not have; no equilibrium at the speed (rad/s).
     pub fn new(system: &System, at: &Attach, speed: f64) -> Result<Self, Diagnostics> {
-        let (base, name) = with_point(system, at)?;
+        let (.., ratio) = placed(system, at)?;
+        let (base, name) = with_point(system, at, if ratio * speed < 0.0 { -1.0 } else { 1.0 })?;
         let about = rest(&base, speed).map_err(|d| Diagnostics(vec![d]))?;
         Ok(Coupled { path: format!("{name}.cross_coupled"), base, about })
     }

@@ -14,8 +14,13 @@ params! {
     }
 }
 
-/// Force `Fx = -q y`, `Fy = q x` on a point: kxy = q, kyx = -q.
-pub(super) struct CrossCoupling(pub Attach);
+/// Force `Fx = -q y`, `Fy = q x` on a point: kxy = q, kyx = -q; of the opposite sign where the point turns from y towards x.
+pub(super) struct CrossCoupling {
+    /// The point.
+    pub at: Attach,
+    /// 1, or -1 where it turns from y towards x.
+    pub sense: f64,
+}
 
 impl Part for CrossCoupling {
     const KIND: &'static str = "cross_coupling";
@@ -27,13 +32,14 @@ impl Part for CrossCoupling {
         None
     }
     fn layout(&self) -> Layout {
-        Layout::point(Link::Between(self.0.clone(), Attach::ground()))
+        Layout::point(Link::Between(self.at.clone(), Attach::ground()))
     }
     fn physics(&self) -> Physics {
         Physics::Linear
     }
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
-        b.stiffness[(0, 1)] = p.cross_coupled;
-        b.stiffness[(1, 0)] = -p.cross_coupled;
+        let q = p.cross_coupled.scale(self.sense);
+        b.stiffness[(0, 1)] = q;
+        b.stiffness[(1, 0)] = -q;
     }
 }

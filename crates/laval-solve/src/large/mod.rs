@@ -193,7 +193,7 @@ fn lowest(blocks: &[Block], speed: f64) -> (f64, Vec<Option<Covered>>) {
     let (mut all, mut about): (Vec<f64>, _) = (Vec::new(), Vec::new());
     for block in blocks {
         let size = if speed > 0.0 { speed } else { slow(block) };
-        let found = block.low(size, (LEAST_MODES + GAPS + 1) * if block.mirrored() { 2 } else { 1 });
+        let found = block.low(size, (LEAST_MODES + GAPS) * if block.mirrored() { 2 } else { 1 });
         let values = found.iter().flat_map(|f| &f.values);
         all.extend(values.map(|s| s.im).filter(|f| !(block.mirrored() && *f < 0.0)).map(f64::abs));
         about.push(found);

@@ -106,10 +106,16 @@ pub fn named(system: &System, slot: usize) -> Option<Support> {
     between(system, slot, |_, other| other.is_none_or(|(_, s)| !turns(s))).or_else(|| between(system, slot, |_, _| true))
 }
 
+/// The part joins rotations: a drive or a piece of the shaft, which supports nothing.
+fn joins_rotations(slot: &Slot) -> bool {
+    slot.layout.ports.iter().any(|p| p.kind.twist)
+}
+
 /// All parts that join a turning body to the ground or to a body that does not turn, and hold it at a state of rest; of a shaft whose pedestals are discs
 /// those to rigid bodies that stand on the ground.
 pub fn supports(system: &System, at: &Statics) -> Vec<Support> {
-    let parts = || (0..system.slots().len()).filter(|&k| !system.slots()[k].layout.body && carries(system, &system.slots()[k], at));
+    let holds = |slot: &Slot| !slot.layout.body && !joins_rotations(slot) && carries(system, slot, at);
+    let parts = || (0..system.slots().len()).filter(|&k| holds(&system.slots()[k]));
     let found: Vec<Support> = parts().filter_map(|k| between(system, k, |_, other| other.is_none_or(|(_, s)| !turns(s)))).collect();
     if !system.slots().iter().any(bends) || found.iter().any(|s| s.flexible) {
         return found;

@@ -10,6 +10,7 @@ mod elements;
 mod flexible_hub;
 mod imported;
 mod machines;
+mod mirrored;
 mod reduced;
 mod rotors;
 mod spins;

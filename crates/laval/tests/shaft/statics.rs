@@ -273,3 +273,25 @@ fn stored() {
     let again: StaticResult = serde_json::from_str(&serde_json::to_string(&result).unwrap()).unwrap();
     assert_eq!(study.outcome(&system, &result, "static").unwrap(), study.outcome(&system, &again, "static").unwrap());
 }
+
+/// A coupling to a drive is no bearing: it stays where rigid supports take the place of bearings, and a rotor that it alone holds has none.
+#[test]
+fn couplings_support_nothing() {
+    let shaft = "[machine]\nname = \"t\"\naxis = \"horizontal\"\n[[part]]\nkind = \"shaft\"\nname = \"s\"\nelements = 8\nsection = [{ length = 0.5, outer_diameter = 0.04 }]\n\
+                 [[part]]\nkind = \"coupling\"\nname = \"head\"\nbetween = [\"s\", \"ground\"]\nstiffness = 1e13\ntilt_stiffness = 1e13\n";
+    let clamped = load(shaft).system;
+    let result = solved(&clamped, 0.0);
+    assert!(result.rigid.is_none() && result.supports.is_empty(), "{:?}", result.supports);
+    // clamped beam under its weight: rho A g L^4 / (8 E I), and what its shear adds
+    let (e, density, l, d) = (2.1e11, 7850.0, 0.5f64, 0.04f64);
+    let sag = density * GRAVITY * l.powi(4) * 16.0 / (8.0 * e * d * d);
+    let end = result.own.beams[0].cuts.iter().map(|c| c.deflection[1].abs()).fold(0.0, f64::max);
+    assert!((end / sag - 1.0).abs() < 0.02, "{end:e} {sag:e}");
+    let held = "[[part]]\nkind = \"bearing_linear\"\nname = \"b\"\nbetween = [{ body = \"s\", at = 0.5 }, \"ground\"]\nstiffness = 1e7\n";
+    let system = load(&format!("{shaft}{held}")).system;
+    let slot = |name: &str| system.slots().iter().position(|s| s.name == name).unwrap();
+    let result = solved(&system, 0.0);
+    assert_eq!(result.supports, [slot("b")]);
+    let left_out = &result.rigid.expect("a bearing is a support").state.left_out;
+    assert!(left_out[slot("b")] && !left_out[slot("head")]);
+}

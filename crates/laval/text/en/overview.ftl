@@ -170,6 +170,7 @@ velocity-is = largest { $value } (peak)
 vibration-nonlinear = largest stable response of the nonlinear machine
 vibration-states = largest stable state of the balls
 vibration-contact = linear; { $parts } would touch, and the amplitude is not valid
+response-without-spins = without the unbalance of { $spins }, which "forced_response" with spin takes
 forces-without = without nonlinear parts: { $parts }
 vibration-unbounded = undamped resonance at this speed
 forces-none = of no part known

@@ -287,6 +287,7 @@ distance-inside = жұмыстық айналу жиіліктерінің ар�
 vibration-nonlinear = бейсызық машинаның ең үлкен орнықты тербелісі
 vibration-states = шариктердің орнықты күйлері бойынша ең үлкені
 vibration-contact = сызықты есеп; мына бөлшектер жанасар еді: { $parts }; амплитуда жарамсыз
+response-without-spins = { $spins } теңгерімсіздігінсіз: оны spin өрісі бар "forced_response" есебі қамтиды
 forces-without = бейсызық бөлшектерсіз: { $parts }
 window-none = ешбір айналу жиілігі барлық талапты орындамайды
 window-ranges = { $ranges }

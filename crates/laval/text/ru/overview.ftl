@@ -169,6 +169,7 @@ velocity-is = наибольшее значение { $value } (пик)
 vibration-nonlinear = наибольший устойчивый отклик нелинейной машины
 vibration-states = наибольшее по устойчивым состояниям шариков
 vibration-contact = линейный расчёт; возник бы контакт ({ $parts }), амплитуда недействительна
+response-without-spins = без дисбаланса { $spins }: его учитывает "forced_response" с полем spin
 forces-without = без нелинейных элементов: { $parts }
 vibration-unstable = установившихся колебаний нет: машина неустойчива
 vibration-unbounded = резонанс без демпфирования при этой частоте вращения

@@ -287,6 +287,7 @@ distance-inside = ish tezliklari orasida: { $places }
 vibration-nonlinear = chiziqsiz mashinaning eng katta turg‘un javobi
 vibration-states = sharchalarning turg‘un holatlari bo‘yicha eng kattasi
 vibration-contact = chiziqli; kontakt yuzaga kelar edi ({ $parts }), amplituda haqiqiy emas
+response-without-spins = { $spins } muvozanatsizligisiz: uni spin maydoni bor "forced_response" hisobi qamraydi
 forces-without = chiziqsiz qismlarsiz: { $parts }
 window-none = birorta tezlik ham barcha talablarni bajarmaydi
 window-ranges = { $ranges }

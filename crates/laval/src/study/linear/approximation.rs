@@ -16,7 +16,7 @@ use crate::model::field::{Field, FieldKind, Values};
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Finding, Line, Message, Outcome, Panel, Points, Table};
 use crate::solve::pencil::{MachineMode, Spectrum};
-use crate::solve::rest::rest;
+use crate::solve::rest::over_speed;
 use crate::solve::sweep::{Sweep, sweep};
 use crate::study::Context;
 use crate::study::shared::support::inconsistent;
@@ -114,7 +114,7 @@ fn apart(mode: &MachineMode, whole: &Spectrum) -> (f64, C64) {
 pub(in crate::study) fn compare(system: &System, whole: &Sweep, context: &Context) -> Result<Approximation, Diagnostic> {
     let other = admit(system)?;
     let speeds: Vec<f64> = whole.points.iter().map(|p| p.0).collect();
-    let found = sweep(&other, &|w| rest(&other, w), &speeds, f64::INFINITY, |_, solved| context.goes_on(solved))?;
+    let found = sweep(&other, &over_speed(&other), &speeds, f64::INFINITY, |_, solved| context.goes_on(solved))?;
     let all = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |(w, m)| (k, *w, m)));
     let rows = all.filter_map(|(branch, speed, m)| {
         let spectrum = whole.points.iter().find(|p| p.0 == speed)?;

@@ -25,7 +25,7 @@ use crate::solve::criticals::{Critical, criticals};
 use crate::solve::large::usual_frequency;
 use crate::solve::own_frequency::follow::follow as own_follow;
 use crate::solve::pencil::{MachineMode, Whirl};
-use crate::solve::rest::rest;
+use crate::solve::rest::{over_speed, rest};
 use crate::solve::roots::{LEAST, has_more_modes, in_region, transcendental};
 use crate::solve::sweep::{Branch, Count, Strongest, Sweep, sweep};
 use crate::study::shared::region;
@@ -168,7 +168,7 @@ impl Campbell {
 impl Campbell {
     /// Modes with the coefficients of their own frequency, and critical speeds with those of the order.
     fn own(&self, system: &System, context: &Context) -> Result<CampbellResult, Diagnostic> {
-        let state = |w: f64| rest(system, w);
+        let state = over_speed(system);
         let speeds = self.speed.linspace(120);
         let total = speeds.len() as u64;
         context.announce(total as f64, COUNTS, text!("speeds at which modes are counted, one after another"));
@@ -214,7 +214,7 @@ pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64
     } else {
         context.announce(total as f64, 10_000.0, text!("eigenvalue problems to solve"));
     }
-    let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
+    let found = sweep(system, &over_speed(system), speeds, limit, |k, solved| {
         context.progress.report(k as u64, total);
         context.goes_on(solved)
     })?;
@@ -295,7 +295,7 @@ orders = [1, 2]
         let limit = self.limit(system)?;
         let (mut found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
         numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
-        let locate = || criticals(system, &|w| rest(system, w), &found, &self.orders);
+        let locate = || criticals(system, &over_speed(system), &found, &self.orders);
         // of a study that has to end those that there is no time for are left out
         let crossings = if end == End::Reached { locate() } else { piece(locate).unwrap_or_default() };
         let states = EndStates::find(|w| rest(system, w), self.speed.from, self.speed.to)?;

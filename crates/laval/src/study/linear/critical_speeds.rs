@@ -23,7 +23,7 @@ use crate::solve::characteristic::Characteristic;
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Curve, Extremum, above, curve, seeds};
 use crate::solve::linear_response::Response;
-use crate::solve::rest::rest;
+use crate::solve::rest::over_speed;
 use crate::solve::sweep::{Count, Strongest};
 use crate::study::shared::operation;
 use crate::study::shared::probes;
@@ -90,7 +90,7 @@ margin = "20 %"
     }
 
     fn compute(&self, system: &System, context: &Context) -> Result<CriticalSpeedsResult, Diagnostic> {
-        let state = |w: f64| rest(system, w);
+        let state = over_speed(system);
         let (crossings, strongest) = if over_frequency(system) {
             (crossings(system, context, &self.speed, &self.orders)?, Vec::new())
         } else {

@@ -16,7 +16,7 @@ use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::above;
 use crate::solve::own_frequency::OwnModes;
 use crate::solve::own_frequency::follow::Followed;
-use crate::solve::rest::rest;
+use crate::solve::rest::over_speed;
 use crate::solve::sweep::{Branch, Count};
 use crate::study::Context;
 use crate::study::shared::support::held;
@@ -45,7 +45,7 @@ pub(super) struct Crossings {
 /// # Errors
 /// As the spectrum.
 pub(super) fn crossings(system: &System, context: &Context, range: &RangeValue, orders: &[f64]) -> Result<Crossings, Diagnostic> {
-    let state = |w: f64| rest(system, w);
+    let state = over_speed(system);
     let mut out = Crossings { crossings: Vec::new(), spectra: 0, counts: Vec::new(), end: End::Reached };
     for &order in orders {
         let Some(own) = held(system, Frozen::Order(order))? else { continue };

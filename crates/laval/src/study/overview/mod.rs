@@ -25,7 +25,7 @@ use crate::model::field::RangeValue;
 use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
-use crate::solve::rest::rest;
+use crate::solve::rest::over_speed;
 use crate::solve::roots::{LEAST, has_more_modes, in_region};
 use crate::solve::stability::{Row, row};
 use crate::study::linear::criterion::Criterion;
@@ -246,7 +246,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
                 speeds.extend(&worst.peaks);
                 ascending(&mut speeds);
                 speeds.dedup();
-                row(system, &|w| rest(system, w), &speeds, 0.0, |done| context.goes_on(done))
+                row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
             }),
             _ => within(&map(about), system, context).and_then(|r| r.rows.into_iter().next()),
         };

@@ -2,6 +2,7 @@
 
 use super::{Facts, ends, studied};
 use crate::model::probe::Probe;
+use crate::model::spins::same_ratio;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
 use crate::solve::extrema::{Curve, Extremum};
@@ -55,14 +56,19 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
             None => {
                 let light = facts.criticals.get().into_iter().flat_map(|found| &found.crossings).filter(|c| {
                     // unbalance does not excite what whirls against the spin
-                    c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward
+                    turns(facts) && c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward
                 });
                 out.resonances = light.map(|c: &Critical| Resonance { speed: facts.sign * c.speed, amplitude: None }).collect();
             }
         }
-        // what excites at other multiples of the speed meets the modes elsewhere
+        // what excites at other multiples of the speed meets the modes elsewhere, another spin those that whirl its way
+        let spins = facts.system.spins();
+        let excited = |c: &Critical| {
+            let mut own = spins.iter().filter(|s| same_ratio(s.ratio.abs(), c.order)).peekable();
+            if own.peek().is_some() { own.any(|s| c.driven_by(s.ratio)) } else { c.order != 1.0 }
+        };
         let other = facts.criticals.get().into_iter().flat_map(|found| &found.crossings);
-        let other = other.filter(|c| c.order != 1.0 && c.located() && damping(c).abs() < LIGHT);
+        let other = other.filter(|c| excited(c) && c.located() && damping(c).abs() < LIGHT);
         out.resonances.extend(other.map(|c| Resonance { speed: facts.sign * c.speed, amplitude: None }));
         out.resonances.sort_by_number(|a| a.speed);
         // a margin that the file requires holds for every resonance
@@ -82,6 +88,11 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
     out.shown = shown(facts, &out);
     let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty() && out.unstable_response.is_empty());
     known.then_some(out)
+}
+
+/// Some body turns with the speed of the machine.
+fn turns(facts: &Facts) -> bool {
+    facts.system.slots().iter().any(|s| s.ratio.is_none() && s.part.body().is_some_and(|b| b.turns()))
 }
 
 /// Peaks of the response beside which every peak of a displacement is critically damped, by a response of the file that assesses the margins of API 684.

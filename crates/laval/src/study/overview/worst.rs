@@ -4,7 +4,7 @@ use super::operating::Operating;
 use super::{Known, limited};
 use crate::model::system::System;
 use crate::solve::pencil::{MachineMode, Spectrum};
-use crate::solve::rest::rest;
+use crate::solve::rest::over_speed;
 use crate::solve::roots::transcendental;
 use crate::solve::sweep::spectrum;
 use crate::study::Context;
@@ -54,7 +54,7 @@ pub(super) fn worst(system: &System, operating: Operating, sign: f64, context: &
 }
 
 fn search(system: &System, operating: Operating, sign: f64) -> Result<Option<Worst>, crate::diagnostic::Diagnostic> {
-    let state = |w: f64| rest(system, w);
+    let state = over_speed(system);
     let at = |w: f64| spectrum(system, &state, sign * w).map(|s| s.1);
     let step = (operating.high - operating.low) / (SPEEDS - 1) as f64;
     let speeds: Vec<f64> = (0..SPEEDS).map(|k| (operating.low + k as f64 * step).min(operating.high)).collect();

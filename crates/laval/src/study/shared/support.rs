@@ -119,6 +119,13 @@ impl About {
             About::Turning => co_rotating::turning(system, speed, before.cloned()),
         }
     }
+    /// Finds it at one speed after another, each by itself.
+    pub fn over_speed(self, system: &System) -> Box<dyn Fn(f64) -> Result<Equilibrium, Diagnostic> + Sync + '_> {
+        match self {
+            About::Rest => Box::new(rest::over_speed(system)),
+            About::Turning => Box::new(|w| co_rotating::turning(system, w, None)),
+        }
+    }
 }
 
 /// No part has a preferred direction, so that states may exist that turn with the rotor.

@@ -28,7 +28,7 @@ use crate::solve::extremum::Search;
 use crate::solve::linear_response::{Response, response};
 use crate::solve::locate::State;
 use crate::solve::pencil::time_forms;
-use crate::solve::rest::rest;
+use crate::solve::rest::{over_speed, rest};
 use crate::solve::sweep::{Strongest, spectrum};
 use crate::study::linear::over_frequency::growth_unassessed;
 use crate::study::shared::half_power::{at_most, ends, factor, of_responses};
@@ -77,7 +77,7 @@ impl Study for ForcedResponse {
             "spin",
             FieldKind::Text,
             "",
-            "of a machine of several spins: the part of kind \"spin\" whose unbalance acts; speeds are then those of this spin. Without it, the unbalance of what turns at the speed of the machine acts",
+            "of a machine of several spins: the part of kind \"speed_ratio\" whose unbalance acts; speeds are then those of this spin. Without it, the unbalance of what turns at the speed of the machine acts",
         ),
     ];
     const SEVERAL_SPINS: bool = true;
@@ -161,7 +161,7 @@ impl Study for ForcedResponse {
         let turned = self.turned(system)?;
         // deflected under weight with coefficients at rest
         let still = turned.as_ref().unwrap_or(system);
-        let state = |w: f64| rest(still, w);
+        let state = over_speed(still);
         let own = held(still, Frozen::Order(1.0))?;
         let system = own.as_ref().unwrap_or(still);
         let mut speeds = self.speed.linspace(POINTS);

@@ -25,7 +25,7 @@ use crate::solve::harmonic_force::{Direction, Forced};
 use crate::solve::linear_response::Response;
 use crate::solve::own_frequency;
 use crate::solve::pencil::time_forms;
-use crate::solve::rest::rest;
+use crate::solve::rest::{over_speed, rest};
 use crate::solve::sweep::{Strongest, spectrum, sweep};
 use crate::study::linear::forced_response::observed::{Closed, Outside, assess};
 use crate::study::linear::over_frequency::{growth_unassessed, over_frequency};
@@ -197,7 +197,7 @@ frequency = { from = "5 Hz", to = "200 Hz" }
     fn compute(&self, system: &System, context: &Context) -> Result<HarmonicForceResult, Diagnostic> {
         self.admit(system)?;
         let still = self.forced(system)?;
-        let state = |w: f64| rest(&still.system, w);
+        let state = over_speed(&still.system);
         let own = self.held(system)?.map(|held| self.forced(&held)).transpose()?;
         let forced = own.as_ref().unwrap_or(&still);
         let of = &forced.system;

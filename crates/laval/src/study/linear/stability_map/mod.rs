@@ -160,7 +160,7 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
                     return Ok(Row { stopped: true, ..Row::default() });
                 }
                 let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
-                    let state = |w: f64| self.about.find(s, w, None);
+                    let state = self.about.over_speed(s);
                     if in_region(s) {
                         let frequency = self.limit(s, &speeds)?;
                         return counted::row(s, &state, &speeds, self.least(s, &speeds), (frequency, context.cancel), each);

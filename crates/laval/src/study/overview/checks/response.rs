@@ -6,6 +6,7 @@ use crate::model::part::{At, Link};
 use crate::model::probe::Probe;
 use crate::model::system::Workspace;
 use crate::outcome::{Arg, Check, Finding, Level, Message, Verdict};
+use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::Curve;
 use crate::solve::rest::rest;
 use crate::study::shared::limits::Limit;
@@ -31,6 +32,28 @@ fn sizes(curve: &Curve, probes: &[Probe], probe: &Probe) -> (f64, f64) {
     let peaks = curve.extrema.iter().filter(|e| e.maximum && probes[e.probe] == *probe).map(|e| (e.speed.abs(), e.value));
     let all: Vec<(f64, f64)> = points.chain(peaks).collect();
     (largest(all.iter().map(|a| a.1)), largest(all.iter().map(|a| a.0 * a.1)))
+}
+
+/// Names of the spins whose loads the response leaves out: all but the one of the machine.
+fn left_out(facts: &Facts) -> Vec<String> {
+    let speed = facts.operating.map_or(0.0, |o| facts.sign * o.high);
+    let loaded = |name: &str, ratio: f64| {
+        let own = facts.system.at_spin(name).ok()?;
+        let about = rest(&own, ratio * speed).ok()?;
+        Some(Characteristic::new(&own, &about).loads().1.iter().any(|f| f.abs() > 0.0))
+    };
+    let spins = facts.system.spins().into_iter().filter_map(|s| Some((s.name?, s.ratio)));
+    spins.filter(|(name, ratio)| loaded(name, *ratio).unwrap_or(true)).map(|s| s.0).collect()
+}
+
+/// A limit is not known to be kept where loads are left out.
+fn kept_without(spins: &[String], verdict: Verdict) -> Verdict {
+    if spins.is_empty() || verdict == Verdict::Failed { verdict } else { Verdict::NotComputed }
+}
+
+fn without_spins(spins: &[String]) -> Option<Message> {
+    let names = || Arg::names(spins.iter().map(String::as_str).collect::<Vec<_>>());
+    (!spins.is_empty()).then(|| Message::new("response-without-spins").arg("spins", names()))
 }
 
 /// Displacements of the bodies on the steady response at the highest operating speed, m; none where there is no such response.
@@ -95,6 +118,9 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     } else {
         (facts.response.as_ref().and_then(Known::source).or(detail), verdict)
     };
+    // also a nonlinear study has the loads of one spin alone
+    let spins = left_out(facts);
+    let (detail, verdict) = (without_spins(&spins).or(detail), kept_without(&spins, verdict));
     let mut out = vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }];
     let limited = kept(&facts.limits.velocity, &velocity);
     if let Some((_, worst, limit)) = limited.first() {
@@ -104,7 +130,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
             Some((sizes, each)) => (Message::new("velocity-sizes").arg("sizes", sizes), Some(each)),
             None => (Message::new("velocity-is").arg("value", Arg::quantity(*worst, "m/s")), required),
         };
-        out.push(Check { required, ..Check::new("check-velocity", result, verdict) });
+        out.push(Check { required, ..Check::new("check-velocity", result, kept_without(&spins, verdict)) });
     }
     out
 }
@@ -167,7 +193,8 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         (Some(a), Some(b)) => Some(Message::new("both").arg("first", a).arg("second", b)),
         (a, b) => a.or(b),
     };
-    Some(Check { detail, required, ..Check::new("check-forces", result, verdict) })
+    let spins = left_out(facts);
+    Some(Check { detail: without_spins(&spins).or(detail), required, ..Check::new("check-forces", result, kept_without(&spins, verdict)) })
 }
 
 /// Values with the limits of their own, the one that is used most first.
