@@ -56,7 +56,7 @@ remark-unstable = { $open ->
     } { $oscillates ->
         [yes] whirl at { $frequency }
        *[no] motion without oscillation
-    } grows by the factor e in { $time }.
+    } grows by the factor e in { $time } at the worst speed.
 remark-resonance = Resonance at { $speed }, "{ $body }" { $value }.
 remark-resonance-unbounded = Undamped resonance at { $speed }: the amplitude of "{ $body }" has no bound.
 remark-resonances = Further resonances at { $speeds }.

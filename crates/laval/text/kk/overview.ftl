@@ -54,7 +54,7 @@ remark-unstable = { $open ->
     } { $oscillates ->
         [yes] прецессия, жиілігі { $frequency }
        *[no] тербеліссіз қозғалыс
-    }, e есе өсу уақыты { $time }.
+    }, ең қауіпті айналу жиілігінде e есе өсу уақыты { $time }.
 remark-resonance = Резонанс { $speed } кезінде, «{ $body }» денесі { $value }.
 remark-resonance-unbounded = Демпферленбеген резонанс { $speed } кезінде: «{ $body }» денесінің амплитудасы шексіз.
 remark-resonances = Басқа резонанстар: { $speeds }.

@@ -58,7 +58,7 @@ remark-unstable = { $open ->
     } { $oscillates ->
         [yes] прецессия с частотой { $frequency }
        *[no] движение без колебаний
-    } растёт в e раз за { $time }.
+    } растёт в e раз за { $time } при наихудшей частоте вращения.
 remark-resonance = Резонанс при { $speed }, «{ $body }» { $value }.
 remark-resonance-unbounded = Резонанс без демпфирования при { $speed }: амплитуда тела «{ $body }» не ограничена.
 remark-resonances = Другие резонансы при { $speeds }.

@@ -54,7 +54,7 @@ remark-unstable = { $open ->
     } { $oscillates ->
         [yes] { $frequency } chastotali pretsessiya
        *[no] tebranishsiz harakat
-    } { $time } ichida e marta o‘sadi.
+    } eng xavfli tezlikda { $time } ichida e marta o‘sadi.
 remark-resonance = { $speed } tezlikda rezonans, "{ $body }" jismi: { $value }.
 remark-resonance-unbounded = { $speed } tezlikda so‘nishsiz rezonans: "{ $body }" jismining amplitudasi chegaralanmagan.
 remark-resonances = Boshqa rezonanslar: { $speeds }.
