@@ -24,8 +24,15 @@ const FAR: f64 = 0.2;
 const BEND: f64 = 0.3;
 const STILL: f64 = 1e-4;
 
-/// Of a large machine roots are counted at the first speed, at the last and at each of so many between them.
+/// Of a large machine roots are counted at the first speed, at the last and between them, in equal steps of so many speeds at most.
 const COUNT_EACH: usize = 16;
+
+/// Whether roots are counted at one of the speeds.
+fn is_counted(k: usize, speeds: usize) -> bool {
+    let last = speeds.saturating_sub(1);
+    let steps = last.div_ceil(COUNT_EACH).max(2);
+    (0..=steps).any(|i| (i * last + steps / 2) / steps == k)
+}
 
 /// Steps between two speeds: more where two roots seem to lead to one.
 const PIECES: [usize; 4] = [1, 4, 16, 64];
@@ -125,9 +132,7 @@ pub(super) fn follow_large(
             out.ambiguous.push((speeds[k - 1], speed));
         }
         let mut spectrum = Spectrum::default();
-        let last = k + 1 == speeds.len();
-        // not close before the last
-        if k == 0 || last || k % COUNT_EACH == 0 && k + COUNT_EACH / 2 < speeds.len() {
+        if is_counted(k, speeds.len()) {
             let starts: Vec<C64> = led.iter().map(|l| signed(l.root.value, l.sector)).collect();
             let request = Request { frequency, starts: &starts, ..Request::default() };
             let Some(found) = piece(|| roots(system, &about, &request)) else { break };
@@ -388,6 +393,18 @@ fn lead(
 mod tests {
     use super::*;
     use laval_num::complex::c;
+
+    /// At both ends and in the middle at least, never further apart than said.
+    #[test]
+    fn roots_are_counted_along_the_speeds() {
+        for speeds in 1..200 {
+            let counted: Vec<usize> = (0..speeds).filter(|&k| is_counted(k, speeds)).collect();
+            assert!(counted[0] == 0 && counted[counted.len() - 1] == speeds - 1, "{speeds}: {counted:?}");
+            assert!(counted.len() >= speeds.min(3), "{speeds}: {counted:?}");
+            assert!(counted.windows(2).all(|w| w[1] - w[0] <= COUNT_EACH), "{speeds}: {counted:?}");
+        }
+        assert_eq!((0..50).filter(|&k| is_counted(k, 50)).count(), 5);
+    }
 
     /// Of a root that is a cubic over the speed both speeds before say where it goes; where that bends far from the tangent the tangent does.
     #[test]
