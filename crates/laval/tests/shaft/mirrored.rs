@@ -75,6 +75,8 @@ fn cross_coupling_and_turning_forces_follow_the_place() {
     near(mirrored, threshold, "threshold");
     assert_eq!(peaks.len(), others.len(), "{peaks:?} {others:?}");
     peaks.iter().zip(&others).for_each(|(a, b)| near(*a, *b, "peak"));
+    // a force that turns with the rotor excites forward whirl
+    assert!(peaks.iter().all(|w| (12_500.0..13_500.0).contains(&(w / RPM))), "{peaks:?}");
 }
 
 /// The limits of a geared machine cannot be passed by the response to the unbalance of one of its shafts.
