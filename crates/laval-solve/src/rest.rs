@@ -49,7 +49,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
     Ok(found)
 }
 
-/// Static rest over the speed, as [`rest`] at each: found once where it is the same at every speed, of linear parts whose stiffness and constant loads know no speed.
+/// Static rest over the speed, as [`rest`] at each: found once where all parts are linear and neither stiffness nor constant loads depend on the speed.
 pub fn over_speed(system: &System) -> impl Fn(f64) -> Result<Equilibrium, Diagnostic> + Sync {
     let once = same_at_every_speed(system).then(|| rest(system, 0.0).ok()).flatten();
     move |speed| match &once {

@@ -2,7 +2,6 @@
 
 use super::{Facts, ends, studied};
 use crate::model::probe::Probe;
-use crate::model::spins::same_ratio;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
 use crate::solve::extrema::{Curve, Extremum};
@@ -61,12 +60,9 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
                 out.resonances = light.map(|c: &Critical| Resonance { speed: facts.sign * c.speed, amplitude: None }).collect();
             }
         }
-        // what excites at other multiples of the speed meets the modes elsewhere, another spin those that whirl its way
+        // what excites at other multiples of the speed meets the modes elsewhere; a spin against that of the machine excites at its speed, too
         let spins = facts.system.spins();
-        let excited = |c: &Critical| {
-            let mut own = spins.iter().filter(|s| same_ratio(s.ratio.abs(), c.order)).peekable();
-            if own.peek().is_some() { own.any(|s| c.driven_by(s.ratio)) } else { c.order != 1.0 }
-        };
+        let excited = |c: &Critical| c.order != 1.0 || spins.iter().any(|s| c.driven_by(s.ratio));
         let other = facts.criticals.get().into_iter().flat_map(|found| &found.crossings);
         let other = other.filter(|c| excited(c) && c.located() && damping(c).abs() < LIGHT);
         out.resonances.extend(other.map(|c| Resonance { speed: facts.sign * c.speed, amplitude: None }));

@@ -35,7 +35,7 @@ fn sizes(curve: &Curve, probes: &[Probe], probe: &Probe) -> (f64, f64) {
 }
 
 /// Names of the spins whose loads the response leaves out: all but the one of the machine.
-fn left_out(facts: &Facts) -> Vec<String> {
+fn spins_left_out(facts: &Facts) -> Vec<String> {
     let speed = facts.operating.map_or(0.0, |o| facts.sign * o.high);
     let loaded = |name: &str, ratio: f64| {
         let own = facts.system.at_spin(name).ok()?;
@@ -51,6 +51,7 @@ fn kept_without(spins: &[String], verdict: Verdict) -> Verdict {
     if spins.is_empty() || verdict == Verdict::Failed { verdict } else { Verdict::NotComputed }
 }
 
+/// That the response is without their unbalance; none where no spin is left out.
 fn without_spins(spins: &[String]) -> Option<Message> {
     let names = || Arg::names(spins.iter().map(String::as_str).collect::<Vec<_>>());
     (!spins.is_empty()).then(|| Message::new("response-without-spins").arg("spins", names()))
@@ -119,7 +120,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         (facts.response.as_ref().and_then(Known::source).or(detail), verdict)
     };
     // also a nonlinear study has the loads of one spin alone
-    let spins = left_out(facts);
+    let spins = spins_left_out(facts);
     let (detail, verdict) = (without_spins(&spins).or(detail), kept_without(&spins, verdict));
     let mut out = vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }];
     let limited = kept(&facts.limits.velocity, &velocity);
@@ -193,7 +194,7 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         (Some(a), Some(b)) => Some(Message::new("both").arg("first", a).arg("second", b)),
         (a, b) => a.or(b),
     };
-    let spins = left_out(facts);
+    let spins = spins_left_out(facts);
     Some(Check { detail: without_spins(&spins).or(detail), required, ..Check::new("check-forces", result, kept_without(&spins, verdict)) })
 }
 
