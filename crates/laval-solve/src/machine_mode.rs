@@ -1,6 +1,7 @@
 //! A mode of the machine as results show it.
 
 use super::characteristic::{coordinate_sectors, state_sectors};
+use super::kinetic::Kinetic;
 use super::sectors::{Sector, Sectors, circular};
 use crate::model::part::DofKind;
 use crate::model::system::System;
@@ -12,7 +13,7 @@ use serde::{Deserialize, Serialize};
 /// below a fortieth of its long one.
 pub const FLAT: f64 = 0.05;
 
-/// Direction a mode whirls in, or that it moves along or about the axis alone.
+/// Direction a mode whirls in, or that it moves along or about the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Whirl {
     /// With the spin.
@@ -21,9 +22,9 @@ pub enum Whirl {
     Backward,
     /// Both, at different places or in a line that is straight within [`FLAT`].
     Mixed,
-    /// It moves along the axis alone.
+    /// Along the axis, but for a hundredth of its kinetic energy.
     Axial,
-    /// It moves about the axis alone.
+    /// About the axis, but for a hundredth of its kinetic energy.
     Torsional,
     /// No oscillation, or none of bodies.
     None,
@@ -124,20 +125,26 @@ pub(super) struct Unknowns {
     pub along: [Vec<usize>; 2],
     /// Of each coordinate the speed of its part over that of the machine.
     pub ratios: Vec<f64>,
+    /// Of a machine that moves along or about its axis.
+    kinetic: Option<Kinetic>,
 }
 
-/// Share of the largest coordinate of a mode, each over its typical size, below which the others do not count beside it.
+/// Share of the largest coordinate of a mode without mass, each over its typical size, below which the others do not count beside it.
 const HARDLY: f64 = 1e-6;
+/// Share of the kinetic energy from which on a mode is one along or about the axis: teeth in mesh couple torsion to a little whirl.
+const ALONG: f64 = 0.99;
 
 impl Unknowns {
     pub fn of(system: &System) -> Self {
+        let along: [Vec<usize>; 2] =
+            [DofKind::Axial, DofKind::Twist].map(|kind| (0..system.n()).filter(|&i| system.coordinates()[i].dof.kind == kind).collect());
         Unknowns {
+            kinetic: along.iter().any(|k| !k.is_empty()).then(|| Kinetic::of(system, None)),
             coordinates: coordinate_sectors(system),
             states: state_sectors(system, &(0..system.m()).collect::<Vec<_>>()),
             typical: system.coordinates().iter().map(|c| c.dof.typical).collect(),
             ratios: system.coordinates().iter().map(|c| system.slots()[c.slot].speed(system.params(), 1.0)).collect(),
-            along: [DofKind::Axial, DofKind::Twist]
-                .map(|kind| (0..system.n()).filter(|&i| system.coordinates()[i].dof.kind == kind).collect()),
+            along,
         }
     }
 
@@ -219,8 +226,15 @@ impl Unknowns {
         let (f2, b2) = circles.iter().fold((0.0, 0.0), |(f, b), c| (f + c.0 * c.0, b + c.1 * c.1));
         let largest = circles.iter().map(|c| c.0 + c.1).fold(0.0, f64::max);
         let [axial, torsional] = [0, 1].map(|k| self.along[k].iter().map(|&i| q[i].abs() / self.typical[i]).fold(0.0, f64::max));
-        if axial.max(torsional) > 0.0 && largest <= HARDLY * axial.max(torsional) {
-            return (if axial > torsional { Whirl::Axial } else { Whirl::Torsional }, 0.5);
+        if axial.max(torsional) > 0.0 {
+            let shares = self.kinetic.as_ref().and_then(|k| k.shares(&self.along, q));
+            let (is_along, [axial, torsional]) = match shares {
+                Some(shares) => (shares[0] + shares[1] >= ALONG, shares),
+                None => (largest <= HARDLY * axial.max(torsional), [axial, torsional]),
+            };
+            if is_along {
+                return (if axial > torsional { Whirl::Axial } else { Whirl::Torsional }, 0.5);
+            }
         }
         if value.im == 0.0 || largest < 1e-12 {
             return (Whirl::None, 0.5);

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! All matrices of the structure are projected from both sides with the same basis (Craig and Bampton), so that symmetry, skew symmetry and the sign of energies stay, and statics is exact at
-//! the ports. The modes with the ports held are those of a block Krylov space of `K^-1 M` that begins with the loads of inertia of the static shapes. Modes are added until the
-//! receptance of the ports, `B Z(s)^-1 B'`, is met at places that the reduction did not use.
+//! the ports. The modes with the ports held are those of a block Krylov space of `K^-1 M` that begins with the loads of inertia of the static shapes. To those up to a multiple of the
+//! frequency vectors of that space are added, which stand for all higher modes at once, until the receptance of the ports, `B Z(s)^-1 B'`, is met at places that the reduction did not use.
 //!
 //! Symbols: K, M symmetric stiffness and mass; Z(s) = s^2 M + s (C + W G) + K + W N with internal states eliminated; w frequency up to which it holds, rad/s.
 //!
@@ -30,7 +30,7 @@ use std::sync::Arc;
 const ASIDE: f64 = 0.02;
 /// Shares of the frequency at which receptances are compared.
 const PLACES: [f64; 6] = [0.11, 0.23, 0.41, 0.59, 0.83, 1.0];
-/// Modes that are kept first: those below this multiple of the frequency.
+/// Modes that are kept: those below this multiple of the frequency.
 const WIDER: f64 = 1.5;
 /// Vectors of the Krylov space over the most coordinates of the reduced structure.
 const SPACE: usize = 2;
@@ -245,23 +245,28 @@ impl Reduction {
         if shapes.iter().flatten().any(|x| !x.is_finite()) {
             return None;
         }
-        let (modes, squares) = modes(&held, ports, &shapes, most)?;
+        let space = krylov(&held, ports, &shapes, most);
+        let (modes, squares) = modes(&held, &space)?;
         let places: Vec<(usize, C64, Mat<C64>)> = (0..all.len())
             .flat_map(|k| PLACES.map(|share| (k, c(ASIDE, 1.0).scale(share * frequency))))
             .map(|(k, s)| Some((k, s, all[k].receptance(s, ports)?)))
             .collect::<Option<_>>()?;
-        let mut count = squares.iter().take_while(|w2| **w2 < (WIDER * frequency).powi(2)).count();
+        let low = squares.iter().take_while(|w2| **w2 < (WIDER * frequency).powi(2)).count();
+        let vectors = added(&held, &modes[..low], &space);
+        let most = vectors.len().min(most.saturating_sub(ports.len()));
+        let mut count = low;
         let mut best: Option<Reduction> = None;
         loop {
-            count = count.min(modes.len()).min(most.saturating_sub(ports.len()));
-            let columns: Vec<&Vec<f64>> = shapes.iter().chain(&modes[..count]).collect();
+            count = count.min(most);
+            let (modes, _) = self::modes(&held, &vectors[..count])?;
+            let columns: Vec<&Vec<f64>> = shapes.iter().chain(&modes).collect();
             let basis = Mat::from_fn(n, columns.len(), |i, j| columns[j][i]);
             let error = error(&basis, &all, ports, &places);
             let better = best.as_ref().is_none_or(|b| error < b.error);
             if better {
                 best = Some(Reduction { basis, ports: ports.len(), frequency, error });
             }
-            if error <= tolerance || count == modes.len() || count + ports.len() >= most {
+            if error <= tolerance || count >= most {
                 return best.filter(|b| b.error < 0.1);
             }
             count += 4.max(count / 4);
@@ -304,50 +309,78 @@ impl Reduction {
     }
 }
 
-/// The lowest modes with the ports held, by rising square of their frequency.
-fn modes(held: &Held, ports: &[Row], shapes: &[Vec<f64>], most: usize) -> Option<(Vec<Vec<f64>>, Vec<f64>)> {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-    // orthonormal in the stiffness, with their products with it
-    let mut space: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
+/// A vector that holds the ports, and its product with the stiffness.
+type Vector = (Vec<f64>, Vec<f64>);
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// What is left of a vector when others, orthonormal in the stiffness, are taken out, as one of norm one; `None` where that is rounding.
+fn orthonormal(held: &Held, mut x: Vec<f64>, others: &[Vector], holding: impl Fn(&mut Vec<f64>)) -> Option<Vector> {
+    let size = dot(&x, &held.product(&held.stiffness, &x)).sqrt();
+    if !(size > 0.0) {
+        return None;
+    }
+    x.iter_mut().for_each(|x| *x /= size);
+    spend((4 * held.n * (others.len() + 1)) as u64);
+    for _ in 0..2 {
+        for (b, kb) in others {
+            let share = dot(&x, kb);
+            x.iter_mut().zip(b).for_each(|(x, b)| *x -= share * b);
+        }
+    }
+    holding(&mut x);
+    let kx = held.product(&held.stiffness, &x);
+    let left = dot(&x, &kx).sqrt();
+    let unit = |x: Vec<f64>| x.into_iter().map(|x| x / left).collect::<Vec<f64>>();
+    (left > NEW).then(|| (unit(x), unit(kx)))
+}
+
+/// The block Krylov space, orthonormal in the stiffness, in the order in which it grows.
+fn krylov(held: &Held, ports: &[Row], shapes: &[Vec<f64>], most: usize) -> Vec<Vector> {
+    let mut space: Vec<Vector> = Vec::new();
     let wanted = (SPACE * most).min(held.n.saturating_sub(shapes.len()));
     let mut block: Vec<Vec<f64>> = shapes.to_vec();
     // a direction for what the ports do not move
     block.push((0..held.n).map(|i| (1.7 * i as f64 + 0.3).sin()).collect());
+    // what little is left must hold the ports, too
+    let holding = |x: &mut Vec<f64>| {
+        for (shape, port) in shapes.iter().zip(ports) {
+            let away: f64 = port.iter().map(|&(g, f)| f * x[g]).sum();
+            x.iter_mut().zip(shape).for_each(|(x, s)| *x -= away * s);
+        }
+    };
     while space.len() < wanted && !block.is_empty() {
         let mut next = Vec::new();
         for v in &block {
-            let mut x = held.solve(&held.product(&held.mass, v), None);
-            let size = dot(&x, &held.product(&held.stiffness, &x)).sqrt();
-            if !(size > 0.0) {
-                continue;
+            let x = held.solve(&held.product(&held.mass, v), None);
+            if let Some(vector) = orthonormal(held, x, &space, holding).filter(|_| space.len() < wanted) {
+                next.push(vector.0.clone());
+                space.push(vector);
             }
-            x.iter_mut().for_each(|x| *x /= size);
-            spend((4 * held.n * (space.len() + 1)) as u64);
-            for _ in 0..2 {
-                for (b, kb) in &space {
-                    let share = dot(&x, kb);
-                    x.iter_mut().zip(b).for_each(|(x, b)| *x -= share * b);
-                }
-            }
-            // what little is left must hold the ports, too
-            for (shape, port) in shapes.iter().zip(ports) {
-                let away: f64 = port.iter().map(|&(g, f)| f * x[g]).sum();
-                x.iter_mut().zip(shape).for_each(|(x, s)| *x -= away * s);
-            }
-            let kx = held.product(&held.stiffness, &x);
-            let left = dot(&x, &kx).sqrt();
-            if !(left > NEW) || space.len() >= wanted {
-                continue;
-            }
-            let unit = |x: Vec<f64>| x.into_iter().map(|x| x / left).collect::<Vec<f64>>();
-            let (x, kx) = (unit(x), unit(kx));
-            next.push(x.clone());
-            space.push((x, kx));
         }
         block = next;
     }
+    space
+}
+
+/// Some modes, and after them what the vectors of a space add to them.
+fn added(held: &Held, modes: &[Vec<f64>], space: &[Vector]) -> Vec<Vector> {
+    let mut out: Vec<Vector> = Vec::new();
+    for x in modes.iter().chain(space.iter().map(|v| &v.0)) {
+        out.extend(orthonormal(held, x.clone(), &out, |_| ()));
+    }
+    out
+}
+
+/// The modes within a space, of unit inertia, by rising square of their frequency.
+fn modes(held: &Held, space: &[Vector]) -> Option<(Vec<Vec<f64>>, Vec<f64>)> {
     let products: Vec<Vec<f64>> = space.iter().map(|(x, _)| held.product(&held.mass, x)).collect();
     let size = space.len();
+    if size == 0 {
+        return Some((Vec::new(), Vec::new()));
+    }
     let mass = Mat::from_fn(size, size, |i, j| dot(&space[i].0, &products[j]));
     let gram = Mat::from_fn(size, size, |i, j| dot(&space[i].0, &space[j].1));
     let (values, vectors) = definite(&mass, &gram).ok()?;

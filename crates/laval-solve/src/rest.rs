@@ -5,6 +5,7 @@
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, nonlinear_states};
 use super::co_rotating::preferring;
 use super::sectors::Sectors;
+use super::turned_freely::kept;
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Rows};
@@ -323,14 +324,9 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
     if r.iter().all(|&r| r == 0.0) {
         return Ok(at);
     }
-    // without a load along the axis, or a torque, a rotor stays where it is in that direction, whether something holds it there or nothing does
     let mut held = held.to_vec();
-    for kind in [DofKind::Axial, DofKind::Twist] {
-        let of: Vec<usize> = (0..n).filter(|&i| system.coordinates()[i].dof.kind == kind).collect();
-        if of.iter().all(|&i| r[i] == 0.0 && x[i] == 0.0) && system.slots().iter().all(Slot::is_linear) {
-            held.extend(of);
-        }
-    }
+    let k = t.stiffness_entries();
+    held.extend(kept(system, t.pattern(), &k, |i| r[i] != 0.0 || x[i] != 0.0));
     let held = &held[..];
     let mut last = f64::INFINITY;
     for iteration in 1..=60 {

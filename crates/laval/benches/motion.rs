@@ -13,6 +13,7 @@ use laval::model::system::System;
 use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::{Programme, Shape};
+use laval::solve::reduced_machine::ReducedMachine;
 use laval_num::complex::c;
 use laval_num::ode::{DenseSolver, Ode, StiffOde};
 use processor::processor;
@@ -186,6 +187,10 @@ fn main() {
         run("linear, constant speed, 1 s", &linear, &constant, (1.0, relative), account);
         run("linear, run-up, 2 s", &linear, &rising, (2.0, relative), account);
         run("two nonlinear bearings, run-up, 2 s", &cubic, &rising, (2.0, relative), account);
+        match ReducedMachine::of(&cubic, SPEED) {
+            Some(r) => run("the same, reduced", &r.system, &rising, (2.0, relative), account),
+            None => println!("it has no reduced machine"),
+        }
     }
     compared("two nonlinear bearings, run-up", &cubic, &rising, 2.0);
 }

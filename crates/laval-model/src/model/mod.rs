@@ -13,6 +13,7 @@ mod frozen;
 mod inertia;
 pub mod lanes;
 pub mod linear;
+mod loads;
 pub mod machine;
 pub mod params;
 pub mod part;

@@ -7,13 +7,14 @@
 //! d = L . (u1 - u2) + cos(phi) (r1 theta1 + r2 theta2)                    approach of the teeth
 //! F = k d + c d'                                                          force of the teeth: -F L on the first wheel, F L on the second
 //! torques on the wheels about their axes: -cos(phi) r1 F,  -cos(phi) r2 F
+//! F0 = T / (r1 cos(phi)), of the sign of phi: -F0 L on the first wheel, F0 L on the second     force of the transmitted torque, across the axes
 //! ```
 //!
 //! Symbols: u displacement of a wheel, m; theta its rotation relative to its spin, rad; r pitch radius, m; phi pressure angle, rad; k, c stiffness, N/m, and
-//! damping, N s/m, of the mesh. The spins fit the radii, `r1 W1 + r2 W2 = 0`, so that the teeth do no work on them.
+//! damping, N s/m, of the mesh; T torque, N m, that the first wheel passes on or receives. The spins fit the radii, `r1 W1 + r2 W2 = 0`, so that the teeth do no work on them.
 //!
-//! Validity: the mean stiffness of the mesh; teeth stay in contact; no error of transmission; the force of the transmitted torque, which loads the
-//! bearings, is left out.
+//! Validity: the mean stiffness of the mesh; teeth stay in contact; no error of transmission. The transmitted torque is constant and in equilibrium with those of drive and
+//! load: it loads the bearings, and does not twist the shafts.
 //!
 //! Theory: `docs/theory/shafts.md#several-spins`.
 //!
@@ -41,6 +42,7 @@ params! {
         damping: scalar, "N s/m", Bounds::up_to(1e12), default 0.0, "damping c of the mesh";
         pressure_angle: scalar, "rad", Bounds::within(0.8), default 0.3490658503988659, "pressure angle phi (20 deg); negative where the other flanks carry: where the first wheel drives in the negative direction of rotation, or is driven in the positive one";
         azimuth: scalar, "rad", Bounds::within(1e3), default 0.0, "direction a from the first wheel to the second, from the x axis";
+        torque: scalar, "N m", Bounds::up_to(1e12), default 0.0, "torque T at the first wheel, its size: the force of the teeth that it takes bends the shafts and loads the bearings";
     }
 }
 
@@ -51,6 +53,8 @@ pub struct Gear {
 
 /// Local coordinates: x, y and twist of each wheel.
 const N: usize = 6;
+/// Those across the axes.
+const LATERAL: [usize; 4] = [0, 1, 3, 4];
 
 impl Gear {
     /// Between two points of bodies of different spins.
@@ -63,6 +67,12 @@ impl Gear {
         let ((sin, cos), (sa, ca)) = (p.pressure_angle.sin_cos(), p.azimuth.sin_cos());
         let [x, y] = [ca * sin - sa * cos, sa * sin + ca * cos];
         [x, y, p.first_radius * cos, -x, -y, p.second_radius * cos]
+    }
+    /// Force of the teeth that carries the transmitted torque, along the line of action.
+    #[inline(always)]
+    fn carried<S: Scalar>(p: &GearParams<S>) -> S {
+        let size = p.torque / (p.first_radius * p.pressure_angle.cos());
+        (-p.pressure_angle).select_pos(-size, size)
     }
     /// Approach and its rate.
     #[inline(always)]
@@ -122,14 +132,22 @@ stiffness = "2e8 N/m"
                 b.damping[(i, j)] = p.damping * g[i] * g[j];
             }
         }
+        let carried = Self::carried(p);
+        for i in LATERAL {
+            b.force[i] = -(carried * g[i]);
+        }
     }
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
-        let [d, rate] = Self::motion(p, at);
-        Some(Energy { stored: (p.stiffness * d * d).scale(0.5), dissipated: p.damping * rate * rate, supplied: S::zero() })
+        let ([d, rate], g, carried) = (Self::motion(p, at), Self::approach(p), Self::carried(p));
+        let mut supplied = S::zero();
+        for i in LATERAL {
+            supplied += -(carried * g[i]) * at.v[i];
+        }
+        Some(Energy { stored: (p.stiffness * d * d).scale(0.5), dissipated: p.damping * rate * rate, supplied })
     }
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let [d, rate] = Self::motion(p, at);
-        out.push(Observed { name: "force", unit: "N", value: p.stiffness * d + p.damping * rate });
+        out.push(Observed { name: "force", unit: "N", value: p.stiffness * d + p.damping * rate + Self::carried(p) });
     }
     fn scope(&self) -> Option<&dyn erased::Scope> {
         Some(self)
@@ -158,7 +176,15 @@ mod tests {
     }
 
     pub(super) fn params() -> GearParams {
-        GearParams { first_radius: 0.12, second_radius: 0.06, stiffness: 2e6, damping: 30.0, pressure_angle: 0.35, azimuth: 0.7 }
+        GearParams {
+            first_radius: 0.12,
+            second_radius: 0.06,
+            stiffness: 2e6,
+            damping: 30.0,
+            pressure_angle: 0.35,
+            azimuth: 0.7,
+            torque: 0.0,
+        }
     }
 
     /// Wheels that turn as the ratio says, and both shafts displaced alike, do not load the teeth; the first one turned ahead pushes the second along the tangent
@@ -179,6 +205,22 @@ mod tests {
         assert!(-g[4] > 0.9 && -g[3] > 0.3 && (g[3].hypot(g[4]) - 1.0).abs() < 1e-15);
     }
 
+    /// The torque of the force on each wheel about its axis is the transmitted one over the radius; the wheels are pushed apart on either flank.
+    #[test]
+    fn the_transmitted_torque_pushes_the_wheels_apart() {
+        for angle in [0.35, -0.35, 0.0] {
+            let p = GearParams { azimuth: 0.0, torque: 50.0, pressure_angle: angle, ..params() };
+            let mut b = Blocks::default();
+            b.reset(N, 0, 0.0);
+            Part::linear(&gear(), &p, 0.0, &mut b);
+            let size = 50.0 / (0.12 * angle.cos());
+            let along = if angle < 0.0 { -50.0 / 0.12 } else { 50.0 / 0.12 };
+            assert!((b.force[4] - along).abs() < 1e-10 && (b.force[1] + along).abs() < 1e-10, "{:?}", b.force);
+            assert!((b.force[3] - size * angle.abs().sin()).abs() < 1e-10 && (b.force[0] + b.force[3]).abs() < 1e-10, "{:?}", b.force);
+            assert!(b.force[2] == 0.0 && b.force[5] == 0.0);
+        }
+    }
+
     #[test]
     fn the_spins_fit_the_radii() {
         assert!(gear().refuses_ratio(&params(), -2.0).is_none());
@@ -189,5 +231,6 @@ mod tests {
 crate::conformance! {
     Gear {
         spur: tests::gear(), tests::params(), Options::anisotropic();
+        loaded: tests::gear(), GearParams { torque: 40.0, pressure_angle: -0.3, ..tests::params() }, Options::anisotropic();
     }
 }

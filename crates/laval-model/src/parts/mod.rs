@@ -6,6 +6,7 @@ pub mod bearing_hertz;
 pub mod bearing_journal;
 pub mod bearing_linear;
 pub mod bearing_rolling;
+pub mod constant_force;
 pub mod coupling;
 pub mod damper;
 pub mod disc;
@@ -61,6 +62,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<stop::Stop>(),
         kind::<liquid::Liquid>(),
         kind::<balancer_ball::BallBalancer>(),
+        kind::<constant_force::ConstantForce>(),
         kind::<coupling::Coupling>(),
         kind::<speed_ratio::SpeedRatio>(),
         kind::<gear::Gear>(),

@@ -5,11 +5,12 @@ use super::{Statics, along, forces};
 use crate::characteristic::nonlinear_states;
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
-use crate::model::part::{At, DofKind, Rows};
+use crate::model::part::{At, Rows};
 use crate::model::station::Row;
 use crate::model::system::{System, Workspace};
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::rest::{not_held, unfound};
+use crate::turned_freely::kept;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Mat, max_abs};
 use laval_num::factor::{Factors, Pattern, Plan, Terms};
@@ -71,15 +72,10 @@ impl<'a> Equations<'a> {
                 load[i] = 0.0;
             }
         }
-        // without a load along the axis, or a torque, a rotor stays where it is in that direction
-        for kind in [DofKind::Axial, DofKind::Twist] {
-            let of = |i: usize| i < system.n() && system.coordinates()[i].dof.kind == kind;
-            if (0..system.n()).any(|i| of(i) && load[i] != 0.0) {
-                continue;
-            }
-            for i in 0..system.n() {
-                pattern.row(i).filter(|x| of(i) || of(x.1)).for_each(|(e, j)| stiffness[e] = if i == j { 1.0 } else { 0.0 });
-            }
+        let mut stays = vec![false; pattern.n()];
+        kept(system, &pattern, &stiffness, |i| load[i] != 0.0).into_iter().for_each(|i| stays[i] = true);
+        for i in 0..pattern.n() {
+            pattern.row(i).filter(|x| stays[i] || stays[x.1]).for_each(|(e, j)| stiffness[e] = if i == j { 1.0 } else { 0.0 });
         }
         let (plan, left_out) = (model.plan().clone(), left_out.to_vec());
         let raised: Vec<Raised> = raised.iter().filter(|r| !left_out[r.slot]).cloned().collect();

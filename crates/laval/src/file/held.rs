@@ -16,6 +16,7 @@ use laval_num::factor::{Factors, Pattern, Plan};
 pub(super) fn check(system: &System, out: &mut Diagnostics) {
     for slot in system.slots() {
         let before = out.0.len();
+        turns_nothing(system, slot, out);
         tilt_without_effect(system, slot, out);
         axis_without_effect(system, slot, out);
         if out.0.len() == before {
@@ -113,6 +114,33 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
                 .help(text!("give a disc its diametral_inertia to let it tilt")),
         );
     }
+    let constant = |&i: &usize| slot.is_linear() && blocks(system, slot).is_some_and(|b| b.force[i] != 0.0);
+    if tilts.iter().any(constant) {
+        let message = text!("the moment of \"{name}\" has no effect: what it acts on does not tilt", name = slot.name);
+        let help = text!("give a disc its diametral_inertia to let it tilt");
+        out.push(Diagnostic::warning("part.no_tilt", message).at(slot.span.clone()).help(help));
+    }
+}
+
+/// Blocks of a linear part at the speed of the machine.
+fn blocks(system: &System, slot: &Slot) -> Option<Blocks<f64>> {
+    if slot.physics != Physics::Linear {
+        return None;
+    }
+    let (mut b, speed) = (Blocks::default(), system.machine.speed.unwrap_or(100.0));
+    b.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
+    slot.part.linear_f64(&system.params()[slot.params.clone()], speed, &mut b);
+    Some(b)
+}
+
+/// A spin of its own ratio that no part turns with.
+fn turns_nothing(system: &System, slot: &Slot, out: &mut Diagnostics) {
+    let Some(ratio) = slot.part.scope().and_then(|s| s.spin_ratio()).map(|k| slot.params.start + k) else { return };
+    if !system.slots().iter().any(|s| s.spin == Some(ratio)) {
+        let message = text!("no part turns with \"{name}\"", name = slot.name);
+        let help = text!("name it in a shaft or disc: spin = \"{name}\"", name = slot.name);
+        out.push(Diagnostic::warning("part.no_spin", message).at(slot.span.clone()).help(help));
+    }
 }
 
 /// A part that acts along or about the axis, on bodies that have no such coordinate.
@@ -164,7 +192,7 @@ fn clamped(system: &System, slot: &Slot, out: &mut Diagnostics) {
     }
 }
 
-/// The forces of a part change with a local coordinate, its rate or acceleration.
+/// A part has a force on a local coordinate, or its forces change with that, its rate or acceleration.
 fn acts(system: &System, slot: &Slot, coordinate: usize) -> bool {
     // a reaction in the frequency domain has no forces at an instant
     if matches!(slot.physics, Physics::Frequency(_)) {
@@ -182,7 +210,8 @@ fn acts(system: &System, slot: &Slot, coordinate: usize) -> bool {
         force.extend(rate);
         force
     };
-    forces(0.0) != forces(1e-3)
+    let still = forces(0.0);
+    still[coordinate] != 0.0 || still != forces(1e-3)
 }
 
 /// Stiffness relative to the largest that counts as none.

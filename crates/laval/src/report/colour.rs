@@ -26,6 +26,11 @@ impl Colour {
         }
     }
 
+    /// The palette is used up: lines of this colour are dotted, so that they differ from the first of it.
+    pub fn is_again(self) -> bool {
+        matches!(self, Colour::Slot(i) if i >= SLOTS.len())
+    }
+
     /// Class by which a page restyles the colour for a dark background.
     pub fn class(self) -> String {
         match self {

@@ -329,7 +329,9 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
     match series.kind {
         Kind::Solid | Kind::Dashed => {
             let dash = match series.kind {
+                Kind::Dashed if series.colour.is_again() => r#" stroke-dasharray="6 4 1 4""#,
                 Kind::Dashed => r#" stroke-dasharray="6 4""#,
+                _ if series.colour.is_again() => DOTTED,
                 // excitation lines differ from curves that lie close to them
                 _ if series.reference && series.colour == Colour::Slot(6) => r#" stroke-dasharray="9 3 2 3""#,
                 _ => "",
@@ -414,6 +416,9 @@ fn marker(shape: usize, x: f64, y: f64) -> String {
     }
 }
 
+/// Lines whose colour another one has already.
+const DOTTED: &str = r#" stroke-dasharray="2 3""#;
+
 /// Path data of a thinned line; a point between two gaps is a short dash.
 fn path(points: &[(f64, f64)], column: f64) -> String {
     let mut d = String::new();
@@ -438,7 +443,11 @@ fn legend(s: &mut String, k: usize, e: &Entry, x: f64, y: f64, text: &str) {
     let (a, m) = (px(x), y - 4.0);
     match e.glyph {
         g if is_line(g) => {
-            let dash = if g == Glyph::Dashed { r#" stroke-dasharray="6 4""# } else { "" };
+            let dash = match g {
+                Glyph::Dashed => r#" stroke-dasharray="6 4""#,
+                _ if e.colour.is_again() => DOTTED,
+                _ => "",
+            };
             let (hex, class) = if g == Glyph::Contour { ("#000000".into(), "con".into()) } else { (hex, class) };
             let _ = write!(s, r#"<path class="{class}" stroke="{hex}" stroke-width="2"{dash} d="M{a} {}h24"/>"#, px(m));
         }

@@ -2,8 +2,14 @@
 
 use super::overview::{check, page};
 use crate::common::files::{load, run_all};
+use laval::outcome::Verdict;
+use laval::prelude::construct;
 use laval::solve::pencil::Linearised;
 use laval::solve::rest::rest;
+use laval::study::forced_response::{ForcedResponse, LINEARISED};
+use laval::study::{Context, Study};
+use laval_num::complex::{C64, c};
+use serde_json::json;
 use std::f64::consts::PI;
 
 const LOAD: f64 = 525.0;
@@ -81,6 +87,53 @@ fn onset_of_oil_whirl() {
     assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
 }
 
+fn rigid(unbalance: f64, more: &str) -> String {
+    format!(
+        "[machine]\nname = \"rigid\"\naxis = \"horizontal\"\nspeed = 150.0\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = {:?}\nunbalance = {unbalance:?}\n\
+         [[part]]\nkind = \"bearing_journal\"\nname = \"bearing\"\nbetween = [\"rotor\", \"ground\"]\ndiameter = {D:?}\nlength = {L:?}\nclearance = {C:?}\nviscosity = {MU:?}\n{more}",
+        LOAD / 9.80665
+    )
+}
+
+/// What the film puts on a mass is `m a - f - m g` of the same motion, f the force of the unbalance; by the tangent that is exact, by the law while the motion is small.
+#[test]
+fn linearised_forces_are_what_the_mass_needs() {
+    let (m, speed) = (LOAD / 9.80665, 150.0);
+    for (unbalance, small) in [(1e-4, true), (4e-2, false)] {
+        let system = load(&rigid(unbalance, "")).system;
+        let study: ForcedResponse = construct(&system, &json!({ "speed": { "from": speed, "to": 170.0, "points": 3 } })).unwrap();
+        let found = study.compute(&system, &Context::quiet("forces")).unwrap();
+        let (r, observed) = (&found.curve.points[0], &found.observed);
+        assert_eq!(r.speed, speed);
+        let force = unbalance * speed * speed;
+        let mut largest = 0.0f64;
+        for k in 0..24 {
+            let turning = C64::cis(2.0 * PI * f64::from(k) / 24.0);
+            let of = |x: C64, f: C64| ((-x.scale(m * speed * speed) - f) * turning).re;
+            let x = of(r.x[0], c(force, 0.0));
+            let y = of(r.x[1], c(0.0, -force)) + LOAD;
+            largest = largest.max(x.hypot(y));
+        }
+        let tangent = &observed.quantities.iter().find(|q| q.what == LINEARISED).unwrap().values;
+        let law = &observed.laws[0].values;
+        assert!((tangent[0] / largest - 1.0).abs() < 1e-9, "{} {largest}", tangent[0]);
+        let away = (law[0] / tangent[0] - 1.0).abs();
+        assert!(if small { away < 1e-4 } else { away > 0.1 }, "{away}");
+    }
+}
+
+/// A limit of the force of a film decides, but where its law is far from the tangent.
+#[test]
+fn limits_of_the_forces_of_films() {
+    for (unbalance, limit, verdict) in [(1e-4, 600.0, Verdict::Passed), (1e-4, 500.0, Verdict::Failed), (4e-2, 1e9, Verdict::Attention)] {
+        let p = page(&rigid(unbalance, &format!("[limits]\nforce = {{ bearing = {limit:?} }}\n")));
+        let found = check(&p, "check-forces");
+        assert_eq!(found.verdict, verdict, "{found:?}");
+        let doubts = found.detail.as_ref().is_some_and(|d| format!("{d:?}").contains("forces-not-linear"));
+        assert_eq!(doubts, verdict == Verdict::Attention, "{found:?}");
+    }
+}
+
 /// A full film damps a circle of the radius e c by `pi mu R L^3/(c^3 (1 - e^2)^1.5)`: the amplitude solves one equation.
 #[test]
 fn circles_in_a_squeeze_film() {
@@ -106,7 +159,7 @@ fn circles_in_a_squeeze_film() {
     assert!(largest > 0.3, "{largest}");
 }
 
-/// A shaft on oil films: forces that no study computed are not listed as none, and the modes shown are those near the speeds of the machine, not the
+/// A shaft on oil films: the forces of the films are listed, and the modes shown are those near the speeds of the machine, not the
 /// overtones of its elements.
 #[test]
 fn first_page_of_a_shaft_on_oil_films() {
@@ -124,7 +177,7 @@ fn first_page_of_a_shaft_on_oil_films() {
         bearing("left", "50 mm"),
         bearing("right", "550 mm")
     ));
-    assert_eq!(check(&p, "check-forces").result.key.as_str(), "forces-none");
+    assert_eq!(check(&p, "check-forces").result.key.as_str(), "forces-sizes");
     let fastest = 6000.0 * PI / 30.0;
     assert!(!p.modes.is_empty() && p.modes.iter().filter(|m| m.frequency < 10.0 * fastest).count() >= 3, "{:?}", p.modes);
     let (near, far): (Vec<f64>, Vec<f64>) = p.modes.iter().map(|m| m.frequency).partition(|w| *w < 10.0 * fastest);

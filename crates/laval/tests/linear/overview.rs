@@ -197,9 +197,11 @@ fn between_the_folds_the_larger_response_counts() {
     let balance = |a: f64| (k + k3 * a * a - m * w * w) * a - m * e * w * w;
     assert!(a > 1e-3 && balance(a * 0.98) < 0.0 && balance(a * 1.02) > 0.0, "{a}");
     assert!((number(&check(&p, "check-forces").result, "sizes") / ((k + k3 * a * a) * a) - 1.0).abs() < 0.05);
-    // without the study the force of the bearing is not known, and its limit not kept
-    let linear = page(text(60.0).split("[[study]]").next().unwrap());
-    assert_eq!(check(&linear, "check-forces").verdict, Verdict::Attention);
+    // without the study the force of the bearing is that by its tangent, which decides while its law is not far away
+    for (eccentricity, verdict) in [("2e-5", Verdict::Passed), ("8e-4", Verdict::Attention)] {
+        let linear = page(&text(60.0).split("[[study]]").next().unwrap().replace("2e-5", eccentricity));
+        assert_eq!(check(&linear, "check-forces").verdict, verdict);
+    }
 }
 
 /// Coefficients beyond a table that refuses them answer nothing.

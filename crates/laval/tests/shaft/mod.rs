@@ -5,6 +5,7 @@ mod axis;
 mod bearing_coefficients;
 mod by_entries;
 mod closed_forms;
+mod constant_force;
 mod definition;
 mod elements;
 mod flexible_hub;

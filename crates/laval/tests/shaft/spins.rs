@@ -3,9 +3,10 @@
 use crate::common::files::load;
 use laval::model::erased::D1;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
-use laval::model::part::{At, Rows};
+use laval::model::part::{At, DofKind, Rows};
 use laval::model::system::Drive;
 use laval::model::system::{System, Workspace};
+use laval::solve::machine_mode::Whirl;
 use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::{Linearised, MachineMode};
@@ -203,14 +204,14 @@ fn the_spin_row_is_that_of_the_geared_train() {
 }
 
 /// Two wheels in mesh: pitch radii, stiffness of the mesh and pressure angle; masses, moments of inertia and springs of the wheels.
-const RADII: [f64; 2] = [0.12, 0.06];
+pub(super) const RADII: [f64; 2] = [0.12, 0.06];
 const MESH: f64 = 3e7;
-const PRESSURE: f64 = 0.35;
-const MASSES: [f64; 2] = [20.0, 6.0];
+pub(super) const PRESSURE: f64 = 0.35;
+pub(super) const MASSES: [f64; 2] = [20.0, 6.0];
 const INERTIAS: [f64; 2] = [0.15, 0.012];
-const SPRINGS: [f64; 2] = [4e6, 7e6];
+pub(super) const SPRINGS: [f64; 2] = [4e6, 7e6];
 
-fn geared() -> String {
+pub(super) fn geared() -> String {
     let wheel = |name: &str, i: usize, spin: &str| {
         format!(
             "[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = {}\npolar_inertia = {}\ntorsional = true\n{spin}[[part]]\nkind = \"bearing_linear\"\nname = \"of_{name}\"\nbetween = [\"{name}\", \"ground\"]\nkxx = {}\nkyy = {2}\n",
@@ -253,6 +254,23 @@ fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
     }
     assert_eq!(counts[1..], [2, 3], "{counts:?}");
     assert!(counts[0] >= 1, "the wheels roll");
+}
+
+/// On stiff bearings one mode is nearly rolling against the teeth: `w^2 = k cos(phi)^2 (r1^2/J1 + r2^2/J2)`, less what the bearings give way. It is torsional although the wheels whirl a little,
+/// and no resonance of whirl.
+#[test]
+fn a_mode_of_the_teeth_is_torsional() {
+    let stiff = geared().replace(&format!("{}", SPRINGS[0]), "4e9").replace(&format!("{}", SPRINGS[1]), "7e9");
+    let system = load(&stiff).system;
+    let turning = |i: usize| (PRESSURE.cos() * RADII[i]).powi(2) / INERTIAS[i];
+    let w = (MESH * (turning(0) + turning(1))).sqrt();
+    let found: Vec<MachineMode> = modes(&system, 300.0).into_iter().filter(|m| m.value.im > 1.0).collect();
+    let near: Vec<&MachineMode> = found.iter().filter(|m| (m.value.im / w - 1.0).abs() < 0.02).collect();
+    assert_eq!(near.len(), 1, "{w} {:?}", found.iter().map(|m| m.value).collect::<Vec<_>>());
+    assert_eq!(near[0].whirl, Whirl::Torsional);
+    let across = system.coordinates().iter().zip(&near[0].q).filter(|(c, _)| c.dof.kind != DofKind::Twist).map(|(_, q)| q.abs());
+    assert!(across.fold(0.0, f64::max) > 0.0, "{:?}", near[0].q);
+    assert!(found.iter().filter(|m| m.whirl.is_lateral()).count() >= 4);
 }
 
 /// A force F of the teeth moves the wheels by F/(k - m w^2) along the line of action and turns them by F r cos(phi)/(J w^2): the share of the twist in the kinetic

@@ -172,6 +172,11 @@ diag-the-ratio-of-the-stiffnesses-is-f766 = the ratio of the stiffnesses is know
 diag-give-ratio-the-stiffness-across-the-9a5b = give ratio: the stiffness across the load over that along it; it comes near 1 for many rolling elements under preload
 diag-the-ratio-of-the-stiffnesses-is-dd9f = the ratio of the stiffnesses is known from 8 to 16 rolling elements
 
+## laval-model/src/parts/constant_force.rs
+
+diag-this-part-does-nothing-give-a-ce05 = this part does nothing: give a force or a moment
+diag-this-force-was-built-without-d9df = this force was built without { $name }
+
 ## laval-model/src/parts/coupling.rs
 
 diag-the-coupling-does-nothing-give-it-f96d = the coupling does nothing: give it a stiffness
@@ -658,6 +663,9 @@ diag-nothing-holds-the-rotation-of-about-4390 = nothing holds the rotation of "{
 diag-a-coupling-with-torsional-stiffness-to-b911 = a coupling with torsional_stiffness to "ground" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz
 diag-of-has-no-effect-what-it-e0f8 = { $name } of "{ $slot }" has no effect: what it is joined to does not tilt
 diag-give-a-disc-its-diametral-inertia-7912 = give a disc its diametral_inertia to let it tilt
+diag-the-moment-of-has-no-effect-5998 = the moment of "{ $name }" has no effect: what it acts on does not tilt
+diag-no-part-turns-with-c0c8 = no part turns with "{ $name }"
+diag-name-it-in-a-shaft-or-b28c = name it in a shaft or disc: spin = "{ $name }"
 diag-acts-along-the-axis-without-effect-7085 = "{ $name }" acts along the axis without effect: what it is joined to does not move along it
 diag-say-axial-true-of-the-shaft-de0a = say axial = true of the shaft or disc
 diag-acts-about-the-axis-without-effect-88c2 = "{ $name }" acts about the axis without effect: what it is joined to does not twist
@@ -1648,6 +1656,7 @@ diag-at-most-points-a673 = at most { $most } points
 
 ## laval/src/study/shared/supporting.rs
 
+diag-is-named-twice-b544 = "{ $name }" is named twice
 diag-there-is-no-part-8a0d = there is no part "{ $name }"
 diag-does-not-join-a-turning-body-fc00 = "{ $name }" does not join a turning body to anything
 diag-parts-that-join-a-turning-body-fe2b = parts that join a turning body to something: { $names }

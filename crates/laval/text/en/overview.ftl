@@ -172,6 +172,7 @@ vibration-states = largest stable state of the balls
 vibration-contact = linear; { $parts } would touch, and the amplitude is not valid
 response-without-spins = without the unbalance of { $spins }, which "forced_response" with spin takes
 forces-without = without nonlinear parts: { $parts }
+forces-not-linear = by the tangent at rest; more than a tenth away from the force of the same motion by the law of { $parts }: nonlinear_response decides
 vibration-unbounded = undamped resonance at this speed
 forces-none = of no part known
 forces-sizes = { $sizes }
@@ -219,7 +220,7 @@ why-refused = not available for this machine: { $reason }
 why-same = not available for the same reason
 why-too-long = takes longer than a second; add the study to the file
 from-study = from the study "{ $study }"
-why-no-speed = no operating speed is set
+why-no-speed = no operating speed above 0 is set
 
 # What to do next.
 next-speed = Set speed in [machine]: the checks need an operating speed.

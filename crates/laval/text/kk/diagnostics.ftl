@@ -1639,3 +1639,11 @@ diag-name-fewer-couplings-keep-fewer-supports-5374 = азырақ муфта а�
 diag-and-support-the-same-place-with-773a = "{ $a }" және "{ $b }" бір орынды әртүрлі ығысумен ұстайды
 diag-give-them-the-same-offsets-or-ca7d = оларға бірдей ығысу беріңіз немесе біреуін supports өрісінде атаңыз
 diag-needs-an-operating-speed-which-neither-3164 = { $field } үшін жұмыс айналу жиілігі керек, ал ол [operation] ішінде де, [machine] ішінде де жоқ
+
+# constant forces, spins without parts, supports named twice
+diag-this-part-does-nothing-give-a-ce05 = бұл бөлшек ештеңе істемейді: күш немесе момент беріңіз
+diag-this-force-was-built-without-d9df = бұл күш { $name } қасиетінсіз құрылған
+diag-the-moment-of-has-no-effect-5998 = «{ $name }» моменті әсер етпейді: ол әсер ететін дене көлбемейді
+diag-no-part-turns-with-c0c8 = «{ $name }» айналысымен ешбір бөлшек айналмайды
+diag-name-it-in-a-shaft-or-b28c = оны білікте немесе дискіде атаңыз: spin = "{ $name }"
+diag-is-named-twice-b544 = «{ $name }» екі рет аталған

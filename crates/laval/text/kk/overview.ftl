@@ -181,7 +181,7 @@ why-refused = бұл машина үшін есептелмейді: { $reason }
 why-same = сол себептен есептелмейді
 why-too-long = бір секундтан ұзақ есептеледі; зерттеуді файлға қосыңыз
 from-study = «{ $study }» зерттеуі бойынша
-why-no-speed = жұмыстық айналу жиілігі берілмеген
+why-no-speed = 0-ден жоғары жұмыстық айналу жиілігі берілмеген
 
 # What to do next.
 next-speed = [machine] бөлімінде speed беріңіз: тексеруге жұмыстық айналу жиілігі қажет.
@@ -289,6 +289,7 @@ vibration-states = шариктердің орнықты күйлері бойы
 vibration-contact = сызықты есеп; мына бөлшектер жанасар еді: { $parts }; амплитуда жарамсыз
 response-without-spins = { $spins } теңгерімсіздігінсіз: оны spin өрісі бар "forced_response" есебі қамтиды
 forces-without = бейсызық бөлшектерсіз: { $parts }
+forces-not-linear = тыныштықтағы жанама бойынша; дәл сол қозғалыстың заң бойынша күшінен оннан бірінен көп айырмасы бар: { $parts }; nonlinear_response шешеді
 window-none = ешбір айналу жиілігі барлық талапты орындамайды
 window-ranges = { $ranges }
 speed-is = { $speed }

@@ -611,6 +611,7 @@ term-pitch-radius-r2-of-the-wheel-on-the-second-body = екінші денеде
 term-speed-over-that-of-the-machine-negative-where-it-turns-the-other-way = айналу жиілігінің машинаның айналу жиілігіне қатынасы; қарсы айналғанда теріс
 term-the-points-of-the-two-shafts-that-carry-the-wheels = дөңгелектер отырған екі біліктің нүктелері
 term-0-and-equal-ratios-over-three-powers-of-ten = 0 және үш рет бойынша тең қатынастар
+term-point-of-a-body-on-which-it-acts = ол әсер ететін дененің нүктесі
 term-point-of-a-body-on-which-the-stiffness-acts-level-1-takes-the-middle-between-the-bearings = қатаңдық әсер ететін дене нүктесі; 1-деңгейде мойынтіректердің ортасы
 term-amplitude-of-the-force = күштің амплитудасы
 term-along-x = x бойымен

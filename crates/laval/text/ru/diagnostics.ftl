@@ -1329,3 +1329,11 @@ diag-name-fewer-couplings-keep-fewer-supports-5374 = назовите меньш
 diag-and-support-the-same-place-with-773a = "{ $a }" и "{ $b }" поддерживают одно место с разными смещениями
 diag-give-them-the-same-offsets-or-ca7d = дайте им одинаковые смещения или назовите одну из них в supports
 diag-needs-an-operating-speed-which-neither-3164 = для { $field } нужна рабочая частота вращения, а её нет ни в [operation], ни в [machine]
+
+# constant forces, spins without parts, supports named twice
+diag-this-part-does-nothing-give-a-ce05 = элемент ничего не делает: задайте силу или момент
+diag-this-force-was-built-without-d9df = эта сила построена без { $name }
+diag-the-moment-of-has-no-effect-5998 = момент «{ $name }» не действует: то, на что он действует, не наклоняется
+diag-no-part-turns-with-c0c8 = с «{ $name }» не вращается ни один элемент
+diag-name-it-in-a-shaft-or-b28c = назовите его в вале или диске: spin = "{ $name }"
+diag-is-named-twice-b544 = «{ $name }» названо дважды

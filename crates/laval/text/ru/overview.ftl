@@ -171,6 +171,7 @@ vibration-states = наибольшее по устойчивым состоян
 vibration-contact = линейный расчёт; возник бы контакт ({ $parts }), амплитуда недействительна
 response-without-spins = без дисбаланса { $spins }: его учитывает "forced_response" с полем spin
 forces-without = без нелинейных элементов: { $parts }
+forces-not-linear = по касательной в покое; отличается более чем на десятую от силы того же движения по закону: { $parts }; решает nonlinear_response
 vibration-unstable = установившихся колебаний нет: машина неустойчива
 vibration-unbounded = резонанс без демпфирования при этой частоте вращения
 forces-none = неизвестны
@@ -223,7 +224,7 @@ why-refused = неприменимо к этой машине: { $reason }
 why-same = неприменимо по той же причине
 why-too-long = занимает больше секунды; добавьте расчёт в файл
 from-study = по расчёту «{ $study }»
-why-no-speed = рабочая частота вращения не задана
+why-no-speed = рабочая частота вращения выше 0 не задана
 
 # What to do next.
 next-speed = Задайте speed в [machine]: для проверок нужна рабочая частота вращения.

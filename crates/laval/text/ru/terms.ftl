@@ -487,6 +487,7 @@ term-pitch-radius-r2-of-the-wheel-on-the-second-body = делительный р
 term-speed-over-that-of-the-machine-negative-where-it-turns-the-other-way = отношение частоты вращения к частоте вращения машины; отрицательное при встречном вращении
 term-the-points-of-the-two-shafts-that-carry-the-wheels = точки двух валов, на которых сидят колёса
 term-0-and-equal-ratios-over-three-powers-of-ten = 0 и равные отношения на трёх порядках
+term-point-of-a-body-on-which-it-acts = точка тела, на которую она действует
 term-point-of-a-body-on-which-the-stiffness-acts-level-1-takes-the-middle-between-the-bearings = точка тела, на которую действует жёсткость; на уровне 1 середина между опорами
 term-amplitude-of-the-force = амплитуда силы
 term-along-x = вдоль x

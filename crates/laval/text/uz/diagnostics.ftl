@@ -1637,3 +1637,11 @@ diag-name-fewer-couplings-keep-fewer-supports-5374 = kamroq mufta nomlang, kamro
 diag-and-support-the-same-place-with-773a = "{ $a }" va "{ $b }" bitta joyni turli siljish bilan tutib turadi
 diag-give-them-the-same-offsets-or-ca7d = ularga bir xil siljish bering yoki bittasini supports maydonida nomlang
 diag-needs-an-operating-speed-which-neither-3164 = { $field } uchun ish tezligi kerak, u esa na [operation] da, na [machine] da berilgan
+
+# constant forces, spins without parts, supports named twice
+diag-this-part-does-nothing-give-a-ce05 = bu qism hech narsa qilmaydi: kuch yoki moment bering
+diag-this-force-was-built-without-d9df = bu kuch { $name } siz qurilgan
+diag-the-moment-of-has-no-effect-5998 = "{ $name }" momenti ta’sir qilmaydi: u ta’sir qiladigan jism og‘maydi
+diag-no-part-turns-with-c0c8 = "{ $name }" bilan hech bir qism aylanmaydi
+diag-name-it-in-a-shaft-or-b28c = uni val yoki diskda nomlang: spin = "{ $name }"
+diag-is-named-twice-b544 = "{ $name }" ikki marta nomlangan

@@ -180,7 +180,7 @@ speed-span = { $from } – { $to }
 why-refused = bu mashina uchun mumkin emas: { $reason }
 why-too-long = bir soniyadan ko‘p vaqt oladi; hisobni faylga qo‘shing
 from-study = "{ $study }" hisobi bo‘yicha
-why-no-speed = ish tezligi berilmagan
+why-no-speed = 0 dan yuqori ish tezligi berilmagan
 
 # Keyin nima qilish kerak.
 next-speed = [machine] bo‘limida speed qiymatini bering: tekshiruvlar uchun ish tezligi kerak.
@@ -289,6 +289,7 @@ vibration-states = sharchalarning turg‘un holatlari bo‘yicha eng kattasi
 vibration-contact = chiziqli; kontakt yuzaga kelar edi ({ $parts }), amplituda haqiqiy emas
 response-without-spins = { $spins } muvozanatsizligisiz: uni spin maydoni bor "forced_response" hisobi qamraydi
 forces-without = chiziqsiz qismlarsiz: { $parts }
+forces-not-linear = tinch holatdagi urinma bo‘yicha; xuddi shu harakatning qonun bo‘yicha kuchidan o‘ndan biridan ko‘proq farq qiladi: { $parts }; nonlinear_response hal qiladi
 window-none = birorta tezlik ham barcha talablarni bajarmaydi
 window-ranges = { $ranges }
 speed-is = { $speed }

@@ -487,6 +487,7 @@ term-pitch-radius-r2-of-the-wheel-on-the-second-body = ikkinchi jismdagi g‘ild
 term-speed-over-that-of-the-machine-negative-where-it-turns-the-other-way = aylanish chastotasining mashina aylanish chastotasiga nisbati; teskari aylanganda manfiy
 term-the-points-of-the-two-shafts-that-carry-the-wheels = g‘ildiraklar o‘tirgan ikki valning nuqtalari
 term-0-and-equal-ratios-over-three-powers-of-ten = 0 va uch tartib bo‘yicha teng nisbatlar
+term-point-of-a-body-on-which-it-acts = u ta’sir qiladigan jism nuqtasi
 term-point-of-a-body-on-which-the-stiffness-acts-level-1-takes-the-middle-between-the-bearings = bikrlik ta’sir qiladigan jism nuqtasi; 1-darajada podshipniklar o‘rtasi
 term-amplitude-of-the-force = kuch amplitudasi
 term-along-x = x bo‘ylab

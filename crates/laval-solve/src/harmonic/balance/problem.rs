@@ -21,7 +21,7 @@ use crate::harmonic::balance::refused::refused;
 use crate::harmonic::balance::sizes::{reference_stiffness, resonances};
 use crate::harmonic::balance::switching::Switching;
 use crate::harmonic::balance::terms::{Term, Terms};
-use crate::model::system::{Axis, Pair, Station, System};
+use crate::model::system::{Pair, Station, System};
 use crate::rest::rest;
 use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
@@ -101,6 +101,7 @@ pub struct Balance<'a> {
     coefficients: Vec<f64>,
     /// Coordinates of the machine at rest, and the speed they are for.
     rest: (f64, Vec<f64>),
+    loaded: bool,
     /// Evaluations of the residual so far.
     pub evaluations: u64,
 }
@@ -181,6 +182,7 @@ impl<'a> Balance<'a> {
             forces: vec![C64::zero(); m],
             coefficients: vec![0.0; unknowns],
             rest: (f64::NAN, Vec::new()),
+            loaded: system.is_loaded(),
             evaluations: 0,
             system,
             nonlinear,
@@ -285,9 +287,9 @@ impl<'a> Balance<'a> {
         done.then_some(slope)
     }
 
-    /// Coordinates at rest at a speed, from which displacements count; none for a machine whose weight acts along its axis, where all are zero, or that has no rest.
+    /// Coordinates at rest at a speed, from which displacements count; none for a machine without load across its axis, where all are zero, or that has no rest.
     pub fn rest(&mut self, speed: f64) -> &[f64] {
-        if self.system.machine.axis == Axis::Horizontal && self.rest.0 != speed {
+        if self.loaded && self.rest.0 != speed {
             self.rest = (speed, rest(self.system, speed).map_or_else(|_| Vec::new(), |e| e.q));
         }
         &self.rest.1

@@ -538,11 +538,16 @@ impl<'a> Shown<'a> {
         }
         frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
         let growth = Axis::new("growth rate", "1/s");
-        // modes that the panel above leaves out do not set the scale here
-        let seen = (0..branches.len()).filter(|k| !outside.contains(k)).flat_map(|k| &branches[k].points).map(|p| p.1.growth());
+        // modes that the panel above leaves out do not set the scale here, nor do motions that hardly oscillate beside others that do
+        let drawn: Vec<&MachineMode> =
+            (0..branches.len()).filter(|k| !outside.contains(k)).flat_map(|k| &branches[k].points).map(|p| &p.1).collect();
+        let oscillates = |m: &&MachineMode| m.growth() >= -m.frequency();
+        let some = drawn.iter().copied().any(|m| oscillates(&m) && m.frequency() > 0.0);
+        let seen = drawn.iter().copied().filter(|m| !some || oscillates(m)).map(MachineMode::growth);
         let (low, high) = seen.chain([self.threshold]).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), g| (a.min(g), b.max(g)));
         let space = 0.08 * (high - low);
-        let growth = if outside.is_empty() || !(space > 0.0) { growth } else { growth.range(low - space, high + space) };
+        let whole = outside.is_empty() && (!some || drawn.iter().all(oscillates));
+        let growth = if whole || !(space > 0.0) { growth } else { growth.range(low - space, high + space) };
         let growth = Panel::new(growth);
         let growth = operating.iter().fold(growth, |p, o| p.mark(o.margin()).mark(o.rule()));
         let growth =

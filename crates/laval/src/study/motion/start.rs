@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, Values};
 use crate::model::part::{At, Rows};
-use crate::model::system::{Axis, System, Workspace};
+use crate::model::system::{System, Workspace};
 use crate::outcome::{Arg, Finding};
 use crate::solve::reduced_machine::ReducedMachine;
 use crate::solve::rest::{hanging, rest};
@@ -37,7 +37,7 @@ impl Start {
     /// At the static equilibrium at a spin speed, with masses that move round in the rotor held where they begin; undeflected where there is none.
     pub fn new(system: &System, speed: f64) -> Self {
         let places = system.places();
-        let loaded = system.machine.axis == Axis::Horizontal;
+        let loaded = system.is_loaded();
         match rest(system, speed).or_else(|d| if loaded { hanging(system, speed, &places) } else { Err(d) }) {
             Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, places, undeflected: None },
             Err(d) => Start {

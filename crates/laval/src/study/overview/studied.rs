@@ -214,7 +214,7 @@ fn part(result: &ForcedResponseResult, needed: Needed) -> Option<ForcedResponseR
         ..result.curve.clone()
     };
     out.observed.validity = each(&result.observed.validity);
-    out.observed.quantities.iter_mut().for_each(|q| q.values = each(&q.values));
+    out.observed.quantities.iter_mut().chain(&mut out.observed.laws).for_each(|q| q.values = each(&q.values));
     out.observed.uses.iter_mut().for_each(|u| u.ratios = each(&u.ratios));
     out.observed.closed.retain(|gap| gap.from <= needed.to && needed.from <= gap.to);
     Some(out)

@@ -21,6 +21,11 @@ pub fn read(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> 
     let mut complete = true;
     for name in values.text("supports").unwrap_or_default().split(',').map(str::trim).filter(|n| !n.is_empty()) {
         match slot(name, "supports", values, system, diagnostics) {
+            Some(k) if out.contains(&k) => {
+                let message = text!("\"{name}\" is named twice", name);
+                diagnostics.push(Diagnostic::error("study.supports", message).at(values.span_of("supports")).about(name));
+                complete = false;
+            }
             Some(k) => out.push(k),
             None => complete = false,
         }

@@ -4,7 +4,7 @@
 use super::speed_range::{SpinSpeeds, mark};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Beyond, Tabulated};
-use crate::model::system::{Axis, System};
+use crate::model::system::System;
 use crate::outcome::Outcome;
 use crate::study::Study;
 use crate::text;
@@ -45,8 +45,8 @@ fn needed<T: Study>(study: &T, system: &System) -> Vec<(f64, f64)> {
         Vibration::Own => Vec::new(),
         Vibration::Refused | Vibration::Elsewhere => return Vec::new(),
     };
-    // what nonlinear parts are linearised about is the deflection under weight
-    if system.machine.axis == Axis::Horizontal && system.slots().iter().any(|s| !s.is_linear()) {
+    // what nonlinear parts are linearised about is the deflection under static loads
+    if system.is_loaded() && system.slots().iter().any(|s| !s.is_linear()) {
         out.push((0.0, 0.0));
     }
     out

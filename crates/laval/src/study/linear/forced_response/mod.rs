@@ -11,6 +11,7 @@
 
 mod beside;
 mod limits;
+mod linearised;
 pub(in crate::study::linear) mod observed;
 mod orbits;
 mod polar;
@@ -43,7 +44,7 @@ use crate::study::{Context, Study};
 use crate::text;
 use laval_num::order::SortByNumber;
 use observed::observed;
-pub use observed::{Observations, Outside, Shows};
+pub use observed::{LINEARISED, Observations, Outside, Shows};
 pub use orbits::{AtSpeed, Gap, Orbits, Reason};
 use serde::{Deserialize, Serialize};
 
@@ -67,7 +68,7 @@ impl Study for ForcedResponse {
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
 "#;
     const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and \
-        wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; \
+        wherever something is attached to it, of its tilt; forces and moments of linear parts and linearised forces of nonlinear ones, with resonances and antiresonances located; \
         orbits and deflected shapes at the operating speed and at the largest resonances. \
         Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
     const FIELDS: &'static [Field] = &[

@@ -1,5 +1,6 @@
 //! What the parts show along a linear response: forces and moments, and how far their validity is used up.
 
+use super::linearised::forces;
 use crate::diagnostic::Diagnostic;
 use crate::model::blocks::Blocks;
 use crate::model::part::{At, Physics};
@@ -20,6 +21,8 @@ use std::collections::BTreeMap;
 pub struct Observations {
     /// By part, then quantity.
     pub quantities: Vec<Shows>,
+    /// Forces of nonlinear parts by their law for the linear motion, beside [`LINEARISED`] among the quantities.
+    pub laws: Vec<Shows>,
     /// Largest use of validity at every speed.
     pub validity: Vec<f64>,
     /// Use of every statement of validity at every speed.
@@ -93,6 +96,9 @@ pub struct Outside {
     /// Last speed outside, rad/s.
     pub to: f64,
 }
+
+/// The quantity that is the force of a nonlinear part by its tangent at rest.
+pub const LINEARISED: &str = "linearised force";
 
 /// Instants of a turn at which the parts are evaluated.
 const INSTANTS: u32 = 24;
@@ -168,15 +174,15 @@ fn gaps<'s>(system: &'s System, rest: &Equilibrium, turn: &[Instant]) -> Vec<(&'
     system.slots().iter().filter_map(one).collect()
 }
 
-/// Quantities that linear parts show, at their largest over one turn, and the use of every part's validity. The observed force of a nonlinear part would
-/// be that of a law the motion does not know; its validity is a matter of the motion itself. Beside a pole the amplitudes are no numbers: what grows there
-/// is without bound.
+/// Quantities that linear parts show and forces of nonlinear parts by their tangent, at their largest over one turn, and the use of every part's validity. Beside a pole
+/// the amplitudes are no numbers: what grows there is without bound.
 ///
 /// # Errors
 /// As the state.
 pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<Observations, Diagnostic> {
     let points = &curve.points;
     let mut out: BTreeMap<(String, Text, Text), Vec<f64>> = BTreeMap::new();
+    let mut laws: BTreeMap<String, Vec<f64>> = BTreeMap::new();
     let (mut validity, mut outside) = (vec![0.0f64; points.len()], Vec::<Outside>::new());
     let mut ws = Workspace::default();
     let mut closed = Vec::<Closed>::new();
@@ -191,6 +197,11 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
             out.entry((name, "force", "N")).or_insert_with(|| vec![0.0; points.len()])[row] = force;
         }
         let rest = state(r.speed)?;
+        for force in forces(system, &rest, r, INSTANTS) {
+            let new = || vec![0.0; points.len()];
+            laws.entry(force.part.clone()).or_insert_with(new)[row] = force.law;
+            out.entry((force.part, LINEARISED, "N")).or_insert_with(new)[row] = force.tangent;
+        }
         let turn = turn(system, &rest, r);
         for (slot, gap, moved) in gaps(system, &rest, &turn) {
             if !(moved <= gap) {
@@ -221,7 +232,7 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
         }
     }
     for (row, _) in points.iter().enumerate().filter(|(_, r)| !known(r)) {
-        out.values_mut().chain(each.values_mut()).for_each(|column| column[row] = f64::NAN);
+        out.values_mut().chain(each.values_mut()).chain(laws.values_mut()).for_each(|column| column[row] = f64::NAN);
     }
     for pole in curve.poles() {
         let sides = [1.0, -1.0].into_iter();
@@ -250,7 +261,8 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
     let of = |((slot, what), ratios): ((usize, Text), Vec<f64>)| Use { part: system.slots()[slot].name.clone(), what, ratios };
     let statements = each.into_iter().map(of).collect();
     let quantities = out.into_iter().map(|((part, what, unit), values)| Shows { part, what, unit, values }).collect();
-    Ok(Observations { quantities, validity, uses: statements, outside, closed })
+    let laws = laws.into_iter().map(|(part, values)| Shows { part, what: LINEARISED, unit: "N", values }).collect();
+    Ok(Observations { quantities, laws, validity, uses: statements, outside, closed })
 }
 
 /// Statements of validity that do not hold, and gaps that would close, at one response of another frequency than the spin speed; entered at `place`.

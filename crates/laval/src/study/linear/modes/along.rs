@@ -1,12 +1,10 @@
 //! Motion of modes along and about the axis, beside the shapes across it: its share of the kinetic energy, and its curves along the machine.
-//!
-//! The share is `Re sum_i conj(q_i) (M q)_i`, i over the coordinates of one kind, over the same of all coordinates.
 
-use crate::model::part::{At, DofKind};
+use crate::model::part::DofKind;
 use crate::model::system::System;
-use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::outcome::{Arg, Axis, Figure, Line, Message, Panel, Points, Table, TableBuilder};
 use crate::solve::characteristic::Equilibrium;
+use crate::solve::kinetic::Kinetic;
 use crate::solve::pencil::MachineMode;
 use crate::study::linear::whirl::lowest;
 use crate::study::shared::stations::{Point, Stations};
@@ -36,8 +34,8 @@ impl Along {
     pub fn of(system: &System, about: &Equilibrium, modes: &[MachineMode]) -> Option<Along> {
         let of = |kind| (0..system.n()).filter(|&i| system.coordinates()[i].dof.kind == kind).collect();
         let kinds: [Vec<usize>; 2] = [DofKind::Axial, DofKind::Twist].map(of);
-        let mass = kinds.iter().any(|k| !k.is_empty()).then(|| masses(system, about))?;
-        Some(Along { shares: modes.iter().map(|m| shares(&mass, &kinds, m)).collect() })
+        let kinetic = kinds.iter().any(|k| !k.is_empty()).then(|| Kinetic::of(system, Some(about)))?;
+        Some(Along { shares: modes.iter().map(|m| kinetic.shares(&kinds, &m.q).unwrap_or([f64::NAN; 2])).collect() })
     }
 
     /// Columns of the table of modes.
@@ -145,25 +143,4 @@ fn places<'s>(system: &System, stations: &'s Stations) -> Vec<Place<'s>> {
         rows.iter().any(|r| !r.is_empty()).then_some(Place { point, rows })
     };
     stations.all.iter().filter_map(one).collect()
-}
-
-/// Entries of the mass matrix about a state: row, column, value.
-fn masses(system: &System, about: &Equilibrium) -> Vec<(usize, usize, f64)> {
-    let zero = vec![0.0; system.n()];
-    let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
-    let mut tangent = SparseTangent::default();
-    system.tangent(&at, false, &mut tangent, &mut TangentScratch::default(), |_| true);
-    tangent.a.0
-}
-
-fn shares(mass: &[(usize, usize, f64)], kinds: &[Vec<usize>; 2], mode: &MachineMode) -> [f64; 2] {
-    let mut all = vec![0.0; mode.q.len()];
-    for &(i, j, m) in mass {
-        all[i] += m * (mode.q[i].conj() * mode.q[j]).re;
-    }
-    let total: f64 = all.iter().sum();
-    kinds.each_ref().map(|own| {
-        let share = own.iter().map(|&i| all[i]).sum::<f64>() / total;
-        if total > 0.0 && share.is_finite() { share.clamp(0.0, 1.0) } else { f64::NAN }
-    })
 }

@@ -9,6 +9,7 @@ use crate::outcome::{Arg, Check, Finding, Level, Message, Verdict};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::Curve;
 use crate::solve::rest::rest;
+use crate::study::linear::forced_response::{LINEARISED, Shows};
 use crate::study::shared::limits::Limit;
 use crate::study::shared::probes::{self, farthest};
 use crate::study::shared::support::{larger, largest, probe_name};
@@ -162,6 +163,7 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
     let nonlinear =
         facts.system.slots().iter().filter(|s| !s.is_linear() && s.layout.ports.iter().any(|p| matches!(p.link, Link::Between(..))));
     let missing: Vec<&str> = nonlinear.map(|s| s.name.as_str()).filter(|n| !all.iter().any(|a| a.0 == *n)).collect();
+    let doubtful = unlike_their_law(facts);
     if all.is_empty() && missing.is_empty() {
         return None;
     }
@@ -186,16 +188,30 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         Some((sizes, each)) => (Message::new("forces-sizes").arg("sizes", sizes), Some(each)),
         None => (result, required),
     };
-    let limited = missing.iter().any(|n| facts.limits.force.iter().any(|l| l.body == *n));
+    let limited = missing.iter().chain(&doubtful).any(|n| facts.limits.force.iter().any(|l| l.body == *n));
     let verdict = if limited && verdict != Verdict::Failed { Verdict::Attention } else { verdict };
     let without = (!missing.is_empty()).then(|| Message::new("forces-without").arg("parts", Arg::names(missing)));
     let still = loaded.then(|| Message::new("forces-with-rest"));
-    let detail = match (still, without) {
-        (Some(a), Some(b)) => Some(Message::new("both").arg("first", a).arg("second", b)),
-        (a, b) => a.or(b),
-    };
+    let doubt = (!doubtful.is_empty()).then(|| Message::new("forces-not-linear").arg("parts", Arg::names(doubtful)));
+    let both = |a: Message, b: Message| Message::new("both").arg("first", a).arg("second", b);
+    let detail = [still, doubt, without].into_iter().flatten().reduce(both);
     let spins = spins_left_out(facts);
     Some(Check { detail: without_spins(&spins).or(detail), required, ..Check::new("check-forces", result, kept_without(&spins, verdict)) })
+}
+
+/// Difference of the force of a nonlinear part by its law from that by its tangent, over the latter, from which on the tangent does not decide.
+const UNLIKE: f64 = 0.1;
+
+/// Nonlinear parts whose forces at the operating speeds are known by their tangent alone, and differ by their law.
+fn unlike_their_law<'f>(facts: &'f Facts) -> Vec<&'f str> {
+    let Some(r) = facts.response.as_ref().and_then(Known::get) else { return Vec::new() };
+    let steady = |part: &str| facts.steady.as_ref().is_some_and(|s| s.forces.iter().any(|f| f.0 == part));
+    let tangent = |part: &str| r.observed.quantities.iter().find(|q| q.what == LINEARISED && q.part == part);
+    let differs = |law: &&Shows| {
+        let pairs = tangent(&law.part).into_iter().flat_map(|t| t.values.iter().zip(&law.values));
+        !steady(&law.part) && pairs.into_iter().any(|(t, l)| !((l - t).abs() <= UNLIKE * t.abs()))
+    };
+    r.observed.laws.iter().filter(differs).map(|l| l.part.as_str()).collect()
 }
 
 /// Values with the limits of their own, the one that is used most first.

@@ -1,0 +1,24 @@
+//! Loads that deflect a machine at rest.
+
+use super::blocks::Blocks;
+use super::part::{DofKind, Physics};
+use super::slot::Slot;
+use super::system::{Axis, System};
+
+impl System {
+    /// The weight acts across the axis, or some part has a constant force across it: displacements of motions count from a state of rest that is not zero.
+    pub fn is_loaded(&self) -> bool {
+        self.machine.axis == Axis::Horizontal || self.slots().iter().any(|s| self.has_constant_force(s))
+    }
+
+    fn has_constant_force(&self, slot: &Slot) -> bool {
+        if slot.physics != Physics::Linear {
+            return false;
+        }
+        let (mut b, speed) = (Blocks::default(), slot.speed(self.params(), self.machine.speed.unwrap_or(0.0)));
+        b.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
+        slot.part.linear_f64(&self.params()[slot.params.clone()], speed, &mut b);
+        let along = |row: &[(usize, f64)]| row.iter().all(|&(g, _)| self.coordinates()[g].dof.kind == DofKind::Axial);
+        b.force.iter().zip(&slot.map).any(|(f, row)| *f != 0.0 && !along(row))
+    }
+}
