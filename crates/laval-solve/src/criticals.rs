@@ -77,13 +77,14 @@ const TOLERANCE: f64 = 1e-13;
 const DEPTH: usize = 6;
 
 /// Crossings of the frequencies of a sweep with multiples of the speed (order above 0), solved for on the characteristic function. Vibrations along or about
-/// the axis have no crossing of order 1: no unbalance drives them.
+/// the axis have no crossing of the order of a spin: no unbalance drives them.
 pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -> Vec<Critical> {
     let mut out: Vec<Critical> = Vec::new();
     for &order in orders {
+        let of_spin = same_ratio(order, 1.0) || system.spins().iter().any(|s| same_ratio(s.ratio.abs(), order));
         for (branch, b) in found.branches.iter().enumerate() {
             let along = |p: &(f64, MachineMode)| matches!(p.1.whirl, Whirl::Axial | Whirl::Torsional);
-            if order == 1.0 && b.points.iter().all(along) {
+            if of_spin && b.points.iter().all(along) {
                 continue;
             }
             let mut points: Vec<(f64, MachineMode)> = Vec::new();

@@ -244,6 +244,11 @@ impl System {
                                 .at(slot.span.clone()),
                         ));
                     }
+                    if a.body.is_some() && a.body == b.body {
+                        let message = text!("\"{name}\" joins two points of one body", name = slot.name);
+                        let help = text!("a bearing or shaft joins a body to another one, or to \"ground\"");
+                        return Err(Box::new(Diagnostic::error("port.same", message).at(slot.span.clone()).help(help)));
+                    }
                     let (mut first, second) = (self.point_rows(k, a)?, self.point_rows(k, b)?);
                     for (row, minus) in first.iter_mut().zip(second) {
                         row.extend(minus.into_iter().map(|(g, c)| (g, -c)));

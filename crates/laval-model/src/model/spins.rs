@@ -4,6 +4,7 @@
 //! [`Machine::spin`] names another; a spin of ratio r to that one has the angle r phase and the speed r W. A part sees the angle, speed and acceleration of its own
 //! spin; the torque that it puts on that spin enters the spin row of the machine times r (virtual work).
 
+use super::part::DofKind;
 use super::slot::{Ratio, Slot};
 use super::system::{Machine, System};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -98,6 +99,14 @@ impl System {
         let to = self.machine.spin.as_ref().and_then(|name| self.named_spin(name));
         for slot in &mut self.slots {
             slot.ratio = Some(Ratio { of: slot.spin, to }).filter(|r| r.of != r.to);
+        }
+        for slot in &self.slots {
+            let untwisted = slot.layout.kinds().iter().zip(&slot.map).any(|(kind, row)| *kind == DofKind::Twist && row.is_empty());
+            let refused = slot.part.scope().filter(|_| untwisted).and_then(|s| s.refuses_untwisted(&self.params[slot.params.clone()]));
+            if let Some(message) = refused {
+                let message = text!("\"{name}\": {message}", name = slot.name, message);
+                diagnostics.push(Diagnostic::error("part.spins", message).at(slot.span.clone()));
+            }
         }
         for (k, slot) in self.slots.iter().enumerate() {
             let mut ends = self.turning(k).map(|s| s.speed(&self.params, 1.0));

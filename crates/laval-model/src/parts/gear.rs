@@ -14,7 +14,8 @@
 //! damping, N s/m, of the mesh; T torque, N m, that the first wheel passes on or receives. The spins fit the radii, `r1 W1 + r2 W2 = 0`, so that the teeth do no work on them.
 //!
 //! Validity: the mean stiffness of the mesh; teeth stay in contact; no error of transmission. The transmitted torque is constant and in equilibrium with those of drive and
-//! load: it loads the bearings, and does not twist the shafts.
+//! load: it loads the bearings, and does not twist the shafts. Both bodies twist: at rest they roll on each other until the teeth carry that force alone. Springs that hold the
+//! rotation of both shafts take a part of it.
 //!
 //! Theory: `docs/theory/shafts.md#several-spins`.
 //!
@@ -155,6 +156,10 @@ stiffness = "2e8 N/m"
 }
 
 impl Scope for Gear {
+    fn refuses_untwisted(&self, p: &Params<Self, f64>) -> Option<Text> {
+        // with both rotations prescribed the teeth would not carry the torque but what their stiffness leaves of it
+        (p.torque != 0.0).then(|| text!("a transmitted torque needs two bodies that twist: say torsional = true of both"))
+    }
     fn refuses_ratio(&self, p: &Params<Self, f64>, ratio: f64) -> Option<Text> {
         let needed = -p.first_radius / p.second_radius;
         (!same_ratio(ratio, needed)).then(|| {

@@ -113,6 +113,34 @@ fn teeth_carry_the_transmitted_torque_alone() {
     }
 }
 
+/// Without twist the teeth would carry what the stiffness of the mesh leaves of the torque: refused, whichever wheel does not twist.
+#[test]
+fn a_torque_needs_wheels_that_twist() {
+    let loaded = geared().replace("kind = \"gear\"\n", "kind = \"gear\"\nname = \"mesh\"\ntorque = 240.0\n");
+    let messages = |text: &str| laval::file::load(text).err().map_or_else(String::new, |d| d.0.iter().map(ToString::to_string).collect());
+    assert_eq!(messages(&loaded), "");
+    let needs = "\"mesh\": a transmitted torque needs two bodies that twist";
+    assert!(messages(&loaded.replace("torsional = true\n", "")).contains(needs));
+    assert!(messages(&loaded.replacen("torsional = true\n", "", 1)).contains(needs));
+    assert_eq!(messages(&geared().replace("torsional = true\n", "")), "");
+}
+
+/// What no machine has is refused: a bearing between two points of one shaft, layers in the same space.
+#[test]
+fn one_body_and_one_space() {
+    let shaft = "[machine]\nname = \"m\"\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 4\nsection = { length = [1.2], outer_diameter = [0.05] }\n";
+    let layers = |second: f64| {
+        format!("layer = {{ from = [0.1, 0.2], to = [0.3, 0.4], outer_diameter = [0.09, 0.12], inner_diameter = [0.05, {second:?}] }}\n")
+    };
+    let messages =
+        |text: String| laval::file::load(&text).err().map_or_else(String::new, |d| d.0.iter().map(ToString::to_string).collect());
+    let held = bearing("a", 0.0, 1e7) + &bearing("b", 1.2, 1e7);
+    assert_eq!(messages(format!("{shaft}{}{held}", layers(0.09))), "");
+    assert!(messages(format!("{shaft}{}{held}", layers(0.05))).contains("layers 1 and 2 are in the same space"));
+    let own = bearing("c", 0.3, 1e7).replace("\"ground\"", "{ body = \"shaft\", at = 0.6 }");
+    assert!(messages(format!("{shaft}{held}{own}")).contains("\"c\" joins two points of one body"));
+}
+
 /// A shaft that twists and that nothing holds against turning rests on nonlinear bearings, too.
 #[test]
 fn a_free_twist_beside_nonlinear_bearings() {

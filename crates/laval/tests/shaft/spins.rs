@@ -273,6 +273,21 @@ fn a_mode_of_the_teeth_is_torsional() {
     assert!(found.iter().filter(|m| m.whirl.is_lateral()).count() >= 4);
 }
 
+/// No unbalance drives torsion, that of the pinion as little as that of the wheel: on the lines of both spins only whirl has critical speeds.
+#[test]
+fn torsion_has_no_critical_speed_of_any_spin() {
+    let stiff = geared().replace(&format!("{}", SPRINGS[0]), "4e9").replace(&format!("{}", SPRINGS[1]), "7e9");
+    let system = load(&stiff).system;
+    let turning = |i: usize| (PRESSURE.cos() * RADII[i]).powi(2) / INERTIAS[i];
+    let torsional = (MESH * (turning(0) + turning(1))).sqrt();
+    let state = |w: f64| rest(&system, w);
+    let speeds: Vec<f64> = (0..60).map(|k| 50.0 + 100.0 * f64::from(k)).collect();
+    let sweep = laval::solve::sweep::sweep(&system, &state, &speeds, f64::INFINITY, |_, _| true).unwrap();
+    let at = |order: f64| laval::solve::criticals::criticals(&system, &state, &sweep, &[order]);
+    let crosses = |order: f64| at(order).iter().any(|c| (c.order * c.speed / torsional - 1.0).abs() < 0.02);
+    assert!(!crosses(1.0) && !crosses(2.0) && crosses(3.0), "{torsional}");
+}
+
 /// A force F of the teeth moves the wheels by F/(k - m w^2) along the line of action and turns them by F r cos(phi)/(J w^2): the share of the twist in the kinetic
 /// energy follows. It is a column of the table, a curve beside the shapes and a sentence below them.
 #[test]

@@ -20,6 +20,8 @@ diag-is-attached-to-which-is-not-24c5 = "{ $slot }" is attached to "{ $name }", 
 diag-is-a-attach-to-a-disc-9439 = "{ $name }" is a { $kind }; attach to a disc, a shaft or a foundation
 diag-is-attached-to-itself-by-way-b48c = "{ $name }" is attached to itself by way of other bodies
 diag-joins-a-point-to-itself-4999 = "{ $name }" joins a point to itself
+diag-joins-two-points-of-one-body-7eda = "{ $name }" joins two points of one body
+diag-a-bearing-or-shaft-joins-a-78c9 = a bearing or shaft joins a body to another one, or to "ground"
 
 ## laval-model/src/model/field.rs
 
@@ -206,6 +208,7 @@ diag-acts-on-the-tilt-and-this-25d2 = { $field } acts on the tilt, and this disc
 
 diag-a-wheel-sits-on-a-turning-8ee2 = a wheel sits on a turning body, not on the ground
 diag-name-the-two-shafts-or-discs-cbce = name the two shafts or discs that carry the wheels
+diag-a-transmitted-torque-needs-two-bodies-84a3 = a transmitted torque needs two bodies that twist: say torsional = true of both
 diag-the-second-body-turns-times-as-56df = the second body turns { $ratio } times as fast as the first, and by the radii { $needed } times; give it a spin of that ratio
 
 ## laval-model/src/parts/liquid/check.rs
@@ -288,6 +291,7 @@ diag-a-shaft-of-elements-bead = a shaft of { $elements } elements
 diag-it-has-at-most-6555 = it has at most { $most }
 diag-section-the-inner-diameter-must-be-eed5 = section { $number }: the inner diameter must be less than the outer one
 diag-layer-overlaps-the-shaft-at-its-d014 = layer { $number } overlaps the shaft at { $position }: its inner diameter is { $inner }, the outer diameter of the shaft there { $outer }
+diag-layers-and-are-in-the-same-4df9 = layers { $first } and { $second } are in the same space at { $position }
 diag-modulus-and-shear-modulus-make-a-9d86 = modulus and shear_modulus make a Poisson's ratio of { $nu }, which no metal has: E = 2 G (1 + nu)
 diag-it-is-long-and-up-to-8cad = it is { $length } long and up to { $diameter } thick: lengths without a unit are in metres
 diag-a-compression-of-buckles-it-unless-2945 = a compression of { $force } buckles it, unless bearings between its ends hold it: with both ends clamped it bears { $limit } at most

@@ -5,7 +5,7 @@ stability-threshold-threshold = { $damped ->
     }
 stability-threshold-none = The machine stays stable at { $speed } up to a cross-coupled stiffness of { $value } at { $place }.
 stability-threshold-unknown = No threshold was found at { $speed } up to a cross-coupled stiffness of { $value } at { $place }; stability up to there is not proven.
-stability-threshold-base = Without cross-coupled stiffness the least logarithmic decrement at { $speed } is { $value }: mode { $mode }, { $whirl } at { $frequency }.
+stability-threshold-base = Without cross-coupled stiffness the least logarithmic decrement of the modes that are followed is, at { $speed }, { $value }: mode { $mode }, { $whirl } at { $frequency }.
 stability-threshold-unstable-without = The machine is unstable at { $speed } without cross-coupled stiffness: mode { $mode }, { $whirl } at { $frequency }, logarithmic decrement { $value }.
 stability-threshold-level-1 = Level 1 passed (API 684, SP6.8.5.10): logarithmic decrement { $value } with the anticipated { $anticipated }, at least { $least_decrement } required; threshold { $reached ->
         [yes] { $ratio }

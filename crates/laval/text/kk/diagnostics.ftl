@@ -1647,3 +1647,7 @@ diag-the-moment-of-has-no-effect-5998 = «{ $name }» моменті әсер е
 diag-no-part-turns-with-c0c8 = «{ $name }» айналысымен ешбір бөлшек айналмайды
 diag-name-it-in-a-shaft-or-b28c = оны білікте немесе дискіде атаңыз: spin = "{ $name }"
 diag-is-named-twice-b544 = «{ $name }» екі рет аталған
+diag-joins-two-points-of-one-body-7eda = «{ $name }» бір дененің екі нүктесін қосады
+diag-a-bearing-or-shaft-joins-a-78c9 = мойынтірек не білік денені басқа денемен немесе "ground"-пен қосады
+diag-a-transmitted-torque-needs-two-bodies-84a3 = берілетін моментке бұралатын екі дене керек: екеуіне де torsional = true беріңіз
+diag-layers-and-are-in-the-same-4df9 = { $first } және { $second } қабаттары { $position } орнында бір жерде жатыр

@@ -5,7 +5,7 @@ stability-threshold-threshold = { $damped ->
     }
 stability-threshold-none = { $speed } кезінде машина { $place } нүктесіндегі { $value } айқас қатаңдыққа дейін орнықты.
 stability-threshold-unknown = { $speed } кезінде { $place } нүктесіндегі { $value } айқас қатаңдыққа дейін шек табылмады; оған дейінгі орнықтылық дәлелденбеген.
-stability-threshold-base = Айқас қатаңдықсыз { $speed } кезіндегі ең кіші логарифмдік декремент { $value }: { $mode }-мода, { $frequency } жиіліктегі { $whirl }.
+stability-threshold-base = Айқас қатаңдықсыз { $speed } кезінде қадағаланған модалардың ең кіші логарифмдік декременті { $value }: { $mode }-мода, { $frequency } жиіліктегі { $whirl }.
 stability-threshold-unstable-without = { $speed } кезінде машина айқас қатаңдықсыз да орнықсыз: { $mode }-мода, { $frequency } жиіліктегі { $whirl }, логарифмдік декремент { $value }.
 stability-threshold-level-1 = 1-деңгей орындалды (API 684, SP6.8.5.10): күтілетін { $anticipated } қатаңдықта логарифмдік декремент { $value }, кемінде { $least_decrement } талап етіледі; шектің күтілетін қатаңдыққа қатынасы { $reached ->
         [yes] { $ratio }

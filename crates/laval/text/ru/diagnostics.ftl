@@ -1337,3 +1337,7 @@ diag-the-moment-of-has-no-effect-5998 = момент «{ $name }» не дейс
 diag-no-part-turns-with-c0c8 = с «{ $name }» не вращается ни один элемент
 diag-name-it-in-a-shaft-or-b28c = назовите его в вале или диске: spin = "{ $name }"
 diag-is-named-twice-b544 = «{ $name }» названо дважды
+diag-joins-two-points-of-one-body-7eda = «{ $name }» соединяет две точки одного тела
+diag-a-bearing-or-shaft-joins-a-78c9 = опора или вал соединяет тело с другим телом или с "ground"
+diag-a-transmitted-torque-needs-two-bodies-84a3 = передаваемому моменту нужны два тела, которые скручиваются: задайте torsional = true для обоих
+diag-layers-and-are-in-the-same-4df9 = слои { $first } и { $second } занимают одно место в { $position }

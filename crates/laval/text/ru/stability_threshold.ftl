@@ -5,7 +5,7 @@ stability-threshold-threshold = { $damped ->
     }
 stability-threshold-none = При { $speed } машина остаётся устойчивой до перекрёстной жёсткости { $value } в точке { $place }.
 stability-threshold-unknown = При { $speed } порог не найден до перекрёстной жёсткости { $value } в точке { $place }; устойчивость до неё не доказана.
-stability-threshold-base = Без перекрёстной жёсткости наименьший логарифмический декремент при { $speed } равен { $value }: мода { $mode }, { $whirl } на частоте { $frequency }.
+stability-threshold-base = Без перекрёстной жёсткости наименьший логарифмический декремент прослеженных мод при { $speed } равен { $value }: мода { $mode }, { $whirl } на частоте { $frequency }.
 stability-threshold-unstable-without = При { $speed } машина неустойчива и без перекрёстной жёсткости: мода { $mode }, { $whirl } на частоте { $frequency }, логарифмический декремент { $value }.
 stability-threshold-level-1 = Уровень 1 выполнен (API 684, SP6.8.5.10): логарифмический декремент { $value } при ожидаемой жёсткости { $anticipated }, требуется не менее { $least_decrement }; отношение порога к ожидаемой жёсткости { $reached ->
         [yes] { $ratio }

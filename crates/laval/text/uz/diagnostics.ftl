@@ -1645,3 +1645,7 @@ diag-the-moment-of-has-no-effect-5998 = "{ $name }" momenti ta’sir qilmaydi: u
 diag-no-part-turns-with-c0c8 = "{ $name }" bilan hech bir qism aylanmaydi
 diag-name-it-in-a-shaft-or-b28c = uni val yoki diskda nomlang: spin = "{ $name }"
 diag-is-named-twice-b544 = "{ $name }" ikki marta nomlangan
+diag-joins-two-points-of-one-body-7eda = "{ $name }" bitta jismning ikki nuqtasini bog‘laydi
+diag-a-bearing-or-shaft-joins-a-78c9 = podshipnik yoki val jismni boshqa jism yoki "ground" bilan bog‘laydi
+diag-a-transmitted-torque-needs-two-bodies-84a3 = uzatiladigan momentga buraladigan ikki jism kerak: ikkalasiga ham torsional = true bering
+diag-layers-and-are-in-the-same-4df9 = { $first } va { $second } qatlamlar { $position } da bir joyda yotadi

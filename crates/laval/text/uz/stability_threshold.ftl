@@ -5,7 +5,7 @@ stability-threshold-threshold = { $damped ->
     }
 stability-threshold-none = { $speed } da mashina { $place } nuqtasidagi { $value } kesishma bikrlikkacha turg‘un.
 stability-threshold-unknown = { $speed } da { $place } nuqtasidagi { $value } kesishma bikrlikkacha chegara topilmadi; ungacha turg‘unlik isbotlanmagan.
-stability-threshold-base = Kesishma bikrliksiz { $speed } dagi eng kichik logarifmik dekrement { $value }: { $mode }-moda, { $frequency } chastotadagi { $whirl }.
+stability-threshold-base = Kesishma bikrliksiz { $speed } da kuzatilgan modalarning eng kichik logarifmik dekrementi { $value }: { $mode }-moda, { $frequency } chastotadagi { $whirl }.
 stability-threshold-unstable-without = { $speed } da mashina kesishma bikrliksiz ham noturg‘un: { $mode }-moda, { $frequency } chastotadagi { $whirl }, logarifmik dekrement { $value }.
 stability-threshold-level-1 = 1-daraja bajarildi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda logarifmik dekrement { $value }, kamida { $least_decrement } talab qilinadi; chegaraning kutilgan bikrlikka nisbati { $reached ->
         [yes] { $ratio }

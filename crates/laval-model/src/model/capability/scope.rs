@@ -51,6 +51,10 @@ pub trait Scope: Parametric {
     fn spin_ratio(&self) -> Option<usize> {
         None
     }
+    /// Why it does not join bodies that do not twist, and what to change.
+    fn refuses_untwisted(&self, _p: &Params<Self, f64>) -> Option<Text> {
+        None
+    }
     /// Why it does not join two turning bodies of which the second turns `ratio` times as fast as the first, and what to change.
     fn refuses_ratio(&self, _p: &Params<Self, f64>, _ratio: f64) -> Option<Text> {
         None
@@ -68,6 +72,7 @@ pub mod erased {
         fn tabulated(&self) -> Option<Tabulated>;
         fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text>;
         fn spin_ratio(&self) -> Option<usize>;
+        fn refuses_untwisted(&self, p: &[f64]) -> Option<Text>;
         fn refuses_ratio(&self, p: &[f64], ratio: f64) -> Option<Text>;
     }
 
@@ -80,6 +85,9 @@ pub mod erased {
         }
         fn spin_ratio(&self) -> Option<usize> {
             super::Scope::spin_ratio(self)
+        }
+        fn refuses_untwisted(&self, p: &[f64]) -> Option<Text> {
+            super::Scope::refuses_untwisted(self, &self.given(p))
         }
         fn refuses_ratio(&self, p: &[f64], ratio: f64) -> Option<Text> {
             super::Scope::refuses_ratio(self, &self.given(p), ratio)

@@ -522,6 +522,17 @@ material = "steel"
                 }
             }
         }
+        for k in 0..self.mesh.pieces.len() {
+            let mut here: Vec<(f64, f64, usize)> =
+                self.covering(k).map(|(n, _)| (p.rows[n].inner_diameter, p.rows[n].outer_diameter, n + 1)).collect();
+            here.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let twice = here.windows(2).find(|w| w[1].0 < w[0].1 * (1.0 - 1e-6));
+            if let Some(w) = twice.filter(|_| !wrong.iter().any(|w: &(&str, Text)| w.0 == "layer")) {
+                let (first, second) = (w[0].2.min(w[1].2), w[0].2.max(w[1].2));
+                let position = text::quantity(self.mesh.nodes[k], "m");
+                wrong.push(("layer", text!("layers {first} and {second} are in the same space at {position}", first, second, position)));
+            }
+        }
         // nu = E/(2 G) - 1
         let nu = p.modulus / (2.0 * p.shear_modulus) - 1.0;
         if self.shear != Shear::None && !(0.0..=0.5).contains(&nu) {

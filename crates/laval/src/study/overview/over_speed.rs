@@ -5,7 +5,6 @@ use crate::model::probe::Probe;
 use crate::outcome::{Band, BandPlace, Mark, OverSpeed, Resonance, Unstable};
 use crate::solve::criticals::Critical;
 use crate::solve::extrema::{Curve, Extremum};
-use crate::solve::pencil::Whirl;
 use crate::solve::stability::Row;
 use crate::study::Study;
 use crate::study::linear::campbell::damping;
@@ -54,8 +53,8 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
             }
             None => {
                 let light = facts.criticals.get().into_iter().flat_map(|found| &found.crossings).filter(|c| {
-                    // unbalance does not excite what whirls against the spin
-                    turns(facts) && c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward
+                    // unbalance does not excite what whirls against the spin of a machine without preferred direction
+                    turns(facts) && c.driven_by_unbalance() && c.located() && damping(c).abs() < LIGHT
                 });
                 out.resonances = light.map(|c: &Critical| Resonance { speed: facts.sign * c.speed, amplitude: None }).collect();
             }
@@ -167,7 +166,7 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
     // beside a sharp first resonance a further critical speed is small, but shown by the curve
     let critical = |e: &Extremum| {
         let found = facts.criticals.get().into_iter().flat_map(|c| &c.crossings);
-        let mut light = found.filter(|c| c.order == 1.0 && c.located() && damping(c).abs() < LIGHT && c.whirl != Whirl::Backward);
+        let mut light = found.filter(|c| c.driven_by_unbalance() && c.located() && damping(c).abs() < LIGHT);
         light.any(|c| (c.speed - e.speed).abs() < SAME * e.speed.abs())
     };
     for e in sorted.into_iter().filter(|e| (size(e) >= SMALL * largest || critical(e)) && rises(e)) {

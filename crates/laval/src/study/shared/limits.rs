@@ -29,7 +29,7 @@ pub const FIELDS: &[Field] = &[
         "displacement",
         named("m"),
         "",
-        "largest steady displacement of bodies, the foundation among them, at the reference point and wherever something is attached; of one point alone as { \"drum at 100 mm\" = \"0.2 mm\" }",
+        "largest steady displacement of bodies, the foundation among them, at the reference point, wherever something is attached and, of a linear response, at the nodes of a shaft; of one point alone as { \"drum at 100 mm\" = \"0.2 mm\" }",
     ),
     Field::optional(
         "velocity",

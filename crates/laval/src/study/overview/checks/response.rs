@@ -3,8 +3,8 @@
 use super::super::{Facts, Known};
 use super::{MOST_NAMED, against};
 use crate::model::part::{At, Link};
-use crate::model::probe::Probe;
-use crate::model::system::Workspace;
+use crate::model::probe::{Probe, Sight};
+use crate::model::system::{System, Workspace};
 use crate::outcome::{Arg, Check, Finding, Level, Message, Verdict};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::Curve;
@@ -90,7 +90,16 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let linear = |p: &Probe| curve.map_or((f64::NAN, f64::NAN), |c| sizes(c, all, p));
     let size = |p: &Probe| known(p).unwrap_or_else(|| linear(p).0);
     let velocity = |p: &Probe| known(p).map_or_else(|| linear(p).1, |x| x * fastest);
+    // a shaft may move most where nothing is attached; a nonlinear study has its points alone
+    let between = if nonlinear.is_some() { Vec::new() } else { nodes_between(facts.system) };
     let mut named: Vec<(&Probe, f64)> = farthest(facts.system, size);
+    for p in &between {
+        let (own, x) = (|a: &(&Probe, f64)| a.0.name == p.name, size(p));
+        if named.iter().filter(|a| own(a)).all(|a| x > FARTHER * a.1) {
+            named.retain(|a| !own(a) || all.contains(a.0));
+            named.push((p, x));
+        }
+    }
     named.sort_by_number_down(|a| a.1);
     named.truncate(MOST_NAMED);
     let item = |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", probes::named(p)).arg("value", Arg::quantity(*x, "m")));
@@ -99,9 +108,9 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         .first()
         .map(|(p, _)| Message::new("vibration-velocity").arg("name", probes::named(p)).arg("peak", Arg::quantity(velocity(p), "m/s")));
     let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
-        // the limit of a body holds at its reference point and wherever something is attached
+        // the limit of a body holds at its reference point, wherever something is attached and along a shaft
         let held = |l: &Limit, p: &Probe| !p.is_tilt() && if l.at.is_some() { l.is_at(p) } else { p.name == l.body };
-        let one = |l: &Limit| Some((l.name.clone(), all.iter().filter(|p| held(l, p)).map(size).reduce(larger)?, l.value));
+        let one = |l: &Limit| Some((l.name.clone(), all.iter().chain(&between).filter(|p| held(l, p)).map(size).reduce(larger)?, l.value));
         used(limits.iter().filter_map(one).collect())
     };
     let limited = kept(&facts.limits.displacement, &size);
@@ -136,6 +145,26 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     }
     out
 }
+
+/// Nodes of bodies that bend, where nothing is attached.
+fn nodes_between(system: &System) -> Vec<Probe> {
+    let mut out = Vec::new();
+    for (k, slot) in system.slots().iter().enumerate() {
+        let Some(nodes) = slot.part.body().and_then(|b| b.nodes()) else { continue };
+        let attached = |z: f64| system.probes().iter().any(|p| p.name == slot.name && p.is_at(z));
+        for z in nodes.into_iter().filter(|z| !attached(*z)) {
+            let sight = Sight::Displacement(z);
+            let probe = |rows| Probe { station: usize::MAX, name: slot.name.clone(), sight, digits: DIGITS, flexible: true, rows };
+            out.extend(system.point(k, z).map(probe));
+        }
+    }
+    out
+}
+
+/// Digits of the place of a node.
+const DIGITS: usize = 4;
+/// How much farther a node moves than all points of a body where something is attached, where it is named.
+const FARTHER: f64 = 1.001;
 
 /// Forces of the parts against their limits.
 pub(super) fn forces(facts: &Facts) -> Option<Check> {
