@@ -115,13 +115,21 @@ pub const CASES: &[Case] = &[
     },
     Case {
         beside: "[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2\n\
-                 [[part]]\nkind = \"disc\"\nname = \"wheel\"\nspin = \"fast\"\nmass = 1.5\npolar_inertia = 3e-3\ntorsional = true\n\
-                 [[part]]\nkind = \"bearing_linear\"\nname = \"link\"\nbetween = [\"wheel\", \"ground\"]\nkxx = 3e6\nkyy = 5e6\ncxx = 100\ncyy = 100\n",
+                 [[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 2\npolar_inertia = 4e-3\ntorsional = true\n\
+                 [[part]]\nkind = \"bearing_linear\"\nname = \"seat\"\nbetween = [\"wheel\", \"drum\"]\nkxx = 3e6\nkyy = 5e6\ncxx = 100\ncyy = 100\n\
+                 [[part]]\nkind = \"disc\"\nname = \"pinion\"\nspin = \"fast\"\nmass = 1.5\npolar_inertia = 3e-3\ntorsional = true\n\
+                 [[part]]\nkind = \"bearing_linear\"\nname = \"link\"\nbetween = [\"pinion\", \"ground\"]\nkxx = 3e6\nkyy = 5e6\ncxx = 100\ncyy = 100\n",
         ..case(
             "mesh",
             "gear",
-            "between = [\"drum\", \"wheel\"]\nfirst_radius = 0.1\nsecond_radius = 0.05\nstiffness = 1e7\ndamping = 20\nazimuth = 0.4\npressure_angle = 0.35",
+            "between = [\"wheel\", \"pinion\"]\nfirst_radius = 0.1\nsecond_radius = 0.05\nstiffness = 1e7\ndamping = 20\nazimuth = 0.4\npressure_angle = 0.35\ntorque = 20",
         )
+    },
+    case("pull", "constant_force", "on = \"drum\"\nforce_x = 90\nforce_y = 60\nmoment_about_x = 5\nmoment_about_y = 3"),
+    Case {
+        beside: "[[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 1.5\naxial = true\n\
+                 [[part]]\nkind = \"bearing_linear\"\nname = \"link\"\nbetween = [\"wheel\", \"drum\"]\nkxx = 3e6\nkyy = 5e6\nkzz = 2e6\ncxx = 100\ncyy = 100\n",
+        ..case("thrust", "constant_force", "on = \"wheel\"\nforce_y = -\naxial_force = 300")
     },
     case("journal", "bearing_journal", "clearance = \"0.5 mm\"\nviscosity = \"5 mPa s\""),
     case("ring", "squeeze_film", "clearance = \"0.6 mm\"\nviscosity = \"2 mPa s\""),
