@@ -120,6 +120,7 @@ const EVERY: &[&str] = &[];
 
 /// Changed properties (`case.key`, `*` for every key) that change nothing in some studies (none named: in all), and why.
 pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
+    (&["mesh.height", "thrust.height"], &[], "the wheels that it acts on do not tilt"),
     (&["thrust.axial_force"], &[], "it moves the wheel along the axis, which acts on nothing across it; it has a test of its own"),
     (
         &["joint.axial_stiffness", "joint.axial_damping", "joint.torsional_stiffness", "joint.torsional_damping", "seal.kzz", "seal.czz"],
