@@ -331,7 +331,7 @@ def limits(
     """What the machine must keep to: each limit that is given becomes a requirement of an operating_window. Limits on bodies and parts are one value for all, or one for each of some names.
 
     Args:
-        displacement: largest steady displacement of bodies, the foundation among them, at the reference point and wherever something is attached; of one point alone as { "drum at 100 mm" = "0.2 mm" } (optional).
+        displacement: largest steady displacement of bodies, the foundation among them, at the reference point, wherever something is attached and, of a linear response, at the nodes of a shaft; of one point alone as { "drum at 100 mm" = "0.2 mm" } (optional).
             a length (mm, m, µm), above 0 and at most 1e12 m; one value, or { name = .., name = .. }
         velocity: largest steady vibration velocity of bodies, at the same points: its peak, which is sqrt(2) times the r.m.s. value of a harmonic vibration (optional).
             a velocity (m/s, mm/s), above 0 and at most 1e12 m/s; one value, or { name = .., name = .. }

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from laval._blocks import Extra, Part, Study
 from laval._types import Lateral, Named, ParameterRange, Point, Quantities, Quantity, Range, Tolerance
 
-__all__ = ['disc', 'foundation', 'damper', 'bearing_linear', 'bearing_cubic', 'bearing_hertz', 'bearing_rolling', 'bearing_journal', 'squeeze_film', 'shaft', 'shaft_lumped', 'shaft_span', 'shaft_viscoelastic', 'stop', 'liquid', 'balancer_ball', 'coupling', 'speed_ratio', 'gear', 'motor', 'spin_load']
+__all__ = ['disc', 'foundation', 'damper', 'bearing_linear', 'bearing_cubic', 'bearing_hertz', 'bearing_rolling', 'bearing_journal', 'squeeze_film', 'shaft', 'shaft_lumped', 'shaft_span', 'shaft_viscoelastic', 'stop', 'liquid', 'balancer_ball', 'constant_force', 'coupling', 'speed_ratio', 'gear', 'motor', 'spin_load']
 
 def __getattr__(name: str) -> Any: ...
 def __dir__() -> list[str]: ...
@@ -839,6 +839,41 @@ def balancer_ball(
         body_tilt = false                   # the drum moves in its plane
     """
 
+def constant_force(
+    *,
+    name: str | None = None,
+    on: Point,
+    force_x: Quantity | None = None,
+    force_y: Quantity | None = None,
+    axial_force: Quantity | None = None,
+    moment_about_x: Quantity | None = None,
+    moment_about_y: Quantity | None = None,
+) -> Part:
+    """A force, and a moment, of constant size and direction on a point of a body: the pull of a belt, the radial or axial thrust of a pump. It bends the shaft and loads the bearings, in every study that starts from the state of rest.
+
+    Args:
+        name: by which others refer to it.
+        on: point of a body on which it acts (required).
+            a point: "drum" or { body = "drum", at = "40 mm" }
+        force_x: force along x (default 0.0 N).
+            a force (N, kN), between -1e12 N and 1e12 N
+        force_y: force along y; up where the axis is horizontal (default 0.0 N).
+            a force (N, kN), between -1e12 N and 1e12 N
+        axial_force: force along the axis; of a body that moves along the axis (default 0.0 N).
+            a force (N, kN), between -1e12 N and 1e12 N
+        moment_about_x: moment about the x axis; of a body that tilts (default 0.0 N m).
+            a torque (N m, kN m), between -1e12 N m and 1e12 N m
+        moment_about_y: moment about the y axis; of a body that tilts (default 0.0 N m).
+            a torque (N m, kN m), between -1e12 N m and 1e12 N m
+
+    In a machine file::
+
+        [[part]]
+        kind = "constant_force"
+        on = { body = "drum", at = "120 mm" }   # a belt that pulls up
+        force_y = "800 N"
+    """
+
 def coupling(
     *,
     name: str | None = None,
@@ -914,6 +949,7 @@ def gear(
     damping: Quantity | None = None,
     pressure_angle: Quantity | None = None,
     azimuth: Quantity | None = None,
+    torque: Quantity | None = None,
 ) -> Part:
     """Two spur wheels in mesh on parallel shafts: stiffness and damping along the line of action join their displacements and their rotations. The ratio of the spins of the two bodies is that of the radii.
 
@@ -933,6 +969,8 @@ def gear(
             an angle (deg, rad), between -0.8 rad (-45.84 deg) and 0.8 rad (45.84 deg)
         azimuth: direction a from the first wheel to the second, from the x axis (default 0.0 rad).
             an angle (deg, rad), between -1000 rad (-57300 deg) and 1000 rad (57300 deg)
+        torque: torque T at the first wheel, its size: the force of the teeth that it takes bends the shafts and loads the bearings (default 0.0 N m).
+            a torque (N m, kN m), between 0 and 1e12 N m
 
     In a machine file::
 

@@ -275,7 +275,7 @@ def forced_response(
     standard: Literal["none", "api_684"] | None = None,
     spin: str | None = None,
 ) -> Study:
-    """Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located; orbits and deflected shapes at the operating speed and at the largest resonances. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.
+    """Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and wherever something is attached to it, of its tilt; forces and moments of linear parts and linearised forces of nonlinear ones, with resonances and antiresonances located; orbits and deflected shapes at the operating speed and at the largest resonances. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.
 
     Args:
         name: by which others refer to it.
