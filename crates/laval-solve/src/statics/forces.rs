@@ -17,21 +17,14 @@ pub struct Share {
 }
 
 pub(crate) fn blocks(system: &System, slot: &Slot, speed: f64) -> Blocks<f64> {
-    let mut b = Blocks::default();
-    let speed = slot.speed(system.params(), speed);
-    match slot.physics {
-        Physics::Linear => {
-            b.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
-            slot.part.linear_f64(&system.params()[slot.params.clone()], speed, &mut b);
+    system.blocks(slot, speed).unwrap_or_else(|| {
+        let (mut b, speed) = (Blocks::default(), slot.speed(system.params(), speed));
+        b.reset(slot.map.len(), 0, speed);
+        if let Some(part) = slot.part.frequency_domain() {
+            part.load_f64(&system.params()[slot.params.clone()], speed, &mut b);
         }
-        _ => {
-            b.reset(slot.map.len(), 0, speed);
-            if let Some(part) = slot.part.frequency_domain() {
-                part.load_f64(&system.params()[slot.params.clone()], speed, &mut b);
-            }
-        }
-    }
-    b
+        b
+    })
 }
 
 /// Impedance of a part given in the frequency domain in a rotor at rest, row by row; nothing where it has none, as a liquid that does not turn.

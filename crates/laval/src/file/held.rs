@@ -114,23 +114,12 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
                 .help(text!("give a disc its diametral_inertia to let it tilt")),
         );
     }
-    let constant = |&i: &usize| slot.is_linear() && blocks(system, slot).is_some_and(|b| b.force[i] != 0.0);
-    if tilts.iter().any(constant) {
+    let blocks = system.blocks(slot, system.machine.speed.unwrap_or(100.0));
+    if blocks.is_some_and(|b| tilts.iter().any(|&i| b.force[i] != 0.0)) {
         let message = text!("the moment of \"{name}\" has no effect: what it acts on does not tilt", name = slot.name);
         let help = text!("give a disc its diametral_inertia to let it tilt");
         out.push(Diagnostic::warning("part.no_tilt", message).at(slot.span.clone()).help(help));
     }
-}
-
-/// Blocks of a linear part at the speed of the machine.
-fn blocks(system: &System, slot: &Slot) -> Option<Blocks<f64>> {
-    if slot.physics != Physics::Linear {
-        return None;
-    }
-    let (mut b, speed) = (Blocks::default(), system.machine.speed.unwrap_or(100.0));
-    b.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
-    slot.part.linear_f64(&system.params()[slot.params.clone()], speed, &mut b);
-    Some(b)
 }
 
 /// A spin of its own ratio that no part turns with.
