@@ -134,6 +134,10 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         (self.chain(s, c), self.chain(c, -s))
     }
     #[inline(always)]
+    fn product_error(self, o: Self, product: Self) -> Self {
+        Self::lift(self.re.product_error(o.re, product.re))
+    }
+    #[inline(always)]
     fn sqrt(self) -> Self {
         let r = self.re.sqrt();
         // at 0 the derivative is set to 0: see the trait

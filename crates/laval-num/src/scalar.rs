@@ -77,6 +77,8 @@ pub trait Scalar:
     fn one() -> Self {
         Self::cst(1.0)
     }
+    /// `self o - product` of the rounded product: exact, where nothing overflows or is subnormal. Of the number without its derivatives.
+    fn product_error(self, o: Self, product: Self) -> Self;
     /// `self * self`.
     #[inline(always)]
     fn square(self) -> Self {
@@ -165,5 +167,9 @@ impl Scalar for f64 {
     #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
+    }
+    #[inline(always)]
+    fn product_error(self, o: Self, product: Self) -> Self {
+        crate::lanes::Reg::product_error(self, o, product)
     }
 }

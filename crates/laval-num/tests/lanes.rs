@@ -117,6 +117,34 @@ fn lanes_equal_scalar_at_every_level() {
     }
 }
 
+struct Errors<'a>(&'a [f64; LANES], &'a [f64; LANES]);
+impl Kernel for Errors<'_> {
+    type Out = [f64; LANES];
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) -> Self::Out {
+        let (x, y) = (S::load(self.0), S::load(self.1));
+        x.product_error(y, x * y).to_array()
+    }
+}
+
+/// Fused or not, what a product loses is the same; of whole numbers it is known exactly.
+#[test]
+fn rounding_errors_of_products() {
+    let mut random = Random(5);
+    for _ in 0..20_000 {
+        // 53 bits each
+        let [a, b]: [[i64; LANES]; 2] = std::array::from_fn(|_| std::array::from_fn(|_| (random.bits() >> 11) as i64 - (1 << 52)));
+        let [x, y] = [a, b].map(|all| all.map(|k| k as f64));
+        for level in Level::supported() {
+            let got = dispatch(level, Errors(&x, &y));
+            for i in 0..LANES {
+                let exact = i128::from(a[i]) * i128::from(b[i]) - (x[i] * y[i]) as i128;
+                assert!(got[i] == exact as f64 && got[i] == x[i].product_error(y[i], x[i] * y[i]), "{level:?}: {} {}", a[i], b[i]);
+            }
+        }
+    }
+}
+
 struct Derivatives<'a>(&'a [f64; LANES], &'a [f64; LANES]);
 impl Kernel for Derivatives<'_> {
     type Out = [[[f64; LANES]; 3]; 27];

@@ -9,15 +9,17 @@ use std::marker::PhantomData;
 /// Factors of a band; reusable.
 #[derive(Clone, Debug)]
 pub(super) struct Banded<T> {
-    n: usize,
-    half: usize,
+    pub n: usize,
+    pub half: usize,
     /// Columns of `width(half)` numbers by their parts: U on and above the diagonal, the multipliers below; [`LANES`] more at the end.
-    data: Vec<f64>,
+    pub data: Vec<f64>,
     /// The multipliers of one column times each unit of a number.
     multipliers: Vec<f64>,
     /// Row exchanged with each.
-    rows: Vec<usize>,
+    pub rows: Vec<usize>,
     pub odd: bool,
+    /// Diagonals above the middle one: those of the matrix, and those that row exchanges have filled.
+    pub above: usize,
     /// Pivots that were replaced: row and column of the matrix, and what was added there.
     pub replaced: Vec<(usize, usize, T)>,
     number: PhantomData<T>,
@@ -26,7 +28,17 @@ pub(super) struct Banded<T> {
 impl<T> Default for Banded<T> {
     fn default() -> Self {
         let none = Vec::new;
-        Banded { n: 0, half: 0, data: none(), multipliers: none(), rows: vec![], odd: false, replaced: vec![], number: PhantomData }
+        Banded {
+            n: 0,
+            half: 0,
+            data: none(),
+            multipliers: none(),
+            rows: vec![],
+            odd: false,
+            above: 0,
+            replaced: vec![],
+            number: PhantomData,
+        }
     }
 }
 
@@ -106,7 +118,7 @@ impl<T: Number> Banded<T> {
         let (n, half, w) = (self.n, self.half, width(self.half));
         let (diagonal, padded) = (2 * half, self.multipliers.len() / T::PARTS);
         self.rows.clear();
-        self.odd = false;
+        (self.odd, self.above) = (false, half.min(n.saturating_sub(1)));
         self.replaced.clear();
         let level = Level::best();
         let mut order: Vec<usize> = (0..n).collect();
@@ -133,6 +145,7 @@ impl<T: Number> Banded<T> {
             self.rows.push(k + p);
             order.swap(k, k + p);
             reach = reach.max((k + p + half).min(n - 1));
+            self.above = self.above.max(reach - k);
             if p != 0 {
                 self.odd = !self.odd;
                 for j in k..=reach {
@@ -167,29 +180,7 @@ impl<T: Number> Banded<T> {
 
     /// Solves in place.
     pub fn solve(&self, b: &mut [T]) {
-        let (n, half, w) = (self.n, self.half, width(self.half));
-        let diagonal = 2 * half;
-        for k in 0..n {
-            b.swap(k, self.rows[k]);
-            let below = half.min(n - 1 - k);
-            let x = b[k];
-            if x != T::ZERO {
-                for (r, l) in b[k + 1..=k + below].iter_mut().zip(self.some(k * w + diagonal + 1, below)) {
-                    *r -= l * x;
-                }
-            }
-        }
-        for k in (0..n).rev() {
-            let base = k * w + diagonal;
-            let above = (2 * half).min(k);
-            let x = b[k] / self.get(base);
-            b[k] = x;
-            if x != T::ZERO {
-                for (r, u) in b[k - above..k].iter_mut().zip(self.some(base - above, above)) {
-                    *r -= u * x;
-                }
-            }
-        }
+        dispatch(Level::best(), Substitute { band: self, b });
     }
 
     /// Solves with the transposed matrix in place.
@@ -198,7 +189,7 @@ impl<T: Number> Banded<T> {
         let diagonal = 2 * half;
         for k in 0..n {
             let base = k * w + diagonal;
-            let above = (2 * half).min(k);
+            let above = self.above.min(k);
             let mut x = b[k];
             for (&r, u) in b[k - above..k].iter().zip(self.some(base - above, above)) {
                 x -= u * r;
@@ -213,6 +204,39 @@ impl<T: Number> Banded<T> {
             }
             b[k] = x;
             b.swap(k, self.rows[k]);
+        }
+    }
+}
+
+/// Solutions by the factors in place.
+struct Substitute<'a, T> {
+    band: &'a Banded<T>,
+    b: &'a mut [T],
+}
+
+impl<T: Number> Kernel for Substitute<'_, T> {
+    type Out = ();
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) {
+        let Substitute { band, b } = self;
+        let (n, half, w) = (band.n, band.half, width(band.half));
+        let diagonal = 2 * half;
+        for k in 0..n {
+            b.swap(k, band.rows[k]);
+            let below = half.min(n - 1 - k);
+            let x = b[k];
+            if x != T::ZERO {
+                T::less(&mut b[k + 1..=k + below], &band.data[(k * w + diagonal + 1) * T::PARTS..][..below * T::PARTS], x);
+            }
+        }
+        for k in (0..n).rev() {
+            let base = k * w + diagonal;
+            let above = band.above.min(k);
+            let x = b[k] / band.get(base);
+            b[k] = x;
+            if x != T::ZERO {
+                T::less(&mut b[k - above..k], &band.data[(base - above) * T::PARTS..base * T::PARTS], x);
+            }
         }
     }
 }

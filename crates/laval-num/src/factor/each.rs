@@ -158,16 +158,16 @@ impl Kernel for Residual<'_> {
                 let x = C64::load::<S>(&self.x[e.column]);
                 let (a0, a1, a2) = (S::load(&e.terms[0]), S::load(&e.terms[1]), S::load(&e.terms[2]));
                 if !a0.is_nothing() {
-                    re.add_product(-a0, x.re);
-                    im.add_product(-a0, x.im);
+                    re.add(-a0, x.re);
+                    im.add(-a0, x.im);
                 }
                 if !a1.is_nothing() {
-                    re.add_product(a1, w * x.im);
-                    im.add_product(-a1, w * x.re);
+                    re.add(a1, w * x.im);
+                    im.add(-a1, w * x.re);
                 }
                 if !a2.is_nothing() {
-                    re.add_product(a2, square * x.re);
-                    im.add_product(a2, square * x.im);
+                    re.add(a2, square * x.re);
+                    im.add(a2, square * x.im);
                 }
                 at += 1;
             }

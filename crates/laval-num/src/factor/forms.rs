@@ -113,12 +113,12 @@ impl Kernel for Exact<'_> {
                 for k in 0..3 {
                     let a = t.values[k];
                     if a.re != 0.0 {
-                        re.add(a.re, all[k].re);
-                        im.add(a.re, all[k].im);
+                        re.add(S::cst(a.re), all[k].re);
+                        im.add(S::cst(a.re), all[k].im);
                     }
                     if a.im != 0.0 {
-                        re.add(-a.im, all[k].im);
-                        im.add(a.im, all[k].re);
+                        re.add(S::cst(-a.im), all[k].im);
+                        im.add(S::cst(a.im), all[k].re);
                     }
                 }
                 at += 1;

@@ -20,6 +20,7 @@
 //! ```
 
 mod banded;
+mod columns;
 mod each;
 mod forms;
 mod lanes;
@@ -38,6 +39,7 @@ use crate::dense::{Field, Lu, Mat, Singular};
 use crate::dual::Dual;
 use crate::work::spend;
 use banded::Banded;
+pub use columns::Columns;
 pub use each::{Each, Forced, Solved};
 pub use forms::Forms;
 pub use lanes::{InLanes, LaneFactors, Pair, Row};
@@ -72,6 +74,13 @@ pub trait Number: Field {
     fn times(self, k: f64) -> Self;
     /// Logarithm of the modulus, and phase.
     fn polar(self) -> (f64, f64);
+    /// Numbers, each less a factor, given by its parts, times x.
+    #[inline(always)]
+    fn less(numbers: &mut [Self], factors: &[f64], x: Self) {
+        for (r, l) in numbers.iter_mut().zip(factors.chunks_exact(Self::PARTS)) {
+            *r -= Self::read(l) * x;
+        }
+    }
     /// Derivative over the value, for dual numbers; 0 for others.
     fn log_rate(self) -> C64 {
         C64::ZERO
@@ -127,6 +136,25 @@ impl Number for C64 {
     }
     fn polar(self) -> (f64, f64) {
         (self.abs().ln(), self.arg())
+    }
+    /// Two at once: the compiler finds registers of four in this, and the bits are those of one by one.
+    #[inline(always)]
+    fn less(numbers: &mut [Self], factors: &[f64], x: Self) {
+        let (own, turned) = ([x.re, x.im, x.re, x.im], [-x.im, x.re, -x.im, x.re]);
+        let (pairs, last) = numbers.as_chunks_mut::<2>();
+        let (quarters, rest) = factors.as_chunks::<4>();
+        for (r, l) in pairs.iter_mut().zip(quarters) {
+            let from = [r[0].re, r[0].im, r[1].re, r[1].im];
+            let (re, im) = ([l[0], l[0], l[2], l[2]], [l[1], l[1], l[3], l[3]]);
+            let mut to = [0.0; 4];
+            for k in 0..4 {
+                to[k] = from[k] - (re[k] * own[k] + im[k] * turned[k]);
+            }
+            *r = [c(to[0], to[1]), c(to[2], to[3])];
+        }
+        if let ([r], [re, im]) = (last, rest) {
+            *r -= c(*re, *im) * x;
+        }
     }
 }
 
@@ -221,8 +249,15 @@ fn scales(n: usize, entries: &[(usize, usize, f64)]) -> (Vec<f64>, Vec<f64>) {
             let x = size * rows[i] * columns[j];
             (by_row[i], by_column[j]) = (by_row[i].max(x), by_column[j].max(x));
         }
-        rows.iter_mut().zip(&by_row).for_each(|(r, &x)| *r *= inverse_root(x));
-        columns.iter_mut().zip(&by_column).for_each(|(c, &x)| *c *= inverse_root(x));
+        let mut settled = true;
+        for (scale, &size) in rows.iter_mut().zip(&by_row).chain(columns.iter_mut().zip(&by_column)) {
+            let more = inverse_root(size);
+            settled &= more == 1.0;
+            *scale *= more;
+        }
+        if settled {
+            break;
+        }
     }
     (rows, columns)
 }

@@ -103,17 +103,28 @@ impl<V: Entry> Terms<'_, V> {
             factors.solve(&mut more);
             let largest = |v: &[C64]| v.iter().map(|x| x.size()).fold(0.0, f64::max);
             let change = largest(&more) / largest(x);
-            // nothing that is not a number is a correction
-            if !(change < 0.5 * last) {
+            if !lessens(change, last) {
                 return;
             }
             x.iter_mut().zip(&more).for_each(|(x, m)| *x += *m);
-            if change <= EXACT {
+            if is_last(change, last) {
                 return;
             }
             last = change;
         }
     }
+}
+
+/// A correction over the solution is one, after that before it. Nothing that is not a number is.
+pub(super) fn lessens(change: f64, last: f64) -> bool {
+    change < 0.5 * last
+}
+
+/// After this correction over the solution, and that before it, the next is below rounding: each multiplies the error by about the same factor, and the first
+/// correction is the error of solutions by the factors alone.
+pub(super) fn is_last(change: f64, last: f64) -> bool {
+    let factor = if last.is_finite() { change / last } else { change };
+    change <= EXACT || change * factor <= 0.1 * EXACT
 }
 
 #[cfg(test)]

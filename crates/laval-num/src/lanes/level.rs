@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 pub enum Level {
     /// What every processor of the target has (x86-64: SSE2, registers of two).
     Base,
-    /// AVX2, registers of four.
+    /// AVX2 and FMA, registers of four.
     Avx2,
     /// AVX-512 F and DQ, registers of eight.
     Avx512,
@@ -25,7 +25,7 @@ impl Level {
             if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") && is_x86_feature_detected!("avx2") {
                 return Level::Avx512;
             }
-            if is_x86_feature_detected!("avx2") {
+            if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
                 return Level::Avx2;
             }
         }
@@ -101,7 +101,7 @@ fn run_avx512<K: Kernel>(kernel: K) -> K::Out {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,fma")]
 fn run_avx2<K: Kernel>(kernel: K) -> K::Out {
     kernel.run::<LanesAvx2>()
 }
@@ -205,7 +205,7 @@ impl<F: Apply<T>, T> Slots<F> for T {
         F::apply::<LanesBase>(self, args);
     }
     #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,fma")]
     unsafe fn avx2(&self, args: &mut F::Args<'_, LanesAvx2>) {
         F::apply::<LanesAvx2>(self, args);
     }
@@ -230,7 +230,7 @@ fn apart<S, R: Routine<S>>(routine: R) -> R::Out {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,fma")]
 #[inline(never)]
 fn apart_avx2<R: Routine<LanesAvx2>>(routine: R) -> R::Out {
     routine.run()

@@ -4,7 +4,7 @@
 //! the level, and everything inside is inlined there. A function of an object that must be erased is an
 //! [`Apply`], called through the slots of [`Slots`].
 //!
-//! The width is the same at every level and no operation is fused, so lanes, levels and `f64` agree bit for bit (any NaN counts as NaN). It is two
+//! The width is the same at every level and no operation is fused unless its result is exact, so lanes, levels and `f64` agree bit for bit (any NaN counts as NaN). It is two
 //! registers at the highest level: while one waits for a result the other computes, and what is not arithmetic is shared.
 
 // several arrays of registers are walked in step
@@ -326,6 +326,10 @@ impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
     #[inline(always)]
     fn abs(self) -> Self {
         each!(self, x, i, x.abs())
+    }
+    #[inline(always)]
+    fn product_error(self, o: Self, product: Self) -> Self {
+        each!(self, x, i, x.product_error(o.0[i], product.0[i]))
     }
 }
 

@@ -68,6 +68,18 @@ pub trait Reg:
     fn abs(self) -> Self {
         self.and(Self::bits(!SIGN))
     }
+    /// `self o - product` of the rounded product: exact, where nothing overflows or is subnormal.
+    #[inline(always)]
+    fn product_error(self, o: Self, product: Self) -> Self {
+        // halves of the digits: T. J. Dekker, Numer. Math. 18 (1971) 224-242
+        let upper = |x: Self| {
+            let scaled = x * Self::splat(134_217_729.0);
+            scaled - (scaled - x)
+        };
+        let (a1, b1) = (upper(self), upper(o));
+        let (a2, b2) = (self - a1, o - b1);
+        a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2)
+    }
     /// True when all lanes hold.
     #[inline(always)]
     fn all(m: Self::Mask) -> bool {

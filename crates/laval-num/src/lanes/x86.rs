@@ -12,7 +12,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
 pub struct Xmm(__m128d);
-/// Four doubles, AVX2.
+/// Four doubles, AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
 pub struct Ymm(__m256d);
@@ -40,7 +40,7 @@ macro_rules! register {
     ($reg:ident, $level:ident, $width:literal, $mask:ty, [$add:ident $sub:ident $mul:ident $div:ident $sqrt:ident],
      [$splat:ident $load:ident $store:ident], [$int:ident $float:ident $splat_int:ident],
      [$and:ident $or:ident $xor:ident $add_int:ident $shl:ident $shr:ident],
-     lt: $lt:path, le: $le:path, bits: $bits:path, select($m:ident, $a:ident, $b:ident): $select:expr, odd($i:ident): $odd:expr) => {
+     lt: $lt:path, le: $le:path, bits: $bits:path, select($m:ident, $a:ident, $b:ident): $select:expr, odd($i:ident): $odd:expr $(, less: $less:ident)?) => {
         operator!($reg, Add, add, $add);
         operator!($reg, Sub, sub, $sub);
         operator!($reg, Mul, mul, $mul);
@@ -120,6 +120,12 @@ macro_rules! register {
                 let $i = unsafe { $int(self.0) };
                 unsafe { $odd }
             }
+            $(
+                #[inline(always)]
+                fn product_error(self, o: Self, product: Self) -> Self {
+                    unsafe { $reg($less(self.0, o.0, product.0)) }
+                }
+            )?
         }
     };
 }
@@ -144,7 +150,8 @@ register!(
     [_mm256_and_si256 _mm256_or_si256 _mm256_xor_si256 _mm256_add_epi64 _mm256_sll_epi64 _mm256_srl_epi64],
     lt: _mm256_cmp_pd::<_CMP_LT_OQ>, le: _mm256_cmp_pd::<_CMP_LE_OQ>, bits: _mm256_movemask_pd,
     select(m, a, b): _mm256_blendv_pd(b, a, m),
-    odd(i): _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_setzero_si256(), _mm256_and_si256(i, _mm256_set1_epi64x(1))))
+    odd(i): _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_setzero_si256(), _mm256_and_si256(i, _mm256_set1_epi64x(1)))),
+    less: _mm256_fmsub_pd
 );
 
 register!(
@@ -155,5 +162,6 @@ register!(
     [_mm512_and_si512 _mm512_or_si512 _mm512_xor_si512 _mm512_add_epi64 _mm512_sll_epi64 _mm512_srl_epi64],
     lt: _mm512_cmp_pd_mask::<_CMP_LT_OQ>, le: _mm512_cmp_pd_mask::<_CMP_LE_OQ>, bits: _cvtmask8_u32,
     select(m, a, b): _mm512_mask_blend_pd(m, b, a),
-    odd(i): _mm512_test_epi64_mask(i, _mm512_set1_epi64(1))
+    odd(i): _mm512_test_epi64_mask(i, _mm512_set1_epi64(1)),
+    less: _mm512_fmsub_pd
 );

@@ -3,13 +3,15 @@
 use crate::common;
 
 use common::base::{Base, request, run, states_at};
+use common::shaft::cubic_text;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
 use laval::solve::harmonic::balance::orbit::Orbit;
-use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::balance::problem::{Balance, Discretisation};
+use laval::solve::harmonic::balance::terms::Terms;
 use laval::solve::harmonic::branches::response::{Request, Response};
 use laval::solve::symmetry::Symmetry;
 use laval_num::continuation::End;
@@ -118,6 +120,46 @@ fn unit_of_length_is_free() {
 fn orbits(system: &System, r: &Response, range: (f64, f64)) -> Vec<Orbit> {
     let mut balance = Balance::new(system, r.discretisation, range, None).unwrap();
     r.branches.iter().flat_map(|b| &b.points).map(|p| Orbit::of(&mut balance, &p.x, p.speed).unwrap()).collect()
+}
+
+/// Motions along a direction in the unknowns and the speed, by their derivatives and by differences: of a small machine, and of one whose matrices are banded.
+#[test]
+fn motions_beside_one_are_those_of_their_unknowns() {
+    let small = Base { isotropic: true, chi: 600.0, c0: 2e6, c1: 2e12, ..Base::default() }.builder().horizontal().build().unwrap();
+    let long = laval::file::load(&cubic_text(21)).unwrap_or_else(|d| panic!("{d:?}")).system;
+    let discretised =
+        |harmonics: usize, symmetry| Discretisation { harmonics, divisor: 1, samples: Terms::samples(harmonics, 1), symmetry };
+    let machines = [(&small, discretised(5, Symmetry::None), (500.0, 3000.0)), (&long, discretised(1, Symmetry::Circular), (100.0, 400.0))];
+    for (system, d, range) in machines {
+        let mut balance = Balance::new(system, d, range, None).unwrap();
+        let along = |f: &dyn Fn(f64) -> f64| balance.scales().iter().enumerate().map(|(i, s)| 0.05 * s * f(i as f64 + 1.0)).collect();
+        let (x, dx): (Vec<f64>, Vec<f64>) = (along(&f64::cos), along(&f64::sin));
+        let (speed, rate, h) = (0.6 * range.1, 0.1 * range.1, 1e-4);
+        let mut at = |h: f64| {
+            let x: Vec<f64> = x.iter().zip(&dx).map(|(x, d)| x + h * d).collect();
+            Orbit::of(&mut balance, &x, speed + h * rate).unwrap()
+        };
+        let [before, after, orbit] = [-h, h, 0.0].map(&mut at);
+        let [less, more] = orbit.beside(&mut balance, (&x, speed), (&dx, rate), h).unwrap();
+        assert_eq!((less.speed, more.frequency), (speed - h * rate, after.frequency));
+        let change = |a: &Orbit, b: &Orbit| -> Vec<f64> {
+            let of = |o: &Orbit| o.coordinates.iter().chain(&o.states).flatten().copied().collect::<Vec<_>>();
+            of(a).iter().zip(of(b)).map(|(a, b)| (b - *a).abs()).collect()
+        };
+        let by_differences = change(&before, &after);
+        let size = by_differences.iter().copied().fold(0.0, f64::max);
+        assert!(size > 0.0);
+        // the difference of both: what central differences leave out
+        for orbits in [(&before, &less), (&after, &more)] {
+            let apart = change(orbits.0, orbits.1).into_iter().fold(0.0, f64::max);
+            assert!(apart < 1e-3 * size, "{apart:e} of {size:e}");
+        }
+        let slopes = less.coordinates.iter().flatten().zip(more.coordinates.iter().flatten());
+        let differences = before.coordinates.iter().flatten().zip(after.coordinates.iter().flatten());
+        for ((a, b), (c, d)) in slopes.zip(differences) {
+            assert!(((*b - *a) - (*d - *c)).abs() < 1e-6 * size, "{a:?} {b:?} {c:?} {d:?}");
+        }
+    }
 }
 
 /// Weight takes all symmetry: even orders and a static deflection appear, and go with the weight.

@@ -7,7 +7,7 @@ use laval::file::load;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::part::Link;
-use laval::outcome::{Arg, Outcome};
+use laval::outcome::{Arg, End, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_hertz::*, damper::*, disc::*};
 use laval::solve::harmonic::balance::orbit::Orbit;
 use laval::solve::harmonic::balance::problem::Balance;
@@ -232,6 +232,47 @@ fn amplitudes_of_both_axes_and_first_order_forces_are_those_of_the_closed_form()
         let [f, x, y] = ["spring first-order force", "spring first-order force x", "spring first-order force y"].map(|n| number(n, row));
         assert!(f >= x.max(y) * (1.0 - 1e-9) && f <= x.hypot(y) * (1.0 + 1e-9), "{f} {x} {y}");
     }
+}
+
+/// A rotor on two oil films: its equations are measured by the films where they carry the weight, so that branches run from end to end, from wherever they start.
+/// Of a small unbalance the states are those of the machine linearised at rest.
+#[test]
+fn films_are_measured_where_they_carry_the_weight() {
+    let film = |name: &str, at: f64| {
+        format!(
+            "[[part]]\nkind = \"bearing_journal\"\nname = \"{name}\"\nbetween = [{{ body = \"s\", at = {at} }}, \"ground\"]\n\
+             diameter = \"60 mm\"\nlength = \"25 mm\"\nclearance = \"60 um\"\nviscosity = \"15 mPa s\"\n"
+        )
+    };
+    let machine = |unbalance: &str, study: &str| {
+        let text = format!(
+            "[machine]\nname = \"compressor\"\nspeed = \"6000 rpm\"\naxis = \"horizontal\"\n\
+             [[part]]\nkind = \"shaft\"\nname = \"s\"\nmaterial = \"steel\"\nelements = 12\n[[part.section]]\nlength = 1.0\nouter_diameter = 0.06\n\
+             [[part]]\nkind = \"disc\"\nname = \"d\"\non = {{ body = \"s\", at = 0.5 }}\nmass = 20.0\npolar_inertia = 0.2\n\
+             diametral_inertia = 0.1\nunbalance = \"{unbalance}\"\n{}{}[[study]]\n{study}\n",
+            film("j1", 0.1),
+            film("j2", 0.9)
+        );
+        let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
+        loaded.studies[0].study.run(&loaded.system, &Context::quiet("study")).unwrap_or_else(|d| panic!("{d:?}"))
+    };
+    for from in [5000, 5100] {
+        let study = format!("kind = \"nonlinear_response\"\nspeed = {{ from = \"{from} rpm\", to = \"6000 rpm\" }}\nstability = false");
+        let o = machine("100 g mm", &study);
+        assert_eq!(o.end, End::Reached, "{from} rpm: {:?}", o.findings.iter().map(|f| f.sentence()).collect::<Vec<_>>());
+        let t = o.find_table("response").unwrap();
+        let speed = t.column("speed").unwrap();
+        let ends = [speed.number(0).unwrap(), speed.number(t.rows() - 1).unwrap()];
+        assert!((ends[0] - f64::from(from) * TAU / 60.0).abs() < 1e-9 && (ends[1] - 200.0 * TAU / 2.0).abs() < 1e-9, "{ends:?}");
+    }
+    let small = machine("0.1 g mm", "kind = \"nonlinear_response\"\nspeed = \"6000 rpm\"\nstability = false");
+    let linear = machine("0.1 g mm", "kind = \"forced_response\"\nspeed = \"6000 rpm\"");
+    let first = |o: &Outcome, name: &str| {
+        let t = o.tables.iter().find(|t| t.column(name).is_some()).unwrap_or_else(|| panic!("no {name} in {:?}", o.tables));
+        t.column(name).unwrap().number(0).unwrap()
+    };
+    let (found, expected) = (first(&small, "d first order"), first(&linear, "forward.d"));
+    assert!((found / expected - 1.0).abs() < 1e-5, "{found} {expected}");
 }
 
 /// Masses that move in the rotor: a disturbance whose order beside the spin is open has no number in the sentence.

@@ -17,7 +17,7 @@ use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat, Singular};
-use laval_num::factor::{Factors, Terms};
+use laval_num::factor::{Columns, Factors, Terms};
 use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 
@@ -76,7 +76,7 @@ pub fn lossy(k: usize, reference: f64) -> C64 {
     c(reference, if k == 0 { 0.0 } else { reference })
 }
 
-/// One order condensed at one pace, with derivatives in the parameter that the pace depends on (the speed, under unbalance).
+/// One order condensed at one pace, where requested with derivatives in the parameter that the pace depends on (the speed, under unbalance).
 #[derive(Clone, Debug, Default)]
 pub struct Order {
     /// K over the nonlinear coordinates.
@@ -95,17 +95,6 @@ pub struct Order {
     pub spread_speed: Mat<C64>,
     /// d free/dparameter.
     pub free_speed: Vec<C64>,
-}
-
-/// Solves for all columns, exactly where the terms of the matrix are given.
-fn solve_all(factors: &Factors<C64>, exact: Option<&Terms<f64>>, b: &mut Mat<C64>) {
-    let Some(exact) = exact else { return factors.solve_mat(b) };
-    let mut column = vec![C64::zero(); b.rows()];
-    for j in 0..b.cols() {
-        column.iter_mut().enumerate().for_each(|(i, x)| *x = b[(i, j)]);
-        exact.solve(factors, &mut column);
-        column.iter().enumerate().for_each(|(i, x)| b[(i, j)] = *x);
-    }
 }
 
 /// Condenses orders of one machine; keeps its scratch.
@@ -129,6 +118,7 @@ pub struct Condenser {
     z: Vec<C64>,
     dz: Vec<C64>,
     factors: Factors<C64>,
+    columns: Columns,
     rhs: Mat<C64>,
     work: Mat<C64>,
     projected: [Mat<C64>; 2],
@@ -155,6 +145,7 @@ impl Condenser {
             z: Vec::new(),
             dz: Vec::new(),
             factors: Factors::default(),
+            columns: Columns::default(),
             rhs: Mat::default(),
             work: Mat::default(),
             projected: Default::default(),
@@ -203,20 +194,45 @@ impl Condenser {
         }
     }
 
-    /// Condenses order `k >= 0` of the base frequency.
-    pub fn order(&mut self, system: &System, k: usize, out: &mut Order) -> Result<(), Singular> {
-        let (n, m) = (system.n(), self.basis.len());
+    /// Condenses order `k >= 0` of the base frequency; with derivatives where `slopes` is set.
+    pub fn order(&mut self, system: &System, k: usize, slopes: bool, out: &mut Order) -> Result<(), Singular> {
+        let (m, size) = (self.basis.len(), self.model.pattern().n());
+        self.evaluate(system, k);
+        self.factors.factor(self.model.plan(), &self.z)?;
+        // columns: B^T, then the load and its derivative
+        self.load(system, k, slopes);
+        self.solve(k, false);
+        if slopes {
+            // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
+            self.work.reset(size, m + 2);
+            for i in 0..size {
+                let sums = self.work.row_mut(i);
+                for (e, j) in self.model.pattern().row(i) {
+                    let a = self.dz[e];
+                    if a != C64::zero() {
+                        sums.iter_mut().zip(self.rhs.row(j)).for_each(|(s, &x)| *s += a * x);
+                    }
+                }
+            }
+            self.solve(k, true);
+        }
+        self.spread(slopes, out);
+        self.project(k, slopes, out)
+    }
+
+    /// Z, its derivative, and the entries of the reference stiffness.
+    fn evaluate(&mut self, system: &System, k: usize) {
+        let n = system.n();
         let frequency = self.frequency.scale(k as f64);
         let s = laval_num::complex::c(D1::zero(), frequency);
         system.dynamic_stiffness_entries(&self.params, &self.model, Form::Frequency, s, &mut self.dual, &mut self.scratch);
-        let pattern = self.model.pattern().clone();
-        let size = pattern.n();
+        let pattern = self.model.pattern();
         self.z.clear();
         self.dz.clear();
         self.z.extend(self.dual.iter().map(|e| c(e.re.re, e.im.re)));
         self.dz.extend(self.dual.iter().map(|e| c(e.re.eps[0], e.im.eps[0])));
         // states of nonlinear parts are not of the linear model
-        for i in self.model.held()..size {
+        for i in self.model.held()..pattern.n() {
             pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| {
                 self.z[e] = C64::one();
                 self.polynomial.iter_mut().for_each(|terms| terms[0][e] = 1.0);
@@ -245,10 +261,13 @@ impl Condenser {
                 }
             }
         }
-        self.factors.factor(self.model.plan(), &self.z)?;
-        // columns: B^T, then the load and its derivative
+    }
+
+    /// Right-hand sides: B^T, F, and its derivative.
+    fn load(&mut self, system: &System, k: usize, slopes: bool) {
+        let (n, m, size) = (system.n(), self.basis.len(), self.model.pattern().n());
         let b = &self.model.loads;
-        self.rhs.reset(size, m + 2);
+        self.rhs.reset(size, m + 1 + usize::from(slopes));
         for (j, row) in self.basis.iter().enumerate() {
             for &(g, x) in row {
                 self.rhs[(g, j)] += c(x, 0.0);
@@ -264,29 +283,53 @@ impl Condenser {
                 continue;
             };
             self.rhs[(i, m)] = f;
-            self.rhs[(i, m + 1)] = df;
-        }
-        // soft supports of a stiff chain: what rounding makes of the entries of Z changes from speed to speed
-        let s = c(0.0, frequency.re);
-        let push = c(0.0, -(self.drive.re * frequency.re));
-        let terms = self.polynomial.as_ref().map(|[a0, a1, a2, mass]| {
-            [(C64::one(), &a0[..]), (s, &a1[..]), (s * s, &a2[..]), (push, &mass[..]), (lossy(k, 1.0), &self.held[..])]
-        });
-        let exact = terms.as_ref().map(|terms| Terms { pattern: &pattern, terms });
-        solve_all(&self.factors, exact.as_ref(), &mut self.rhs);
-        // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
-        self.work.reset(size, m + 2);
-        for i in 0..size {
-            let sums = self.work.row_mut(i);
-            for (e, j) in pattern.row(i) {
-                let a = self.dz[e];
-                sums.iter_mut().zip(self.rhs.row(j)).for_each(|(s, &x)| *s += a * x);
+            if slopes {
+                self.rhs[(i, m + 1)] = df;
             }
         }
-        solve_all(&self.factors, exact.as_ref(), &mut self.work);
-        // rows of B applied to both: flexibility and its derivative, and the free motion
-        for (w, projected) in [&self.rhs, &self.work].into_iter().zip(&mut self.projected) {
-            projected.reset(m, m + 2);
+    }
+
+    /// Solves for the right-hand sides, or for what their derivatives come from. Soft supports of a stiff chain: what rounding makes of the entries of Z
+    /// changes from speed to speed, where Z is not known as a sum.
+    fn solve(&mut self, k: usize, again: bool) {
+        let b = if again { &mut self.work } else { &mut self.rhs };
+        let Some([a0, a1, a2, mass]) = &self.polynomial else { return self.factors.solve_mat(b) };
+        let frequency = k as f64 * self.frequency.re;
+        let (s, push) = (c(0.0, frequency), c(0.0, -(self.drive.re * frequency)));
+        let all: [(C64, &[f64]); 5] = [(C64::one(), a0), (s, a1), (s * s, a2), (push, mass), (lossy(k, 1.0), &self.held)];
+        // without a drive its term is nothing
+        let used: Vec<(C64, &[f64])> = all.into_iter().filter(|t| t.0 != C64::zero()).collect();
+        let terms = Terms { pattern: self.model.pattern(), terms: &used };
+        self.columns.solve(&terms, &self.factors, b);
+    }
+
+    /// What the motion of all coordinates follows from.
+    fn spread(&self, slopes: bool, out: &mut Order) {
+        let (m, size) = (self.basis.len(), self.rhs.rows());
+        out.spread.reset(size, m);
+        out.free.clear();
+        for i in 0..size {
+            out.spread.row_mut(i).copy_from_slice(&self.rhs.row(i)[..m]);
+            out.free.push(self.rhs[(i, m)]);
+        }
+        out.spread_speed.reset(if slopes { size } else { 0 }, m);
+        out.free_speed.clear();
+        if slopes {
+            // d(Z^-1) = -Z^-1 dZ Z^-1
+            for i in 0..size {
+                for (d, w) in out.spread_speed.row_mut(i).iter_mut().zip(self.work.row(i)) {
+                    *d = -*w;
+                }
+                out.free_speed.push(self.rhs[(i, m + 1)] - self.work[(i, m)]);
+            }
+        }
+    }
+
+    /// Rows of B applied to the solutions: the flexibility and the free motion, and with them K, p and their derivatives.
+    fn project(&mut self, k: usize, slopes: bool, out: &mut Order) -> Result<(), Singular> {
+        let m = self.basis.len();
+        for (w, projected) in [&self.rhs, &self.work].into_iter().zip(&mut self.projected).take(1 + usize::from(slopes)) {
+            projected.reset(m, w.cols());
             for (i, row) in self.basis.iter().enumerate() {
                 for &(g, x) in row {
                     for (p, w) in projected.row_mut(i).iter_mut().zip(w.row(g)) {
@@ -295,22 +338,6 @@ impl Condenser {
                 }
             }
         }
-        out.spread.reset(size, m);
-        out.free.clear();
-        for i in 0..size {
-            out.spread.row_mut(i).copy_from_slice(&self.rhs.row(i)[..m]);
-            out.free.push(self.rhs[(i, m)]);
-        }
-        // d(Z^-1) = -Z^-1 dZ Z^-1
-        out.spread_speed.reset(size, m);
-        out.free_speed.clear();
-        for i in 0..size {
-            for (d, w) in out.spread_speed.row_mut(i).iter_mut().zip(self.work.row(i)) {
-                *d = -*w;
-            }
-            out.free_speed.push(self.rhs[(i, m + 1)] - self.work[(i, m)]);
-        }
-        // K, p and their derivatives
         let [flexibility, change] = &self.projected;
         let square = |a: &Mat<C64>, out: &mut Mat<C64>| {
             out.reset(m, m);
@@ -322,15 +349,17 @@ impl Condenser {
         k_ref.reset(m, m);
         (0..m).for_each(|i| k_ref[(i, i)] = C64::one());
         self.small.solve_mat(k_ref);
-        // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
-        square(change, &mut self.square);
-        k_ref.matmul_into(&self.square, &mut self.work);
-        self.work.matmul_into(k_ref, &mut out.stiffness_speed);
         let moved: Vec<C64> = (0..m).map(|i| flexibility[(i, m)]).collect();
-        let change: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
         out.load = k_ref.mul_vec(&moved);
-        out.load_speed = k_ref.mul_vec(&change);
-        out.stiffness_speed.mul_vec_add(&moved, &mut out.load_speed);
+        if slopes {
+            // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
+            square(change, &mut self.square);
+            k_ref.matmul_into(&self.square, &mut self.work);
+            self.work.matmul_into(k_ref, &mut out.stiffness_speed);
+            let change: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
+            out.load_speed = k_ref.mul_vec(&change);
+            out.stiffness_speed.mul_vec_add(&moved, &mut out.load_speed);
+        }
         for i in 0..m {
             out.stiffness[(i, i)] -= lossy(k, self.reference[i]);
         }

@@ -202,7 +202,7 @@ fn assemble(system: &System, law: &Law, speed: f64, a: f64, turn: C64) -> Option
     let mut motion = Orbit { speed, frequency: speed, orders: terms.orders.clone(), ..Orbit::default() };
     let (mut du, mut df) = (vec![C64::zero(); 2], vec![C64::zero(); 2]);
     for &k in &terms.orders {
-        condenser.order(system, k, &mut order).ok()?;
+        condenser.order(system, k, false, &mut order).ok()?;
         terms.amplitudes(&u, k, &mut du);
         terms.amplitudes(&f, k, &mut df);
         let mut x: Vec<C64> = order.free[..system.n()].to_vec();

@@ -56,6 +56,37 @@ impl Orbit {
         Ok(orbit)
     }
 
+    /// The same beside it, `h` of a direction in the unknowns and the speed away, to first order in h. States that were eliminated stay.
+    pub fn beside(
+        &self,
+        balance: &mut Balance,
+        (x, speed): (&[f64], f64),
+        (dx, rate): (&[f64], f64),
+        h: f64,
+    ) -> Result<[Orbit; 2], Failure> {
+        let (n, mu) = (self.coordinates.first().map_or(0, Vec::len), balance.nonlinear.basis.rows.len());
+        let change = balance.motion_along((x, speed), (dx, rate))?;
+        let mut out = [-h, h].map(|h| Orbit { speed: speed + h * rate, ..self.clone() });
+        let mut own = vec![C64::zero(); balance.terms.coordinates];
+        for (orbit, h) in out.iter_mut().zip([-h, h]) {
+            orbit.frequency = balance.pace(orbit.speed).frequency;
+            for (which, change) in change.iter().enumerate() {
+                let of_coordinates = orbit.coordinates[which].iter_mut().zip(change);
+                of_coordinates.for_each(|(z, d)| *z += d.scale(h));
+                let states = &mut orbit.states[which];
+                for (&g, d) in balance.linear_states().iter().zip(&change[n..]) {
+                    states[g] += d.scale(h);
+                }
+                balance.terms.amplitudes(dx, orbit.orders[which], &mut own);
+                for (&g, d) in balance.nonlinear.states.iter().zip(&own[mu..]) {
+                    states[g] += d.scale(h);
+                }
+            }
+            orbit.rest = balance.rest(orbit.speed).to_vec();
+        }
+        Ok(out)
+    }
+
     /// Coordinates, rates, accelerations and states at base phase `tau`, in vectors of the machine's sizes.
     pub fn at(&self, tau: f64, q: &mut [f64], v: &mut [f64], a: &mut [f64], z: &mut [f64]) {
         for x in [&mut *q, &mut *v, &mut *a, &mut *z] {

@@ -26,7 +26,7 @@ use crate::rest::rest;
 use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero, resonance_cap};
-use laval_num::dense::{Lu, Mat};
+use laval_num::dense::{Lu, Mat, Singular};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How a balance is discretised.
@@ -80,6 +80,8 @@ pub struct Balance<'a> {
     pub(super) condenser: Condenser,
     /// The pace the linear parts stand at.
     pace: Option<Pace>,
+    /// The linear parts stand there with their derivatives.
+    has_slopes: bool,
     free: Option<Pace>,
     /// Derivatives are taken in this parameter of the machine instead of the speed.
     by: Option<Parameter>,
@@ -166,6 +168,7 @@ impl<'a> Balance<'a> {
             sampled: Sampled::default(),
             condenser,
             pace: None,
+            has_slopes: false,
             free: None,
             by: None,
             linear: Mat::zeros(unknowns, unknowns),
@@ -248,9 +251,14 @@ impl<'a> Balance<'a> {
     }
 
     /// Condenses the linear parts at a speed, unless they stand there already.
-    pub fn set_speed(&mut self, speed: f64) -> Result<(), laval_num::dense::Singular> {
+    pub fn set_speed(&mut self, speed: f64) -> Result<(), Singular> {
+        self.condense(speed, false)
+    }
+
+    /// The same, where requested with derivatives.
+    pub(in crate::harmonic) fn condense(&mut self, speed: f64, slopes: bool) -> Result<(), Singular> {
         let pace = self.pace(speed);
-        if self.pace == Some(pace) {
+        if self.pace == Some(pace) && (self.has_slopes || !slopes) {
             return Ok(());
         }
         self.pace = None;
@@ -264,24 +272,27 @@ impl<'a> Balance<'a> {
         let mu = self.nonlinear.basis.rows.len();
         let mut force = vec![C64::zero(); m];
         for (order, &k) in self.orders.iter_mut().zip(&self.terms.orders) {
-            self.condenser.order(self.system, k, order)?;
-            for (matrix, out) in [(&order.stiffness, &mut self.linear), (&order.stiffness_speed, &mut self.linear_speed)] {
+            self.condenser.order(self.system, k, slopes, order)?;
+            let parts = 1 + usize::from(slopes);
+            for (matrix, out) in
+                [(&order.stiffness, &mut self.linear), (&order.stiffness_speed, &mut self.linear_speed)].into_iter().take(parts)
+            {
                 add_operator(&self.terms, k, mu, matrix, &mut force, out);
             }
-            for (load, out) in [(&order.load, &mut self.load), (&order.load_speed, &mut self.load_speed)] {
+            for (load, out) in [(&order.load, &mut self.load), (&order.load_speed, &mut self.load_speed)].into_iter().take(parts) {
                 force[..mu].copy_from_slice(load);
                 force[mu..].fill(C64::zero());
                 self.terms.add_amplitudes(k, &force, out);
             }
         }
-        self.pace = Some(pace);
+        (self.pace, self.has_slopes) = (Some(pace), slopes);
         Ok(())
     }
 
     /// dL/dw: derivative of the linear part in the base frequency at fixed spin, unknowns by unknowns, under unbalance.
     pub fn frequency_slope(&mut self, speed: f64) -> Option<Mat> {
         let free = self.free.replace(Pace { rate: [0.0, 1.0, 0.0], ..Pace::forced(speed, self.terms.divisor) });
-        let done = self.set_speed(speed).is_ok();
+        let done = self.condense(speed, true).is_ok();
         let slope = self.linear_speed.clone();
         (self.free, self.pace) = (free, None);
         done.then_some(slope)
@@ -494,7 +505,7 @@ impl Zero for Balance<'_> {
     }
     fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
         self.evaluations += 1;
-        self.set_speed(p).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
+        self.condense(p, dr_dp.is_some()).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
         let (mut jac, mut dr_dp) = (jac, dr_dp);
         if let Some(jac) = jac.as_deref_mut() {
             jac.copy_from(&self.linear);
@@ -533,7 +544,7 @@ impl Zero for Balance<'_> {
             self.pace = None;
             self.condenser.set_pace(self.system, &self.pace(p));
             let mut order = std::mem::take(&mut self.measured);
-            let condensed = self.condenser.order(self.system, self.terms.divisor, &mut order);
+            let condensed = self.condenser.order(self.system, self.terms.divisor, false, &mut order);
             if condensed.is_ok() {
                 self.project(x, p, None, None);
                 self.motion_of(x, self.terms.divisor, &order, &mut motion);

@@ -8,6 +8,7 @@ use crate::model::part::{At, DofKind};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
 use crate::orders::Orders;
+use crate::rest::rest;
 use laval_num::complex::C64;
 
 /// Where the spin speed meets a frequency of the machine linearised at rest: continuation must not step over these.
@@ -46,32 +47,42 @@ pub(super) fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64
     found
 }
 
-/// Stiffnesses of the size of the nonlinear parts' on each nonlinear coordinate, for [`Condenser`]; the same for all of one kind.
+/// Stiffnesses of the size of the nonlinear parts' on each nonlinear coordinate, for [`Condenser`](super::condense::Condenser); the same for all of one kind.
+/// At the rest of a machine under load: a small displacement from anywhere else may be one through the clearance of a film. Without load, or of parts that are
+/// free at rest, at a small displacement from the middle.
 pub(super) fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed: f64) -> Vec<f64> {
+    let small = system.coordinates().iter().enumerate().map(|(i, c)| c.dof.typical * if i % 2 == 0 { 0.1 } else { 0.07 });
+    let displaced = (small.collect(), vec![0.0; system.m()]);
+    let own = |s: &Slot| !s.is_linear();
+    let at_rest =
+        system.is_loaded().then(|| rest(system, speed).ok()).flatten().map(|e| largest(system, nonlinear, (&(e.q, e.z), speed), &own, 0.0));
+    let by_displacement = largest(system, nonlinear, (&displaced, speed), &own, 0.0);
+    let all = largest(system, nonlinear, (&displaced, speed), &|_| true, 1.0);
+    let first = |class: usize| at_rest.iter().chain([&by_displacement, &all]).map(|size| size[class]).find(|k| *k > 0.0);
+    let lateral = first(0);
+    nonlinear.kinds.iter().take(nonlinear.basis.rows.len()).map(|&kind| first(kind.class()).or(lateral).unwrap_or(1.0)).collect()
+}
+
+/// By kind of coordinate the largest tangent stiffness (with so much of the mass times the square of the speed) of some parts at coordinates and states; of what a
+/// row combines, the softest: `K_gg / B_g^2`.
+fn largest(
+    system: &System,
+    nonlinear: &Nonlinear,
+    ((q, z), speed): (&(Vec<f64>, Vec<f64>), f64),
+    which: &dyn Fn(&Slot) -> bool,
+    inertia: f64,
+) -> [f64; DofKind::CLASSES] {
     let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
-    let q: Vec<f64> = system.coordinates().iter().enumerate().map(|(i, c)| c.dof.typical * if i % 2 == 0 { 0.1 } else { 0.07 }).collect();
-    let (v, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
-    let at = At { q: &q, v: &v, a: &v, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-    let rows = &nonlinear.basis.rows;
-    // of what a row combines, the softest: K_gg / B_g^2
-    let mut largest = |which: &dyn Fn(&Slot) -> bool, inertia: f64| {
-        system.tangent(&at, false, &mut tangent, &mut scratch, which);
-        let mut size = [0.0f64; DofKind::CLASSES];
-        for (row, &kind) in rows.iter().zip(&nonlinear.kinds) {
-            let of = |&(g, b): &(usize, f64)| (tangent.q[(g, g)].abs() + inertia * speed * speed * tangent.a[(g, g)].abs()) / (b * b);
-            let softest = row.iter().map(of).filter(|k| k.is_finite() && *k > 0.0).fold(f64::INFINITY, f64::min);
-            if softest.is_finite() {
-                size[kind.class()] = size[kind.class()].max(softest);
-            }
+    let v = vec![0.0; system.n()];
+    let at = At { q, v: &v, a: &v, z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    system.tangent(&at, false, &mut tangent, &mut scratch, which);
+    let mut size = [0.0f64; DofKind::CLASSES];
+    for (row, &kind) in nonlinear.basis.rows.iter().zip(&nonlinear.kinds) {
+        let of = |&(g, b): &(usize, f64)| (tangent.q[(g, g)].abs() + inertia * speed * speed * tangent.a[(g, g)].abs()) / (b * b);
+        let softest = row.iter().map(of).filter(|k| k.is_finite() && *k > 0.0).fold(f64::INFINITY, f64::min);
+        if softest.is_finite() {
+            size[kind.class()] = size[kind.class()].max(softest);
         }
-        size
-    };
-    let (nonlinear_parts, all) = (largest(&|s| !s.is_linear(), 0.0), largest(&|_| true, 1.0));
-    let lateral = [nonlinear_parts[0], all[0]].into_iter().find(|k| *k > 0.0);
-    nonlinear
-        .kinds
-        .iter()
-        .take(rows.len())
-        .map(|&kind| [nonlinear_parts[kind.class()], all[kind.class()]].into_iter().find(|k| *k > 0.0).or(lateral).unwrap_or(1.0))
-        .collect()
+    }
+    size
 }

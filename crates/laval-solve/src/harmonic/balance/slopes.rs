@@ -46,30 +46,43 @@ impl Balance<'_> {
     /// Derivatives of the residual (put into `rates`) and of [`Balance::motion`], order by order, in the speed or the parameter of
     /// [`Balance::differentiate_by`], the unknowns held.
     pub fn motion_rates(&mut self, x: &[f64], speed: f64, rates: &mut [f64]) -> Result<Vec<Vec<C64>>, Failure> {
-        self.set_speed(speed).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
-        let mu = self.nonlinear.basis.rows.len();
+        self.condense(speed, true).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
         let mut forces = vec![0.0; self.terms.unknowns];
         self.project(x, speed, None, Some(&mut forces));
         for ((r, f), l) in rates.iter_mut().zip(&forces).zip(&self.load_speed) {
             *r = f - l;
         }
         self.linear_speed.mul_vec_add(x, rates);
-        let mut f = vec![C64::zero(); self.nonlinear.kinds.len()];
-        let mut out = Vec::with_capacity(self.orders.len());
-        for which in 0..self.orders.len() {
-            let k = self.terms.orders[which];
-            self.terms.amplitudes(x, k, &mut self.amplitudes);
-            self.force_amplitudes(k);
-            self.terms.amplitudes(&forces, k, &mut f);
-            let order = &self.orders[which];
-            let slopes = (0..order.free.len()).map(|i| {
-                (0..mu).fold(order.free_speed[i], |sum, j| {
-                    let held = self.forces[j] - self.amplitudes[j] * lossy(k, self.condenser.reference[j]);
-                    sum - order.spread_speed[(i, j)] * held - order.spread[(i, j)] * f[j]
-                })
-            });
-            out.push(slopes.collect());
-        }
-        Ok(out)
+        let still = vec![0.0; x.len()];
+        Ok((0..self.orders.len()).map(|which| self.moved(x, which, (&still, &forces, 1.0))).collect())
+    }
+
+    /// Derivative of [`Balance::motion`], order by order, along a direction of the unknowns and the speed.
+    pub fn motion_along(&mut self, (x, speed): (&[f64], f64), (dx, rate): (&[f64], f64)) -> Result<Vec<Vec<C64>>, Failure> {
+        self.condense(speed, true).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
+        let unknowns = self.terms.unknowns;
+        let (mut tangent, mut forces) = (Mat::zeros(unknowns, unknowns), vec![0.0; unknowns]);
+        self.project(x, speed, Some(&mut tangent), Some(&mut forces));
+        forces.iter_mut().for_each(|f| *f *= rate);
+        tangent.mul_vec_add(dx, &mut forces);
+        Ok((0..self.orders.len()).map(|which| self.moved(x, which, (dx, &forces, rate))).collect())
+    }
+
+    /// Change of the motion at one order with changes of the unknowns, of the nonlinear forces on the terms, and of the speed, of the motion projected last.
+    fn moved(&mut self, x: &[f64], which: usize, (dx, df, rate): (&[f64], &[f64], f64)) -> Vec<C64> {
+        let (m, mu, k) = (self.nonlinear.kinds.len(), self.nonlinear.basis.rows.len(), self.terms.orders[which]);
+        let (mut du, mut f) = (vec![C64::zero(); m], vec![C64::zero(); m]);
+        self.terms.amplitudes(x, k, &mut self.amplitudes);
+        self.force_amplitudes(k);
+        self.terms.amplitudes(df, k, &mut f);
+        self.terms.amplitudes(dx, k, &mut du);
+        let (order, reference) = (&self.orders[which], &self.condenser.reference);
+        let held: Vec<C64> = (0..mu).map(|j| (self.forces[j] - self.amplitudes[j] * lossy(k, reference[j])).scale(rate)).collect();
+        let change: Vec<C64> = (0..mu).map(|j| f[j] - du[j] * lossy(k, reference[j])).collect();
+        let row = |i: usize| {
+            let start = order.free_speed[i].scale(rate);
+            (0..mu).fold(start, |sum, j| sum - order.spread_speed[(i, j)] * held[j] - order.spread[(i, j)] * change[j])
+        };
+        (0..order.free.len()).map(row).collect()
     }
 }

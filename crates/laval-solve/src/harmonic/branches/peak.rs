@@ -36,16 +36,19 @@ pub enum Sense {
     Least,
 }
 
-/// Points followed at most: a peak is sought within two steps of the branch.
+/// Points followed at most.
 const POINTS: usize = 40;
 
 /// The peak (or least value) next to point `i` of a branch, where it is larger (less) than at the points beside. `None` where the branch ends or turns back
 /// before it falls (rises) again.
 pub fn refine(balance: &mut Balance, branch: &Traced, i: usize, measure: Measure, sense: Sense, (lo, hi): (f64, f64)) -> Option<Peak> {
-    let (before, at) = (branch.points.get(i.checked_sub(1)?)?, branch.points.get(i)?);
-    branch.points.get(i + 1)?;
+    let (before, at, after) = (branch.points.get(i.checked_sub(1)?)?, branch.points.get(i)?, branch.points.get(i + 1)?);
     let direction = if at.speed > before.speed { Direction::Up } else { Direction::Down };
-    let settings = Settings { max_points: POINTS, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) };
+    // no further than one of these steps beyond the points
+    let speeds = [before.speed, at.speed, after.speed];
+    let (least, most) = speeds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &w| (a.min(w), b.max(w)));
+    let range = (lo.max(2.0 * least - most), hi.min(2.0 * most - least));
+    let settings = Settings { max_points: POINTS, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(range.0, range.1) };
     let size = |balance: &mut Balance, x: &[f64], speed: f64| {
         Some(measure.largest(balance.system, &Orbit::of(balance, x, speed).ok()?, branch.turns()).0)
     };
@@ -75,13 +78,12 @@ pub fn refine(balance: &mut Balance, branch: &Traced, i: usize, measure: Measure
 /// Slope of the square along a branch: at the instant of the largest value, by central differences along the tangent.
 fn slope(balance: &mut Balance, point: &Point, measure: Measure, turns: usize, unit: f64) -> Option<f64> {
     let system = balance.system;
-    let tau = measure.largest(system, &Orbit::of(balance, &point.x, point.p).ok()?, turns).1;
+    balance.condense(point.p, true).ok()?;
+    let orbit = Orbit::of(balance, &point.x, point.p).ok()?;
+    let tau = measure.largest(system, &orbit, turns).1;
     let size = point.x.iter().zip(balance.scales()).map(|(x, s)| (x / s) * (x / s)).sum::<f64>().sqrt().max(1.0);
     let step = 1e-5 * size;
-    let mut square = |h: f64| {
-        let x: Vec<f64> = point.x.iter().zip(&point.dx_ds).map(|(x, d)| x + h * d).collect();
-        let orbit = Orbit::of(balance, &x, point.p + h * point.dp_ds).ok()?;
-        Some(measure.square_at(system, &orbit, turns, tau))
-    };
-    Some((square(step)? - square(-step)?) / (4.0 * step * unit * unit))
+    let beside = orbit.beside(balance, (&point.x, point.p), (&point.dx_ds, point.dp_ds), step).ok()?;
+    let [less, more] = beside.map(|orbit| measure.square_at(system, &orbit, turns, tau));
+    Some((more - less) / (4.0 * step * unit * unit))
 }
