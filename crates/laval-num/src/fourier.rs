@@ -30,6 +30,45 @@ pub fn unit_root(k: i64, n: u64) -> C64 {
     }
 }
 
+/// Largest value over the period of the trigonometric polynomial through equidistant samples: of a signal whose harmonics are fewer than half of the samples,
+/// its own largest value. At least the largest sample; NaN where one is.
+///
+/// ```
+/// let samples: Vec<f64> = (0..12).map(|j| 2.0 + (j as f64 * std::f64::consts::TAU / 12.0 - 0.2).cos()).collect();
+/// assert!((laval_num::fourier::largest(&samples) - 3.0).abs() < 1e-14);
+/// ```
+pub fn largest(samples: &[f64]) -> f64 {
+    let n = samples.len() as u64;
+    let Some(top) = (0..samples.len()).max_by(|&a, &b| samples[a].total_cmp(&samples[b])) else { return f64::NAN };
+    if samples.iter().any(|x| !x.is_finite()) {
+        return if samples.iter().any(|x| x.is_nan()) { f64::NAN } else { samples[top] };
+    }
+    let amplitude = |k: i64| {
+        let sum = samples.iter().zip(0..).fold(C64::ZERO, |sum, (&x, j)| sum + unit_root(-k * j, n).scale(x));
+        // the cosine of half as many periods as samples stands for both directions
+        sum.scale(if 2 * k == n as i64 { 1.0 } else { 2.0 } / n as f64)
+    };
+    let amplitudes: Vec<C64> = (1..=n as i64 / 2).map(amplitude).collect();
+    let mean = samples.iter().sum::<f64>() / n as f64;
+    let at = |phase: f64| {
+        amplitudes.iter().zip(1..).fold([mean, 0.0, 0.0], |[x, dx, ddx], (a, k)| {
+            let (z, k) = (*a * C64::cis(f64::from(k) * phase), f64::from(k));
+            [x + z.re, dx - k * z.im, ddx - k * k * z.re]
+        })
+    };
+    let step = 2.0 * PI / n as f64;
+    let (mut phase, mut best) = (top as f64 * step, samples[top]);
+    for _ in 0..8 {
+        let [x, dx, ddx] = at(phase);
+        best = best.max(x);
+        if !(ddx < 0.0) {
+            break;
+        }
+        phase -= (dx / ddx).clamp(-step, step);
+    }
+    best
+}
+
 /// Samples per period with which the harmonics 0..=H of a polynomial of degree p in signals with harmonics 0..=H are free of aliasing:
 /// `(p + 1) H + 1`. One less is not enough: harmonic p H then falls on harmonic -H.
 pub fn samples_for(degree: usize, harmonics: usize) -> usize {

@@ -1,4 +1,4 @@
-//! Mass, centre of mass and moments of inertia of the bodies of a machine, from its mass matrix.
+//! Mass, centre of mass and moments of inertia of the bodies of a machine, from its mass matrix; liquids count in full, as if they were rigid.
 
 use super::forces::inertia;
 use crate::model::part::DofKind;
@@ -76,6 +76,12 @@ pub fn mass_properties(system: &System) -> Vec<MassProperties> {
             if fields.about_y.is_some() {
                 let (tilted, turning) = of(&locals[1]);
                 sums = [mass, dot(&locals[0], &tilted), dot(&locals[1], &tilted), dot(&locals[2], &turning)];
+            }
+            let liquid = slot.part.filling().and_then(|f| f.rigid(&system.params()[slot.params.clone()]));
+            if let Some([own, polar, diametral]) = liquid {
+                // the mass matrix holds what moves with the body at once
+                let height = if mass == 0.0 { 0.0 } else { sums[1] / mass };
+                sums = [own, own * height, diametral + own * height * height, polar];
             }
             if sums.iter().all(|x| *x == 0.0) {
                 continue;

@@ -55,7 +55,7 @@ forced-response-other-spins = The unbalance of what turns with { $spins } acts a
 
 forced-response-shaft-vibration = { $part } vibrates { $value } peak to peak at { $speed }: { $standard ->
         [api_617] within the limit of { $limit } (API 617)
-       *[iso_7919_3] zone { $zone } of ISO 7919-3, which reaches up to { $limit } for unrestricted operation
+       *[iso_7919_3] zone { $zone } of ISO 7919-3; unrestricted operation reaches up to { $limit }
     }.
 forced-response-shaft-vibration-broken = { $part } vibrates { $value } peak to peak at { $speed }, above { $limit } ({ $standard ->
         [api_617] API 617

@@ -23,6 +23,7 @@ headline-unknown = Stability at { $speed } was not computed.
 headline-unknown-table = Stability at { $speed } was not computed: the coefficients of "{ $part }" hold only at frequencies of vibration from { $from } to { $to }; the study "modes" gives the modes at these frequencies, and rows for other frequencies in the table give the rest.
 headline-no-speed = No operating speed is set.
 headline-limit = Not met: { $checks }.
+headline-not-checked = Required and not checked: { $checks }.
 headline-several = Which of several steady responses occurs depends on the run-up.
 headline-validity = Not all results are within validity.
 headline-buckled = At rest the machine does not hold its position (buckling): a displacement grows by the factor e in { $time }.

@@ -7,7 +7,7 @@ stability-threshold-none = The machine stays stable at { $speed } up to a cross-
 stability-threshold-unknown = No threshold was found at { $speed } up to a cross-coupled stiffness of { $value } at { $place }; stability up to there is not proven.
 stability-threshold-base = Without cross-coupled stiffness the least logarithmic decrement of the modes that are followed is, at { $speed }, { $value }: mode { $mode }, { $whirl } at { $frequency }.
 stability-threshold-unstable-without = The machine is unstable at { $speed } without cross-coupled stiffness: mode { $mode }, { $whirl } at { $frequency }, logarithmic decrement { $value }.
-stability-threshold-level-1 = Level 1 passed (API 684, SP6.8.5.10): logarithmic decrement { $value } with the anticipated { $anticipated }, at least { $least_decrement } required; threshold { $reached ->
+stability-threshold-level-1 = Level 1 passed (API 684, SP6.8.5.10): logarithmic decrement { $value } of the first forward mode, mode { $mode }, with the anticipated { $anticipated }, at least { $least_decrement } required; threshold { $reached ->
         [yes] { $ratio }
        *[no] more than { $ratio }
     } times the anticipated stiffness, at least { $least_ratio } required.{ $density ->
@@ -15,14 +15,14 @@ stability-threshold-level-1 = Level 1 passed (API 684, SP6.8.5.10): logarithmic 
         [region] {" "}{ $region } All three criteria are met.
        *[no] {""}
     }
-stability-threshold-level-2 = Level 2 analysis required (API 684, SP6.8.5.10): logarithmic decrement { $value } with the anticipated { $anticipated }, at least { $least_decrement } required; threshold { $reached ->
+stability-threshold-level-2 = Level 2 analysis required (API 684, SP6.8.5.10): logarithmic decrement { $value } of the first forward mode, mode { $mode }, with the anticipated { $anticipated }, at least { $least_decrement } required; threshold { $reached ->
         [yes] { $ratio }
        *[no] more than { $ratio }
     } times the anticipated stiffness, at least { $least_ratio } required.{ $density ->
         [region] {" "}{ $region }
        *[other] {""}
     }
-stability-threshold-level-open = Level 1 is not decided (API 684, SP6.8.5.10): logarithmic decrement { $value } with the anticipated { $anticipated }; { $reached ->
+stability-threshold-level-open = Level 1 is not decided (API 684, SP6.8.5.10): logarithmic decrement { $value } of the first forward mode, mode { $mode }, with the anticipated { $anticipated }; { $reached ->
         [yes] threshold { $ratio } times that.
        *[no] no threshold was found up to { $ratio } times that. Raise up_to.
     }{ $density ->

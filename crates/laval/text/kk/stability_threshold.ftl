@@ -7,7 +7,7 @@ stability-threshold-none = { $speed } кезінде машина { $place } н�
 stability-threshold-unknown = { $speed } кезінде { $place } нүктесіндегі { $value } айқас қатаңдыққа дейін шек табылмады; оған дейінгі орнықтылық дәлелденбеген.
 stability-threshold-base = Айқас қатаңдықсыз { $speed } кезінде қадағаланған модалардың ең кіші логарифмдік декременті { $value }: { $mode }-мода, { $frequency } жиіліктегі { $whirl }.
 stability-threshold-unstable-without = { $speed } кезінде машина айқас қатаңдықсыз да орнықсыз: { $mode }-мода, { $frequency } жиіліктегі { $whirl }, логарифмдік декремент { $value }.
-stability-threshold-level-1 = 1-деңгей орындалды (API 684, SP6.8.5.10): күтілетін { $anticipated } қатаңдықта логарифмдік декремент { $value }, кемінде { $least_decrement } талап етіледі; шектің күтілетін қатаңдыққа қатынасы { $reached ->
+stability-threshold-level-1 = 1-деңгей орындалды (API 684, SP6.8.5.10): күтілетін { $anticipated } қатаңдықта бірінші тура мода ({ $mode }-мода) логарифмдік декременті { $value }, кемінде { $least_decrement } талап етіледі; шектің күтілетін қатаңдыққа қатынасы { $reached ->
         [yes] { $ratio }
        *[no] { $ratio } мәнінен үлкен
     }, кемінде { $least_ratio } талап етіледі.{ $density ->
@@ -15,14 +15,14 @@ stability-threshold-level-1 = 1-деңгей орындалды (API 684, SP6.8.
         [region] {" "}{ $region } Үш критерийдің бәрі орындалды.
        *[no] {""}
     }
-stability-threshold-level-2 = 2-деңгейлі талдау қажет (API 684, SP6.8.5.10): күтілетін { $anticipated } қатаңдықта логарифмдік декремент { $value }, кемінде { $least_decrement } талап етіледі; шектің күтілетін қатаңдыққа қатынасы { $reached ->
+stability-threshold-level-2 = 2-деңгейлі талдау қажет (API 684, SP6.8.5.10): күтілетін { $anticipated } қатаңдықта бірінші тура мода ({ $mode }-мода) логарифмдік декременті { $value }, кемінде { $least_decrement } талап етіледі; шектің күтілетін қатаңдыққа қатынасы { $reached ->
         [yes] { $ratio }
        *[no] { $ratio } мәнінен үлкен
     }, кемінде { $least_ratio } талап етіледі.{ $density ->
         [region] {" "}{ $region }
        *[other] {""}
     }
-stability-threshold-level-open = 1-деңгей шешілмеді (API 684, SP6.8.5.10): күтілетін { $anticipated } қатаңдықта логарифмдік декремент { $value }; { $reached ->
+stability-threshold-level-open = 1-деңгей шешілмеді (API 684, SP6.8.5.10): күтілетін { $anticipated } қатаңдықта бірінші тура мода ({ $mode }-мода) логарифмдік декременті { $value }; { $reached ->
         [yes] шектің оған қатынасы { $ratio }.
        *[no] { $ratio } қатынасқа дейін шек табылмады. up_to мәнін үлкейтіңіз.
     }{ $density ->

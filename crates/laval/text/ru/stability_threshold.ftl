@@ -7,7 +7,7 @@ stability-threshold-none = При { $speed } машина остаётся ус�
 stability-threshold-unknown = При { $speed } порог не найден до перекрёстной жёсткости { $value } в точке { $place }; устойчивость до неё не доказана.
 stability-threshold-base = Без перекрёстной жёсткости наименьший логарифмический декремент прослеженных мод при { $speed } равен { $value }: мода { $mode }, { $whirl } на частоте { $frequency }.
 stability-threshold-unstable-without = При { $speed } машина неустойчива и без перекрёстной жёсткости: мода { $mode }, { $whirl } на частоте { $frequency }, логарифмический декремент { $value }.
-stability-threshold-level-1 = Уровень 1 выполнен (API 684, SP6.8.5.10): логарифмический декремент { $value } при ожидаемой жёсткости { $anticipated }, требуется не менее { $least_decrement }; отношение порога к ожидаемой жёсткости { $reached ->
+stability-threshold-level-1 = Уровень 1 выполнен (API 684, SP6.8.5.10): логарифмический декремент первой прямой моды, моды { $mode }, { $value } при ожидаемой жёсткости { $anticipated }, требуется не менее { $least_decrement }; отношение порога к ожидаемой жёсткости { $reached ->
         [yes] { $ratio }
        *[no] больше { $ratio }
     }, требуется не менее { $least_ratio }.{ $density ->
@@ -15,14 +15,14 @@ stability-threshold-level-1 = Уровень 1 выполнен (API 684, SP6.8.
         [region] {" "}{ $region } Все три критерия выполнены.
        *[no] {""}
     }
-stability-threshold-level-2 = Требуется анализ уровня 2 (API 684, SP6.8.5.10): логарифмический декремент { $value } при ожидаемой жёсткости { $anticipated }, требуется не менее { $least_decrement }; отношение порога к ожидаемой жёсткости { $reached ->
+stability-threshold-level-2 = Требуется анализ уровня 2 (API 684, SP6.8.5.10): логарифмический декремент первой прямой моды, моды { $mode }, { $value } при ожидаемой жёсткости { $anticipated }, требуется не менее { $least_decrement }; отношение порога к ожидаемой жёсткости { $reached ->
         [yes] { $ratio }
        *[no] больше { $ratio }
     }, требуется не менее { $least_ratio }.{ $density ->
         [region] {" "}{ $region }
        *[other] {""}
     }
-stability-threshold-level-open = Уровень 1 не решён (API 684, SP6.8.5.10): логарифмический декремент { $value } при ожидаемой жёсткости { $anticipated }; { $reached ->
+stability-threshold-level-open = Уровень 1 не решён (API 684, SP6.8.5.10): логарифмический декремент первой прямой моды, моды { $mode }, { $value } при ожидаемой жёсткости { $anticipated }; { $reached ->
         [yes] отношение порога к ней { $ratio }.
        *[no] порог не найден до отношения { $ratio }. Увеличьте up_to.
     }{ $density ->

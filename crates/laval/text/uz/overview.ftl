@@ -23,6 +23,7 @@ headline-unknown = { $speed } tezlikda turg‘unlik hisoblanmagan.
 headline-unknown-table = { $speed } tezlikda turg‘unlik hisoblanmagan: "{ $part }" koeffitsiyentlari faqat { $from } dan { $to } gacha bo‘lgan tebranish chastotalari uchun berilgan; bu chastotalardagi modalarni "modes" hisobi beradi, qolganlari uchun jadvalga boshqa chastotalar qatorlarini qo‘shing.
 headline-no-speed = Ish tezligi berilmagan.
 headline-limit = Bajarilmagan talablar: { $checks }.
+headline-not-checked = Talab qilingan, lekin tekshirilmagan: { $checks }.
 headline-buckled = Tinch holatda mashina o‘z o‘rnini saqlamaydi (statik noturg‘unlik): siljish { $time } ichida e marta o‘sadi.
 headline-jump = { $kind ->
         [jump] Javob { $speed } tezlikda sakraydi

@@ -7,7 +7,7 @@ stability-threshold-none = { $speed } da mashina { $place } nuqtasidagi { $value
 stability-threshold-unknown = { $speed } da { $place } nuqtasidagi { $value } kesishma bikrlikkacha chegara topilmadi; ungacha turg‘unlik isbotlanmagan.
 stability-threshold-base = Kesishma bikrliksiz { $speed } da kuzatilgan modalarning eng kichik logarifmik dekrementi { $value }: { $mode }-moda, { $frequency } chastotadagi { $whirl }.
 stability-threshold-unstable-without = { $speed } da mashina kesishma bikrliksiz ham noturg‘un: { $mode }-moda, { $frequency } chastotadagi { $whirl }, logarifmik dekrement { $value }.
-stability-threshold-level-1 = 1-daraja bajarildi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda logarifmik dekrement { $value }, kamida { $least_decrement } talab qilinadi; chegaraning kutilgan bikrlikka nisbati { $reached ->
+stability-threshold-level-1 = 1-daraja bajarildi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda birinchi to‘g‘ri moda ({ $mode }-moda) logarifmik dekrementi { $value }, kamida { $least_decrement } talab qilinadi; chegaraning kutilgan bikrlikka nisbati { $reached ->
         [yes] { $ratio }
        *[no] { $ratio } dan katta
     }, kamida { $least_ratio } talab qilinadi.{ $density ->
@@ -15,14 +15,14 @@ stability-threshold-level-1 = 1-daraja bajarildi (API 684, SP6.8.5.10): kutilgan
         [region] {" "}{ $region } Uchala mezon bajarildi.
        *[no] {""}
     }
-stability-threshold-level-2 = 2-darajali tahlil kerak (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda logarifmik dekrement { $value }, kamida { $least_decrement } talab qilinadi; chegaraning kutilgan bikrlikka nisbati { $reached ->
+stability-threshold-level-2 = 2-darajali tahlil kerak (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda birinchi to‘g‘ri moda ({ $mode }-moda) logarifmik dekrementi { $value }, kamida { $least_decrement } talab qilinadi; chegaraning kutilgan bikrlikka nisbati { $reached ->
         [yes] { $ratio }
        *[no] { $ratio } dan katta
     }, kamida { $least_ratio } talab qilinadi.{ $density ->
         [region] {" "}{ $region }
        *[other] {""}
     }
-stability-threshold-level-open = 1-daraja hal qilinmadi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda logarifmik dekrement { $value }; { $reached ->
+stability-threshold-level-open = 1-daraja hal qilinmadi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda birinchi to‘g‘ri moda ({ $mode }-moda) logarifmik dekrementi { $value }; { $reached ->
         [yes] chegaraning unga nisbati { $ratio }.
        *[no] { $ratio } nisbatgacha chegara topilmadi. up_to ni oshiring.
     }{ $density ->

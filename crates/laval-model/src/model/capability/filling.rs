@@ -1,6 +1,6 @@
 //! Liquid that fills a cavity of a body.
 
-use super::super::params::Parametric;
+use super::super::params::{Parametric, Params};
 
 /// A part that is a liquid in a cavity.
 pub trait Filling: Parametric {
@@ -12,6 +12,9 @@ pub trait Filling: Parametric {
     fn cavity(&self) -> Option<[&'static str; 3]> {
         None
     }
+    /// Mass, kg, and moments of inertia, kg m^2, about the axis of the cavity and about an axis across it through the middle, of the liquid as if it were rigid. What
+    /// moves with the body is less.
+    fn rigid(&self, p: &Params<Self, f64>) -> Option<[f64; 3]>;
 }
 
 /// The object-safe face.
@@ -22,6 +25,7 @@ pub mod erased {
         fn density(&self) -> &'static str;
         fn damping(&self) -> &'static str;
         fn cavity(&self) -> Option<[&'static str; 3]>;
+        fn rigid(&self, p: &[f64]) -> Option<[f64; 3]>;
     }
 
     impl<T: super::Filling> Filling for T {
@@ -33,6 +37,9 @@ pub mod erased {
         }
         fn cavity(&self) -> Option<[&'static str; 3]> {
             super::Filling::cavity(self)
+        }
+        fn rigid(&self, p: &[f64]) -> Option<[f64; 3]> {
+            super::Filling::rigid(self, &self.given(p))
         }
     }
 }

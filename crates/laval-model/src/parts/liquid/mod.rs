@@ -536,6 +536,11 @@ impl Filling for Liquid {
     fn cavity(&self) -> Option<[&'static str; 3]> {
         Some(["cavity_radius", "free_surface_radius", "cavity_height"])
     }
+    fn rigid(&self, p: &Params<Self, f64>) -> Option<[f64; 3]> {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        let (mass, squares) = (full - void, p.cavity_radius.powi(2) + p.free_surface_radius.powi(2));
+        (self.fill != Fill::Empty).then_some([mass, 0.5 * mass * squares, mass * (0.25 * squares + p.cavity_height.powi(2) / 12.0)])
+    }
 }
 
 impl FrequencyDomain for Liquid {

@@ -256,17 +256,20 @@ impl Shown<'_> {
         outcome
     }
 
-    /// Distance of the operating speed from the nearest critical speed or peak.
+    /// Distance of the operating speeds from the nearest critical speed or peak, over the operating speed next to it.
     fn margin(&self) -> Option<Finding> {
         // a machine at rest has no distance in parts of its speed
         let w = self.system.machine.speed.filter(|w| *w != 0.0)?;
-        let near = |x: &Critical, y: &Critical| (x.speed - w).abs().total_cmp(&(y.speed - w).abs());
+        let (a, b) = operation::among(&self.system.machine.extras).speed.unwrap_or((w, w));
+        let beside = |x: f64| x.clamp(a.min(b), a.max(b));
+        let distance = |x: f64| (x - beside(x)).abs() / beside(x).abs();
+        let near = |x: &Critical, y: &Critical| distance(x.speed).total_cmp(&distance(y.speed));
         // a mode with a tenth of critical damping or more does not show as a resonance
         let lightly = || self.result.crossings.iter().filter(|c| damping(c).abs() < 0.1);
         let excited = |c: &&Critical| !self.forced() || c.order != 1.0 || self.own_peak(c).is_some();
-        let peak = self.loose.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));
+        let peak = self.loose.iter().min_by(|a, b| distance(a.speed).total_cmp(&distance(b.speed)));
         let close = lightly().filter(excited).min_by(|a, b| near(a, b));
-        let peak = peak.filter(|p| close.is_none_or(|c| (p.speed - w).abs() < (c.speed - w).abs()));
+        let peak = peak.filter(|p| close.is_none_or(|c| distance(p.speed) < distance(c.speed)));
         // without any that the load excites the nearest of the others is named, and is no reason for a warning
         let (close, quiet) = match (peak, close) {
             (None, None) => (lightly().min_by(|a, b| near(a, b)), true),
@@ -274,7 +277,7 @@ impl Shown<'_> {
             _ => (None, false),
         };
         let speed = peak.map(|p| p.speed).or(close.map(|c| c.speed))?;
-        let distance = (speed - w).abs() / w.abs();
+        let (w, distance) = (beside(speed), distance(speed));
         // which is the nearest, and whether the load excites it, is known of a whole search alone
         let near = self.complete() && !quiet && distance < self.study.margin;
         let finding = match (distance <= SAME, near) {

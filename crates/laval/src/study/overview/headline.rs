@@ -90,6 +90,12 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
             headline.push(Message::new("headline-validity"));
         }
     }
+    // what the file requires and nothing computed is not met
+    let open: Vec<Arg> = page.checks.iter().filter(|c| is_open(facts, c)).map(|c| c.what.clone().into()).collect();
+    if !open.is_empty() && stability == Verdict::Passed {
+        verdict = verdict.max(Verdict::Attention);
+        headline.push(Message::new("headline-not-checked").arg("checks", Arg::List(open)));
+    }
     if let Some(buckled) = buckled {
         verdict = verdict.max(Verdict::Attention);
         headline.insert(if verdict == Verdict::Failed { 0 } else { headline.len() }, buckled);
@@ -98,6 +104,25 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
     let next = next(facts, &page.checks, over, speed);
     (page.verdict, page.headline, page.next) = (verdict, headline, next);
     page.remarks = remarks.into_iter().flatten().collect();
+}
+
+/// A requirement of the file that was not assessed.
+fn is_open(facts: &Facts, check: &Check) -> bool {
+    let (operation, limits) = (&facts.operation, &facts.limits);
+    let required = match check.what.key.as_str() {
+        "check-resonance" => facts.resonance_margin().is_some(),
+        "check-instability" => operation.instability_margin.is_some(),
+        "check-damping" => operation.decrement.is_some(),
+        "check-vibration" => !limits.displacement.is_empty() || !limits.velocity.is_empty(),
+        "check-velocity" => !limits.velocity.is_empty(),
+        "check-others" => true,
+        "check-forces" => !limits.force.is_empty(),
+        "check-shaft-vibration" => operation.shaft_vibration.is_some(),
+        "check-housing-vibration" => operation.housing_vibration.is_some(),
+        "check-balance" => operation.balance_grade.is_some(),
+        _ => false,
+    };
+    required && check.verdict == Verdict::NotComputed
 }
 
 /// The nearest jump or bifurcation, and on which side it is.

@@ -82,12 +82,12 @@ impl<R> Known<R> {
         }
     }
 
-    /// That of the file where the page has no time for its own, or not for the whole of it.
+    /// That of the file where the page has none of its own, or no time for the whole of it.
     fn or_studied(self, whole: impl FnOnce(&R) -> bool, found: impl FnOnce() -> Found<R>) -> Known<R> {
         let open = match &self {
-            Known::TooLong => true,
+            Known::TooLong | Known::Refused(_) => true,
             Known::Yes(r) => !whole(r),
-            _ => false,
+            Known::Studied(..) => false,
         };
         match open.then(found).flatten() {
             Some((r, name)) => Known::Studied(r, name),

@@ -16,6 +16,7 @@ use crate::solve::linear_response::Response;
 use crate::solve::rest::clearance;
 use crate::study::shared::support::larger;
 use laval_num::complex::{C64, c};
+use laval_num::fourier;
 use laval_num::scalar::Scalar;
 
 /// Of a part that joins two points, at its largest over a turn, N.
@@ -58,6 +59,7 @@ fn force(system: &System, slot: &Slot, rest: &Equilibrium, r: &Response, instant
     D8::residual(&*slot.part, &lifted, &at, &mut out, &mut Blocks::default());
     let mut found = Force { part: slot.name.clone(), tangent: 0.0, law: 0.0 };
     let (mut force, mut spin) = (vec![0.0; n], 0.0);
+    let mut squares = Vec::new();
     for k in 0..instants {
         let turning = C64::cis(std::f64::consts::TAU * f64::from(k) / f64::from(instants));
         let real = |z: C64| (z * turning).re;
@@ -69,8 +71,8 @@ fn force(system: &System, slot: &Slot, rest: &Equilibrium, r: &Response, instant
         force.fill(0.0);
         let mut rows = Rows { force: &mut force, rate: &mut [], spin: &mut spin };
         slot.part.residual_f64(own, &slot.turned(system.params(), at), &mut rows, &mut Blocks::default());
-        found.tangent = larger(found.tangent, by_tangent(0).hypot(by_tangent(1)));
+        squares.push(by_tangent(0).powi(2) + by_tangent(1).powi(2));
         found.law = larger(found.law, force[0].hypot(force[1]));
     }
-    found
+    Force { tangent: fourier::largest(&squares).sqrt(), ..found }
 }

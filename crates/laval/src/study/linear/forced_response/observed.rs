@@ -11,7 +11,9 @@ use crate::solve::linear_response::{Response, response};
 use crate::solve::locate::State;
 use crate::solve::rest::clearance;
 use crate::solve::sectors::circular;
+use crate::study::shared::support::larger;
 use laval_num::complex::{C64, c};
+use laval_num::fourier;
 use laval_num::text::Text;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -217,6 +219,8 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
             }
             each.entry((slot, what)).or_insert_with(|| vec![0.0; points.len()])[row] = ratio;
         }
+        // the square of what a linear part shows has two harmonics: between the instants it is known as well
+        let mut squares = BTreeMap::<_, Vec<f64>>::new();
         for instant in &turn {
             for (slot, o) in system.observe(&instant.at(r.speed), &mut ws) {
                 let slot = &system.slots()[slot];
@@ -224,11 +228,12 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
                 if slot.physics != Physics::Linear || slot.memory > 0 || o.is_motion_of_body() {
                     continue;
                 }
-                let column: &mut Vec<f64> = out.entry((slot.name.clone(), o.name, o.unit)).or_insert_with(|| vec![0.0; points.len()]);
-                if o.value.abs() > column[row] || o.value.is_nan() {
-                    column[row] = o.value.abs();
-                }
+                squares.entry((slot.name.clone(), o.name, o.unit)).or_default().push(o.value * o.value);
             }
+        }
+        for (what, squares) in squares {
+            let column: &mut Vec<f64> = out.entry(what).or_insert_with(|| vec![0.0; points.len()]);
+            column[row] = larger(column[row], fourier::largest(&squares).sqrt());
         }
     }
     for (row, _) in points.iter().enumerate().filter(|(_, r)| !known(r)) {

@@ -106,7 +106,7 @@ anticipated = "1e6 N/m"
             "modes",
             FieldKind::Integer { min: 1, max: 100 },
             "4",
-            "modes followed: those that the stiffness makes unstable first, by their derivatives at 0",
+            "modes followed: those that the stiffness makes unstable first, by their derivatives at 0; the first forward mode is followed as well",
         ),
     ];
 
@@ -165,7 +165,13 @@ anticipated = "1e6 N/m"
         let mut values = self.values(Some(first).filter(|q| q.is_finite()))?;
         // those that grow without it are of interest, too
         let growing = starts.iter().filter(|s| s.at.value.re >= 0.0).count();
-        starts.truncate(self.modes.max(growing));
+        let kept = self.modes.max(growing);
+        if let Some(k) = first_forward(starts.iter().map(|s| &s.at)).filter(|k| *k >= kept) {
+            starts.swap(k, kept);
+            starts.truncate(kept + 1);
+        } else {
+            starts.truncate(kept);
+        }
         let total = values.len() as u64;
         context.announce((total * starts.len() as u64) as f64, 100_000.0, text!("roots to follow"));
         let each = |done: u64| {
@@ -192,6 +198,12 @@ anticipated = "1e6 N/m"
     fn keep(&self, result: Self::Result) -> Kept {
         Kept::of(self.clone(), result)
     }
+}
+
+/// The first forward mode, whose decrement the criteria of level 1 assess: the lowest of those that the stiffness drives and that are less than half critically damped.
+fn first_forward<'p>(all: impl Iterator<Item = &'p Point>) -> Option<usize> {
+    let driven = all.enumerate().filter(|(_, p)| p.slope.re > 0.0 && -p.value.re < 0.5 * p.value.abs());
+    driven.min_by(|a, b| a.1.value.im.total_cmp(&b.1.value.im)).map(|x| x.0)
 }
 
 impl StabilityThreshold {

@@ -1,7 +1,7 @@
 //! Tables, figure and findings of the stability over a cross-coupled stiffness.
 
 use super::region::{DENSE, Region, RigidLimit, speed_ratio_limit};
-use super::{StabilityThreshold, ThresholdResult, decrement};
+use super::{StabilityThreshold, ThresholdResult, decrement, first_forward};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Finding, Line as Curve, Message, Outcome, Panel, Points, Rule, SpecialPoint, Table};
@@ -49,6 +49,15 @@ impl Shown<'_> {
         let all = self.result.lines.lines.iter().enumerate();
         let there = all.flat_map(|(k, l)| l.points.iter().filter(|p| p.stiffness == stiffness).map(move |p| (k, p)));
         there.filter(|x| decrement(x.1).is_finite()).min_by(|a, b| decrement(a.1).total_cmp(&decrement(b.1)))
+    }
+
+    /// The first forward mode at a stiffness: at a value computed.
+    fn first_forward(&self, stiffness: f64) -> Option<(usize, &Point)> {
+        let lines = &self.result.lines.lines;
+        // those that were followed back do not begin at 0
+        let begun: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].points.first().is_some_and(|p| p.stiffness == 0.0)).collect();
+        let k = begun[first_forward(begun.iter().map(|&k| &lines[k].points[0]))?];
+        lines[k].points.iter().find(|p| p.stiffness == stiffness).map(|p| (k, p))
     }
 
     fn direction(&self, line: &Line) -> Message {
@@ -205,7 +214,7 @@ impl Shown<'_> {
     /// The criteria of level 1 at the anticipated stiffness.
     fn level_1(&self, complete: bool) -> Option<Finding> {
         let anticipated = self.study.anticipated?;
-        let (k, p) = self.least(anticipated)?;
+        let (k, p) = self.first_forward(anticipated).or_else(|| self.least(anticipated))?;
         let decrement = decrement(p);
         let ratio = self.first().map(|(_, c)| c.at.stiffness / anticipated);
         // without a threshold up to the largest value the ratio is at least that
