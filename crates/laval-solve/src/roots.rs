@@ -24,7 +24,7 @@ use crate::model::part::{Domain, Physics, TimeForm};
 use crate::model::system::System;
 use laval_model::text;
 use laval_num::complex::{C64, c};
-use laval_num::contour::{Function, Region, Sample, missing, zeros};
+use laval_num::contour::{Found, Function, Region, Sample, missing, zeros};
 use laval_num::eig;
 use laval_num::factor::{Directed, Factors, Selection};
 use laval_num::lanes::LANES;
@@ -432,13 +432,29 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 known.iter().map(|p| p.value).chain(lower).collect()
             };
             let (mut given, mut still) = (both(&known), 0);
-            let mut found = zeros(&mut f, &region, &given, budget);
-            out.evaluations += found.evaluations;
-            let slow = found.zeros.iter().filter(|z| z.abs() < SLOW * frequency).count();
-            if (found.missing != Some(0) || slow > 1)
-                && holds(&growth, &band, region.mirrored, C64::zero())
-                && let Some((AtZero { count, within }, evaluations)) = at_zero(&mut f, &known, (frequency, region.mirrored), budget)
-            {
+            let (first, evaluations) = missing(&mut f, &region, &given, budget);
+            out.evaluations += evaluations;
+            let zero_inside = holds(&growth, &band, region.mirrored, C64::zero());
+            // a search would divide the region about roots that lie in one place until nothing is left of it
+            let mut at_once = None;
+            if first != Some(0) && zero_inside {
+                at_once = at_zero(&mut f, &known, (frequency, region.mirrored), budget).filter(|a| a.0.count > 1);
+            }
+            let mut found = Found { zeros: Vec::new(), missing: first, evaluations: 0 };
+            if at_once.is_none() {
+                if first == Some(0) {
+                    let own = |z: &&C64| holds(&growth, &band, region.mirrored, **z) && (!region.mirrored || z.im >= 0.0);
+                    found.zeros = given.iter().filter(own).copied().collect();
+                } else {
+                    found = zeros(&mut f, &region, &given, budget);
+                    out.evaluations += found.evaluations;
+                }
+                let slow = found.zeros.iter().filter(|z| z.abs() < SLOW * frequency).count();
+                if (found.missing != Some(0) || slow > 1) && zero_inside {
+                    at_once = at_zero(&mut f, &known, (frequency, region.mirrored), budget);
+                }
+            }
+            if let Some((AtZero { count, within }, evaluations)) = at_once {
                 still = count;
                 known.retain(|p| p.value.abs() > within);
                 given = both(&known);

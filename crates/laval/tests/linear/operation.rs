@@ -3,7 +3,7 @@
 use super::overview::{ECCENTRICITY, MASS, STIFFNESS, check, jeffcott, number, page};
 use crate::common::files::load;
 use laval::file::load as read;
-use laval::outcome::{Arg, Finding, Outcome, Overview, Verdict};
+use laval::outcome::{Arg, Finding, Level, Outcome, Overview, Verdict};
 use laval::study::{Context, overview, presentation};
 use std::f64::consts::TAU;
 
@@ -53,6 +53,59 @@ fn a_resonance_among_the_operating_speeds_has_no_margin() {
     for margin in ["0.1", "0.0"] {
         let p = of(&format!("speed = {{ from = 80.0, to = 120.0 }}\nresonance_margin = {margin}"), 4.0);
         assert_eq!(p.verdict, Verdict::Failed, "{margin}");
+    }
+}
+
+/// The study of critical speeds measures its margin as the page does: from the nearest operating speed, also from the lower end of a range.
+#[test]
+fn a_study_measures_from_the_nearest_operating_speed() {
+    let margin = |range: &str| {
+        let more = format!(
+            "[operation]\nspeed = {range}\nresonance_margin = 0.15\n[[study]]\nkind = \"critical_speeds\"\nspeed = {{ from = 20.0, to = 300.0 }}\n"
+        );
+        let text = jeffcott("", 4.0, &more);
+        let loaded = load(&text);
+        let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("study")).unwrap_or_else(|d| panic!("{d:?}"));
+        let f = o.findings.iter().find(|f| f.id == "margin").expect("a margin").clone();
+        (f.value.unwrap(), f.level, f.evidence.iter().find(|e| e.what.to_string() == "its speed").unwrap().value)
+    };
+    for (range, end) in [("{ from = 103.0, to = 200.0 }", 103.0), ("{ from = 40.0, to = 97.0 }", 97.0), ("97.0", 97.0)] {
+        let (value, level, place) = margin(range);
+        assert!((value - (place - end).abs() / end).abs() < 1e-12 && value < 0.04 && level == Level::Warning, "{range}: {value} {place}");
+    }
+    let (inside, level, _) = margin("{ from = 80.0, to = 200.0 }");
+    assert_eq!((inside, level), (0.0, Level::Warning));
+    assert_eq!(margin("{ from = 150.0, to = 200.0 }").1, Level::Info);
+}
+
+/// Coefficients that begin above the lowest speed of the page: margins come from the studies of the file, and what no study computed is open and not green.
+#[test]
+fn a_margin_that_is_required_and_not_computed_is_not_green() {
+    let text = |margins: &str, studies: &str| {
+        format!(
+            "[machine]\nname = \"rotor\"\nspeed = 104.0\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = {MASS}\neccentricity = {ECCENTRICITY}\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"spring\"\nbetween = [\"disc\", \"ground\"]\n[part.table]\nspeed = [50.0, 200.0]\n\
+             kxx = [{STIFFNESS}, {STIFFNESS}]\nkyy = [{STIFFNESS}, {STIFFNESS}]\ncxx = [4.0, 4.0]\ncyy = [4.0, 4.0]\n\
+             [operation]\nspeed = 104.0\n{margins}{studies}"
+        )
+    };
+    let study = |kind: &str| format!("[[study]]\nkind = \"{kind}\"\nspeed = {{ from = 50.0, to = 200.0 }}\n");
+    let open = page(&text("resonance_margin = 0.15\ninstability_margin = 0.1\n", ""));
+    assert_eq!(
+        (check(&open, "check-resonance").verdict, check(&open, "check-instability").verdict),
+        (Verdict::NotComputed, Verdict::NotComputed)
+    );
+    let said = open.headline.iter().find(|m| m.key == "headline-not-checked").unwrap_or_else(|| panic!("{:?}", open.headline));
+    assert!(open.verdict == Verdict::Attention && matches!(said.arg_named("checks"), Some(Arg::List(l)) if l.len() == 2), "{said:?}");
+    // nothing is required
+    assert_eq!(page(&text("", "")).verdict, Verdict::Passed);
+    for kind in ["critical_speeds", "campbell"] {
+        let p = page(&text("resonance_margin = 0.15\n", &(study(kind) + &study("forced_response"))));
+        let near = check(&p, "check-resonance");
+        assert_eq!((p.verdict, near.verdict), (Verdict::Failed, Verdict::Failed), "{kind}: {:?}", p.headline);
+        let expected = (104.0 - peak(4.0).0) / 104.0;
+        assert!((near.margin.unwrap() - expected).abs() < 1e-3, "{kind}: {near:?} {expected}");
+        assert_eq!(check(&p, "check-instability").verdict, Verdict::Passed, "{kind}");
     }
 }
 

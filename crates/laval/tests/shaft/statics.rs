@@ -295,3 +295,33 @@ fn couplings_support_nothing() {
     let left_out = &result.rigid.expect("a bearing is a support").state.left_out;
     assert!(left_out[slot("b")] && !left_out[slot("head")]);
 }
+
+/// A cylindrical layer of liquid weighs what it holds, whatever part of it moves with the body: closed forms of a hollow cylinder, and the weight that the bearing carries.
+#[test]
+fn liquids_count_in_full() {
+    let (density, radius, height, mass) = (920.0, 0.21, 0.18, 6.0);
+    let free = (radius * radius - mass / (density * std::f64::consts::PI * height)).sqrt();
+    const STIFFNESS: f64 = 1e7;
+    for (model, tilts) in [("planar", false), ("planar_tilt", true), ("frozen", true)] {
+        let (tilt, hold) = if tilts { ("diametral_inertia = 0.4\n", "tilt_stiffness = 1e4\n") } else { ("", "") };
+        let system = load(&format!(
+            "[machine]\nname = \"drum\"\nspeed = 300.0\naxis = \"horizontal\"\n\
+             [[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 10.0\npolar_inertia = 0.5\n{tilt}\
+             [[part]]\nkind = \"liquid\"\nname = \"oil\"\nin = \"drum\"\nmodel = \"{model}\"\ncavity_radius = {radius}\ncavity_height = {height}\n\
+             density = {density}\nfill = {{ mass = {mass} }}\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"bearing\"\nbetween = [\"drum\", \"ground\"]\nstiffness = {STIFFNESS}\n{hold}"
+        ))
+        .system;
+        let result = solved(&system, 300.0);
+        let of = |part: Option<usize>| result.masses.iter().find(|m| m.part == part).unwrap();
+        let (oil, whole) = (of(system.slots().iter().position(|s| s.name == "oil")), of(None));
+        near(oil.mass, mass, 1e-9, mass, model);
+        near(whole.mass, 10.0 + mass, 1e-9, mass, model);
+        if !tilt.is_empty() {
+            let squares = radius * radius + free * free;
+            near(oil.polar, 0.5 * mass * squares, 1e-9, mass, model);
+            near(oil.diametral, mass * (0.25 * squares + height * height / 12.0), 1e-9, mass, model);
+        }
+        near(-result.own.state.q[1] * STIFFNESS, whole.mass * GRAVITY, 1e-6, mass * GRAVITY, model);
+    }
+}

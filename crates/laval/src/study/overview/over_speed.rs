@@ -169,7 +169,7 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
         let mut light = found.filter(|c| c.driven_by_unbalance() && c.located() && damping(c).abs() < LIGHT);
         light.any(|c| (c.speed - e.speed).abs() < SAME * e.speed.abs())
     };
-    for e in sorted.into_iter().filter(|e| (size(e) >= SMALL * largest || critical(e)) && rises(e)) {
+    for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest && rises(e) || critical(e)) {
         if out.iter().any(|r| (r.speed - facts.sign * e.speed).abs() < SAME * e.speed.abs()) {
             continue;
         }
