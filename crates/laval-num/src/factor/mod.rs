@@ -111,6 +111,20 @@ impl Number for f64 {
     fn polar(self) -> (f64, f64) {
         (self.abs().ln(), if self < 0.0 { std::f64::consts::PI } else { 0.0 })
     }
+    /// Four at once: bands are narrow, and a loop for wide ones costs more than it saves.
+    #[inline(always)]
+    fn less(numbers: &mut [Self], factors: &[f64], x: Self) {
+        let (fours, last) = numbers.as_chunks_mut::<4>();
+        let (own, rest) = factors.as_chunks::<4>();
+        for (r, l) in fours.iter_mut().zip(own) {
+            for k in 0..4 {
+                r[k] -= l[k] * x;
+            }
+        }
+        for (r, l) in last.iter_mut().zip(rest) {
+            *r -= l * x;
+        }
+    }
 }
 
 impl Number for C64 {

@@ -309,7 +309,7 @@ fn liquids_count_in_full() {
              [[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 10.0\npolar_inertia = 0.5\n{tilt}\
              [[part]]\nkind = \"liquid\"\nname = \"oil\"\nin = \"drum\"\nmodel = \"{model}\"\ncavity_radius = {radius}\ncavity_height = {height}\n\
              density = {density}\nfill = {{ mass = {mass} }}\n\
-             [[part]]\nkind = \"bearing_linear\"\nname = \"bearing\"\nbetween = [\"drum\", \"ground\"]\nstiffness = {STIFFNESS}\n{hold}"
+             [[part]]\nkind = \"shaft_lumped\"\nname = \"support\"\nbetween = [\"drum\", \"ground\"]\nstiffness = {STIFFNESS}\n{hold}"
         ))
         .system;
         let result = solved(&system, 300.0);

@@ -103,7 +103,8 @@ impl Shown<'_> {
         }
         let states = || response.branches.iter().flat_map(|b| &b.points);
         let (all, known) = (states().count(), states().filter(|p| p.exponents.is_some()).count());
-        if let Some(why) = &response.unassessed {
+        // between two states something may not have been assessed
+        if let Some(why) = response.unassessed.as_ref().filter(|_| known < all) {
             let finding = match known {
                 0 => Finding::warning("stability_unknown", "nonlinear-response-stability-unknown"),
                 _ => Finding::warning("stability_unknown", "nonlinear-response-stability-partly-unknown")
