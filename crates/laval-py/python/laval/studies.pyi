@@ -256,7 +256,7 @@ def stability_threshold(
             a density (kg/m^3, g/cm^3), above 0 and at most 10000 kg/m^3
         supports: names of the parts that support the rotor, separated by commas; every part with stiffness between what turns and what does not, unless given (optional).
             a text
-        modes: modes followed: those that the stiffness makes unstable first, by their derivatives at 0 (default 4).
+        modes: modes followed: those that the stiffness makes unstable first, by their derivatives at 0; the first forward mode is followed as well (default 4).
             a whole number from 1 to 100
 
     In a machine file::

@@ -401,3 +401,31 @@ fn the_major_axis_of_an_orbit_points_to_its_farthest_point() {
     (r.x[0], r.x[1]) = (laval_num::complex::C64::zero(), laval_num::complex::c(0.3, -0.4));
     assert_eq!(r.direction(0), std::f64::consts::FRAC_PI_2);
 }
+
+/// The largest force of a bearing over a turn is found between the instants that are looked at: closed form of a disc under its weight on unequal springs, by brute force over the turn.
+#[test]
+fn largest_forces_over_a_turn_are_exact() {
+    let (m, e, k, c, w, g) = (12.0, 4e-5, [3e6, 5e6], [700.0, 900.0], 420.0, 9.80665);
+    let text = format!(
+        "[machine]\nname = \"disc\"\nspeed = {w:?}\naxis = \"horizontal\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = {m:?}\neccentricity = {e:?}\neccentricity_phase = 0.37\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"b\"\nbetween = [\"d\", \"ground\"]\nkxx = {:?}\nkyy = {:?}\ncxx = {:?}\ncyy = {:?}\n\
+         [[study]]\nkind = \"forced_response\"\nspeed = {w:?}\n",
+        k[0], k[1], c[0], c[1]
+    );
+    let loaded = laval::file::load(&text).unwrap_or_else(|d| panic!("{d:?}"));
+    let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("response")).unwrap_or_else(|d| panic!("{d:?}"));
+    let t = o.tables.iter().find(|t| t.column("force.b").is_some()).expect("a force");
+    let found = t.column("force.b").unwrap().number(0).unwrap();
+    let spring = |i: usize| laval_num::complex::c(k[i], w * c[i]);
+    let amplitude = |i: usize, f: laval_num::complex::C64| f * spring(i) / (spring(i) - laval_num::complex::c(m * w * w, 0.0));
+    let unbalance = laval_num::complex::C64::cis(0.37).scale(m * e * w * w);
+    let [x, y] = [amplitude(0, unbalance), amplitude(1, -unbalance.mul_i())];
+    let size = |phase: f64| {
+        let turn = laval_num::complex::C64::cis(phase);
+        (x * turn).re.hypot((y * turn).re - m * g)
+    };
+    let exact = (0..400_000).map(|j| size(std::f64::consts::TAU * f64::from(j) / 400_000.0)).fold(0.0, f64::max);
+    assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
+    let sampled = (0..24).map(|j| size(std::f64::consts::TAU * f64::from(j) / 24.0)).fold(0.0, f64::max);
+    assert!(sampled < exact * (1.0 - 1e-4), "{sampled} {exact}");
+}

@@ -11,6 +11,8 @@ use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::{Linearised, MachineMode};
 use laval::solve::rest::rest;
+use laval::solve::roots::{Request, has_more_modes, roots};
+use laval_num::complex::C64;
 
 const RATIO: f64 = -1.4;
 
@@ -254,6 +256,56 @@ fn geared_wheels_have_the_frequencies_of_the_secular_equation() {
     }
     assert_eq!(counts[1..], [2, 3], "{counts:?}");
     assert!(counts[0] >= 1, "the wheels roll");
+}
+
+/// Two long shafts in mesh that turn freely: the two roots at zero are counted at once, without a search that divides the plane about them, and the other modes are those of shafts that a soft
+/// spring holds.
+#[test]
+fn shafts_that_turn_freely_are_counted_at_once() {
+    let shaft = |name: &str, spin: &str, diameter: f64| {
+        let bearing = |side: &str, at: f64| {
+            format!(
+                "[[part]]\nkind = \"bearing_linear\"\nname = \"{side} of {name}\"\nbetween = [{{ body = \"{name}\", at = {at:?} }}, \"ground\"]\nkxx = 1.5e8\nkyy = 2e8\ncxx = 8e4\ncyy = 1e5\n"
+            )
+        };
+        format!(
+            "[[part]]\nkind = \"shaft\"\nname = \"{name}\"\nmaterial = \"steel\"\ntorsional = true\nelements = 9\n{spin}section = [{{ length = 0.9, outer_diameter = {diameter:?} }}]\n\
+             [[part]]\nkind = \"disc\"\nname = \"wheel of {name}\"\non = {{ body = \"{name}\", at = 0.4 }}\nmass = 30.0\npolar_inertia = 0.3\ndiametral_inertia = 0.2\n{}{}",
+            bearing("left", 0.1),
+            bearing("right", 0.8)
+        )
+    };
+    let text = format!(
+        "[machine]\nname = \"geared\"\nspeed = 300.0\n[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -3.5\n{}{}\
+         [[part]]\nkind = \"gear\"\nbetween = [{{ body = \"slow\", at = 0.4 }}, {{ body = \"quick\", at = 0.4 }}]\nfirst_radius = 0.245\nsecond_radius = 0.07\nstiffness = 4e8\ndamping = 5e3\n{}\
+         [[part]]\nkind = \"coupling\"\nname = \"coupling\"\nbetween = [{{ body = \"motor\", at = 0.9 }}, \"slow\"]\nstiffness = 2e6\ntilt_stiffness = 5e4\n\
+         torsional_stiffness = 3e6\ntorsional_damping = 300.0\n",
+        shaft("slow", "", 0.12),
+        shaft("quick", "spin = \"fast\"\n", 0.07),
+        shaft("motor", "", 0.15)
+    );
+    let [free, held] =
+        ["", "[[part]]\nkind = \"coupling\"\nname = \"soft\"\nbetween = [\"slow\", \"ground\"]\ntorsional_stiffness = 1.0\n"]
+            .map(|more| load(&format!("{text}{more}")).system);
+    assert!(has_more_modes(&free));
+    for speed in [40.0, 300.0, 480.0] {
+        let found = |system: &System, starts: &[C64]| {
+            roots(system, &rest(system, speed).unwrap(), &Request { frequency: Some(3000.0), starts, ..Request::default() }).unwrap()
+        };
+        let held = found(&held, &[]);
+        let others: Vec<_> = held.spectrum.modes.iter().map(|m| m.value).filter(|s| s.im > 10.0).collect();
+        // as from the speed before, which hands on no roots at zero
+        let free = found(&free, &others);
+        assert_eq!(free.at_zero.map(|z| z.count), Some(2), "{speed}");
+        assert!(free.areas.iter().all(|a| a.complete()) && free.evaluations < 3000, "{speed}: {}", free.evaluations);
+        assert!(
+            others.len() > 4 && others.len() == free.spectrum.modes.iter().filter(|m| m.value.im > 10.0).count(),
+            "{speed}: {others:?}"
+        );
+        for s in others {
+            assert!(free.spectrum.modes.iter().any(|m| (m.value - s).abs() < 1e-5 * s.abs()), "{speed}: {s:?}");
+        }
+    }
 }
 
 /// On stiff bearings one mode is nearly rolling against the teeth: `w^2 = k cos(phi)^2 (r1^2/J1 + r2^2/J2)`, less what the bearings give way. It is torsional although the wheels whirl a little,
