@@ -67,7 +67,7 @@ fn a_study_measures_from_the_nearest_operating_speed() {
         let loaded = load(&text);
         let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("study")).unwrap_or_else(|d| panic!("{d:?}"));
         let f = o.findings.iter().find(|f| f.id == "margin").expect("a margin").clone();
-        (f.value.unwrap(), f.level, f.evidence.iter().find(|e| e.what.to_string() == "its speed").unwrap().value)
+        (f.value.unwrap(), f.level, f.evidence.iter().find(|e| e.what == "its speed").unwrap().value)
     };
     for (range, end) in [("{ from = 103.0, to = 200.0 }", 103.0), ("{ from = 40.0, to = 97.0 }", 97.0), ("97.0", 97.0)] {
         let (value, level, place) = margin(range);
