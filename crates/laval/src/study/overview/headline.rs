@@ -115,7 +115,6 @@ fn is_open(facts: &Facts, check: &Check) -> bool {
         "check-damping" => operation.decrement.is_some(),
         "check-vibration" => !limits.displacement.is_empty() || !limits.velocity.is_empty(),
         "check-velocity" => !limits.velocity.is_empty(),
-        "check-others" => true,
         "check-forces" => !limits.force.is_empty(),
         "check-shaft-vibration" => operation.shaft_vibration.is_some(),
         "check-housing-vibration" => operation.housing_vibration.is_some(),
