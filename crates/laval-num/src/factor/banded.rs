@@ -180,7 +180,29 @@ impl<T: Number> Banded<T> {
 
     /// Solves in place.
     pub fn solve(&self, b: &mut [T]) {
-        dispatch(Level::best(), Substitute { band: self, b });
+        let (n, half, w) = (self.n, self.half, width(self.half));
+        let diagonal = 2 * half;
+        for k in 0..n {
+            b.swap(k, self.rows[k]);
+            let below = half.min(n - 1 - k);
+            let x = b[k];
+            if x != T::ZERO {
+                for (r, l) in b[k + 1..=k + below].iter_mut().zip(self.some(k * w + diagonal + 1, below)) {
+                    *r -= l * x;
+                }
+            }
+        }
+        for k in (0..n).rev() {
+            let base = k * w + diagonal;
+            let above = self.above.min(k);
+            let x = b[k] / self.get(base);
+            b[k] = x;
+            if x != T::ZERO {
+                for (r, u) in b[k - above..k].iter_mut().zip(self.some(base - above, above)) {
+                    *r -= u * x;
+                }
+            }
+        }
     }
 
     /// Solves with the transposed matrix in place.
@@ -204,39 +226,6 @@ impl<T: Number> Banded<T> {
             }
             b[k] = x;
             b.swap(k, self.rows[k]);
-        }
-    }
-}
-
-/// Solutions by the factors in place.
-struct Substitute<'a, T> {
-    band: &'a Banded<T>,
-    b: &'a mut [T],
-}
-
-impl<T: Number> Kernel for Substitute<'_, T> {
-    type Out = ();
-    #[inline(always)]
-    fn run<S: LaneScalar>(self) {
-        let Substitute { band, b } = self;
-        let (n, half, w) = (band.n, band.half, width(band.half));
-        let diagonal = 2 * half;
-        for k in 0..n {
-            b.swap(k, band.rows[k]);
-            let below = half.min(n - 1 - k);
-            let x = b[k];
-            if x != T::ZERO {
-                T::less(&mut b[k + 1..=k + below], &band.data[(k * w + diagonal + 1) * T::PARTS..][..below * T::PARTS], x);
-            }
-        }
-        for k in (0..n).rev() {
-            let base = k * w + diagonal;
-            let above = band.above.min(k);
-            let x = b[k] / band.get(base);
-            b[k] = x;
-            if x != T::ZERO {
-                T::less(&mut b[k - above..k], &band.data[(base - above) * T::PARTS..base * T::PARTS], x);
-            }
         }
     }
 }

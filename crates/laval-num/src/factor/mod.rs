@@ -74,13 +74,6 @@ pub trait Number: Field {
     fn times(self, k: f64) -> Self;
     /// Logarithm of the modulus, and phase.
     fn polar(self) -> (f64, f64);
-    /// Numbers, each less a factor, given by its parts, times x.
-    #[inline(always)]
-    fn less(numbers: &mut [Self], factors: &[f64], x: Self) {
-        for (r, l) in numbers.iter_mut().zip(factors.chunks_exact(Self::PARTS)) {
-            *r -= Self::read(l) * x;
-        }
-    }
     /// Derivative over the value, for dual numbers; 0 for others.
     fn log_rate(self) -> C64 {
         C64::ZERO
@@ -111,20 +104,6 @@ impl Number for f64 {
     fn polar(self) -> (f64, f64) {
         (self.abs().ln(), if self < 0.0 { std::f64::consts::PI } else { 0.0 })
     }
-    /// Four at once: bands are narrow, and a loop for wide ones costs more than it saves.
-    #[inline(always)]
-    fn less(numbers: &mut [Self], factors: &[f64], x: Self) {
-        let (fours, last) = numbers.as_chunks_mut::<4>();
-        let (own, rest) = factors.as_chunks::<4>();
-        for (r, l) in fours.iter_mut().zip(own) {
-            for k in 0..4 {
-                r[k] -= l[k] * x;
-            }
-        }
-        for (r, l) in last.iter_mut().zip(rest) {
-            *r -= l * x;
-        }
-    }
 }
 
 impl Number for C64 {
@@ -150,25 +129,6 @@ impl Number for C64 {
     }
     fn polar(self) -> (f64, f64) {
         (self.abs().ln(), self.arg())
-    }
-    /// Two at once: the compiler finds registers of four in this, and the bits are those of one by one.
-    #[inline(always)]
-    fn less(numbers: &mut [Self], factors: &[f64], x: Self) {
-        let (own, turned) = ([x.re, x.im, x.re, x.im], [-x.im, x.re, -x.im, x.re]);
-        let (pairs, last) = numbers.as_chunks_mut::<2>();
-        let (quarters, rest) = factors.as_chunks::<4>();
-        for (r, l) in pairs.iter_mut().zip(quarters) {
-            let from = [r[0].re, r[0].im, r[1].re, r[1].im];
-            let (re, im) = ([l[0], l[0], l[2], l[2]], [l[1], l[1], l[3], l[3]]);
-            let mut to = [0.0; 4];
-            for k in 0..4 {
-                to[k] = from[k] - (re[k] * own[k] + im[k] * turned[k]);
-            }
-            *r = [c(to[0], to[1]), c(to[2], to[3])];
-        }
-        if let ([r], [re, im]) = (last, rest) {
-            *r -= c(*re, *im) * x;
-        }
     }
 }
 
