@@ -42,7 +42,7 @@ use crate::study::shared::stations::Stations;
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
 use laval_num::order::ascending;
-use laval_num::work::{Here, watched};
+use laval_num::work::watched;
 use operating::Operating;
 use studied::{Found, Needed};
 use worst::Worst;
@@ -213,67 +213,51 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let range = range(operating, sign, speeds);
     let ends = [sign * range.0, sign * range.1];
     let speed = RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(POINTS) };
-    let limits = limits::of(system);
+    let modes = rated.map(|speed| {
+        let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
+        let known = within(&study, system, context).or_studied(|r| r.end.is_complete(), || studied::modes(outcomes, speed));
+        (study, over_frequency::whole(system, known))
+    });
+    let ordered = |low: f64, high: f64, points: usize| {
+        let ends = [sign * low, sign * high];
+        RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(points) }
+    };
+    let response = operating.map(|o| {
+        let speed = ordered(o.low, o.high, if o.is_one() { 1 } else { OPERATING });
+        let known = within(&ForcedResponse::over(speed), system, context);
+        known.or_studied(|r| r.end.is_complete(), || studied::response(outcomes, Needed::of(o, sign)))
+    });
     let needed = operating.map(|o| Needed::of(o, sign));
-    // independent of each other, and each a good part of the page's time
-    let here = Here::now();
-    let criticals = || {
-        let _counted = here.enter();
-        let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
-        criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders))
-    };
-    let others = || {
-        let _counted = here.enter();
-        let ordered = |low: f64, high: f64, points: usize| {
-            let ends = [sign * low, sign * high];
-            RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(points) }
+    let map =
+        |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
+    let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
+    let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
+    let worst = operating.and_then(|o| {
+        speed_range::able(&map(ordered(o.low, o.high, 2)), system).ok()?;
+        worst::worst(system, o, sign, context)
+    });
+    let near = operating.filter(|_| matches!(stability, Known::Yes(_))).and_then(|o| {
+        let about = ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR);
+        let known = match &worst {
+            // the boundaries of what is unstable between two of the speeds as well
+            Some(worst) if !in_region(system) => limited(context, || {
+                speed_range::able(&map(about), system)?;
+                let mut speeds = about.linspace(NEAR);
+                speeds.extend(&worst.peaks);
+                ascending(&mut speeds);
+                speeds.dedup();
+                row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
+            }),
+            _ => within(&map(about), system, context).and_then(|r| r.rows.into_iter().next()),
         };
-        let modes = rated.map(|speed| {
-            let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
-            let known = within(&study, system, context).or_studied(|r| r.end.is_complete(), || studied::modes(outcomes, speed));
-            (study, over_frequency::whole(system, known))
-        });
-        let response = operating.map(|o| {
-            let speed = ordered(o.low, o.high, if o.is_one() { 1 } else { OPERATING });
-            let known = within(&ForcedResponse::over(speed), system, context);
-            known.or_studied(|r| r.end.is_complete(), || studied::response(outcomes, Needed::of(o, sign)))
-        });
-        let map = |speed| StabilityMap {
-            speed,
-            parameter: None,
-            about: About::Rest,
-            criterion: Criterion::Growth,
-            threshold: 0.0,
-            frequency: None,
-        };
-        let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
-        let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
-        let worst = operating.and_then(|o| {
-            speed_range::able(&map(ordered(o.low, o.high, 2)), system).ok()?;
-            worst::worst(system, o, sign, context)
-        });
-        let near = operating.filter(|_| matches!(stability, Known::Yes(_))).and_then(|o| {
-            let about = ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR);
-            let known = match &worst {
-                // the boundaries of what is unstable between two of the speeds as well
-                Some(worst) if !in_region(system) => limited(context, || {
-                    speed_range::able(&map(about), system)?;
-                    let mut speeds = about.linspace(NEAR);
-                    speeds.extend(&worst.peaks);
-                    ascending(&mut speeds);
-                    speeds.dedup();
-                    row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
-                }),
-                _ => within(&map(about), system, context).and_then(|r| r.rows.into_iter().next()),
-            };
-            match known {
-                Known::Yes(r) => Some(r),
-                _ => None,
-            }
-        });
-        (modes, response, stability, worst, near)
-    };
-    let (criticals, (modes, response, stability, worst, near)) = rayon::join(criticals, others);
+        match known {
+            Known::Yes(r) => Some(r),
+            _ => None,
+        }
+    });
+    let limits = limits::of(system);
+    let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
+    let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
     let mut response_study = match &criticals {
         Known::Studied(_, name) => studied::response_beside(outcomes, needed, name),
         _ => None,
