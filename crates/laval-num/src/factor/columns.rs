@@ -101,7 +101,7 @@ impl Kernel for Largest<'_> {
         for x in self.0 {
             let size = S::load(x).abs();
             most = S::select(most.lt(size), size, most);
-            // NaN of what is not finite
+            // zero, but NaN where a number is infinite or NaN
             nothing += size.scale(0.0);
         }
         (most + nothing).to_array()

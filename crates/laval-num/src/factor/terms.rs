@@ -115,7 +115,7 @@ impl<V: Entry> Terms<'_, V> {
     }
 }
 
-/// A correction over the solution is one, after that before it. Nothing that is not a number is.
+/// Whether a correction, over the solution, is less than half of the one before: else it is rounding. NaN is not.
 pub(super) fn lessens(change: f64, last: f64) -> bool {
     change < 0.5 * last
 }
