@@ -212,16 +212,22 @@ fn inverse_root(x: f64) -> f64 {
     f64::from_bits(((1023 - (exponent + 1).div_euclid(2)) as u64) << 52)
 }
 
-/// Powers of two for rows and columns that bring the largest entries of both near one, from the row, the column and the size of entries.
+/// Powers of two for rows and columns that bring the largest entries of both near one, from the row, the column and the size of entries, row by row.
 fn scales(n: usize, entries: &[(usize, usize, f64)]) -> (Vec<f64>, Vec<f64>) {
     let (mut rows, mut columns) = (vec![1.0; n], vec![1.0; n]);
     let (mut by_row, mut by_column) = (vec![0.0f64; n], vec![0.0f64; n]);
     for _ in 0..SCALINGS {
         by_row.fill(0.0);
         by_column.fill(0.0);
-        for &(i, j, size) in entries {
-            let x = size * rows[i] * columns[j];
-            (by_row[i], by_column[j]) = (by_row[i].max(x), by_column[j].max(x));
+        for row in entries.chunk_by(|a, b| a.0 == b.0) {
+            let (i, mut largest) = (row[0].0, 0.0f64);
+            let scale = rows[i];
+            for &(_, j, size) in row {
+                let x = size * scale * columns[j];
+                largest = largest.max(x);
+                by_column[j] = by_column[j].max(x);
+            }
+            by_row[i] = by_row[i].max(largest);
         }
         let mut settled = true;
         for (scale, &size) in rows.iter_mut().zip(&by_row).chain(columns.iter_mut().zip(&by_column)) {

@@ -1,5 +1,7 @@
 //! One accepted step and its continuous extension.
 
+use crate::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
+
 /// An accepted step from `t0` to `t1` (`t1 < t0` when integrating backwards) and the solution between.
 ///
 /// A step that a terminal event cuts short ends at the event.
@@ -27,16 +29,7 @@ impl Step<'_> {
             return;
         }
         let (n, x) = (self.y0.len(), (t - self.t0) / self.h);
-        y.fill(0.0);
-        for (i, row) in self.rows.chunks_exact(n.max(1)).enumerate().rev() {
-            let w = if i % 2 == 0 { x } else { 1.0 - x };
-            for (y, f) in y.iter_mut().zip(row) {
-                *y = (*y + f) * w;
-            }
-        }
-        for (y, y0) in y.iter_mut().zip(self.y0) {
-            *y += y0;
-        }
+        dispatch(Level::best(), Eval { step: self, x, y: &mut y[..n] });
     }
 
     /// The derivative of [`Step::eval`] at `t`, one order less accurate than the state.
@@ -53,4 +46,42 @@ impl Step<'_> {
             *dy = slope / self.h;
         }
     }
+}
+
+/// Some states at a time; all operations are those of single numbers.
+struct Eval<'a> {
+    step: &'a Step<'a>,
+    x: f64,
+    y: &'a mut [f64],
+}
+
+impl Kernel for Eval<'_> {
+    type Out = ();
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) {
+        let Eval { step: Step { y0, rows, .. }, x, y } = self;
+        let (n, factors) = (y.len(), [x, 1.0 - x]);
+        let count = rows.len() / n.max(1);
+        let (blocks, rest) = y.as_chunks_mut::<LANES>();
+        let from = blocks.len() * LANES;
+        for (k, y) in blocks.iter_mut().enumerate() {
+            let mut value = S::cst(0.0);
+            for i in (0..count).rev() {
+                value = (value + load(rows, i * n + k * LANES)) * S::cst(factors[i % 2]);
+            }
+            (value + load(y0, k * LANES)).store(y);
+        }
+        for (j, y) in (from..n).zip(rest) {
+            let mut value = 0.0;
+            for i in (0..count).rev() {
+                value = (value + rows[i * n + j]) * factors[i % 2];
+            }
+            *y = value + y0[j];
+        }
+    }
+}
+
+#[inline(always)]
+fn load<S: LaneScalar>(x: &[f64], from: usize) -> S {
+    S::load(&x[from..].as_chunks::<LANES>().0[0])
 }

@@ -48,7 +48,7 @@ pub trait Ode {
     }
 }
 
-/// A problem an implicit method can solve.
+/// A problem an implicit method can solve, `M y' = f(t, y)` with a matrix M that only the system knows: by default the identity.
 ///
 /// The method needs solutions of (s I - J) x = b, J = df/dy, for one real and one complex shift s at a time. By default J is a dense
 /// matrix and the systems are solved by LU factors kept in [`DenseSolver`]. A system with structure overrides
@@ -77,6 +77,24 @@ pub trait StiffOde: Ode {
     /// Solves `(complex I - J) x = b` in place.
     fn solve_complex(&mut self, b: &mut [C64], dense: &DenseSolver) {
         dense.solve_complex(b);
+    }
+
+    /// f(t, y) of `M y' = f`, that of the [integrals](Ode::integrals) arbitrary. A system whose solves multiply by M anyway overrides this and the next two
+    /// together, and is spared the division by M.
+    fn forces(&mut self, t: f64, y: &[f64], f: &mut [f64]) -> Result<(), Failure> {
+        self.rhs_without_integrals(t, y, f)
+    }
+
+    /// Solves `(real I - J) x = M^-1 f - real w` in place of f.
+    fn solve_real_forces(&mut self, real: f64, f: &mut [f64], w: &[f64], dense: &DenseSolver) {
+        f.iter_mut().zip(w).for_each(|(f, w)| *f -= real * w);
+        self.solve_real(f, dense);
+    }
+
+    /// Solves `(complex I - J) x = M^-1 f - complex w` in place of f.
+    fn solve_complex_forces(&mut self, complex: C64, f: &mut [C64], w: &[C64], dense: &DenseSolver) {
+        f.iter_mut().zip(w).for_each(|(f, w)| *f -= complex * *w);
+        self.solve_complex(f, dense);
     }
 }
 

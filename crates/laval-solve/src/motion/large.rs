@@ -6,7 +6,8 @@
 //! (s I - J) x = b:    T(s) (dq, dz) = A2 (b_v + s b_q) + A1 b_q + (0, b_z),    dv = s dq - b_q
 //! ```
 //!
-//! For machines of constant mass without memory states and of more than a few coordinates. M is factored once, T(s) for each length of a step.
+//! For machines of constant mass without memory states and of more than a few coordinates. M is factored once, T(s) for each length of a step. With
+//! b = M^-1 f - s w (M with the identity for places and states) the forces -r stand in place of A2 b_v, and nothing is divided by M.
 
 use super::direct::{Direct, linear_rows, singular};
 use super::point;
@@ -14,7 +15,7 @@ use crate::characteristic::each_tangent_entry;
 use crate::equilibrium::nonlinear_states;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, Rows};
-use crate::model::rows::LinearRows;
+use crate::model::rows::{LinearRows, Padded};
 use crate::model::system::{System, Workspace};
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::programme::Spin;
@@ -46,6 +47,8 @@ pub(super) struct Large {
     /// Global indices of the internal states in the order of the unknowns.
     states: Vec<usize>,
     z: Vec<f64>,
+    zero: Vec<f64>,
+    padded: Padded,
     sum: Vec<f64>,
     plain: Workspace<f64>,
     tangent: SparseTangent,
@@ -135,6 +138,8 @@ impl Large {
             mass: Factors::default(),
             factored: Vec::new(),
             z: Vec::new(),
+            zero: vec![0.0; system.n()],
+            padded: Padded::default(),
             sum: Vec::new(),
             plain: Workspace::default(),
             tangent: SparseTangent::default(),
@@ -149,6 +154,11 @@ impl Large {
             return Err(singular(system, system.n() - 1, &out.factored));
         }
         Ok(Some(out))
+    }
+
+    /// The mass matrix is that of any speed: the same at all stages of a step.
+    pub fn has_constant_mass(&self) -> bool {
+        self.any_speed
     }
 
     /// Assembles the linear parts at a speed, or finds them.
@@ -180,18 +190,43 @@ impl Large {
     /// # Errors
     /// A mass matrix that is singular at this speed.
     pub fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) -> Result<(), Failure> {
+        let n = system.n();
+        let (force, rate) = (&mut out.accel[..n], &mut out.rate[..]);
+        self.residual(system, t, spin, y, force, rate)?;
+        self.mass.solve(force);
+        let model = &self.models[0].model;
+        for (k, &i) in model.states().iter().enumerate() {
+            let row = model.pattern().row(n + k).take_while(|x| x.1 < n);
+            rate[i] += row.map(|(e, j)| model.mass_values()[e] * force[j]).sum::<f64>();
+        }
+        Ok(())
+    }
+
+    /// Velocities, forces and rates at zero accelerations: M times the rates of all states.
+    ///
+    /// # Errors
+    /// As [`Large::evaluate`].
+    pub fn forces(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], f: &mut [f64]) -> Result<(), Failure> {
+        let (n, m) = (system.n(), system.m());
+        let (velocities, rest) = f.split_at_mut(n);
+        velocities.copy_from_slice(&y[n..2 * n]);
+        let (force, rate) = rest.split_at_mut(n);
+        self.residual(system, t, spin, y, force, &mut rate[..m])
+    }
+
+    /// Forces and rates at zero accelerations.
+    fn residual(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], force: &mut [f64], rate: &mut [f64]) -> Result<(), Failure> {
         self.assemble(system, spin.speed)?;
         let n = system.n();
         let Linear { model, rows } = &self.models[0];
-        let at = point(system, t, spin, y, &out.zero);
-        let (force, rate) = (&mut out.accel[..n], &mut out.rate[..]);
+        let at = point(system, t, spin, y, &self.zero);
         rate.fill(0.0);
         match rows {
             Some(rows) => {
                 self.z.clear();
                 self.z.extend(model.states().iter().map(|&i| at.z[i]));
                 self.sum.resize(model.held(), 0.0);
-                rows.residual(&At { z: &self.z, ..at }, &mut self.sum);
+                rows.residual(&At { z: &self.z, ..at }, &mut self.padded, &mut self.sum);
                 force.copy_from_slice(&self.sum[..n]);
                 model.states().iter().zip(&self.sum[n..]).for_each(|(&i, r)| rate[i] = *r);
             }
@@ -204,11 +239,6 @@ impl Large {
         let mut rows = Rows { force: &mut *force, rate: &mut *rate, spin: &mut ignored };
         system.residual(system.params(), &at, &mut rows, &mut self.plain, |s| !s.is_linear());
         force.iter_mut().for_each(|f| *f = -*f);
-        self.mass.solve(force);
-        for (k, &i) in model.states().iter().enumerate() {
-            let row = model.pattern().row(n + k).take_while(|x| x.1 < n);
-            rate[i] += row.map(|(e, j)| model.mass_values()[e] * force[j]).sum::<f64>();
-        }
         Ok(())
     }
 
@@ -243,6 +273,18 @@ impl Large {
     pub fn solve_complex(&mut self, n: usize, b: &mut [C64]) {
         let Shifted { at, complex, complex_rows, .. } = &mut self.shifted;
         solve((n, &self.states, &self.rates), at.1, complex, b, complex_rows);
+    }
+
+    /// Solves `(s I - J) x = M^-1 f - s w` in place of f at the real shift.
+    pub fn solve_real_forces(&mut self, n: usize, f: &mut [f64], w: &[f64]) {
+        let Shifted { at, real, rows, .. } = &mut self.shifted;
+        solve_forces((n, &self.states, &self.rates), at.0, real, (f, w), rows);
+    }
+
+    /// The same at the complex one.
+    pub fn solve_complex_forces(&mut self, n: usize, f: &mut [C64], w: &[C64]) {
+        let Shifted { at, complex, complex_rows, .. } = &mut self.shifted;
+        solve_forces((n, &self.states, &self.rates), at.1, complex, (f, w), complex_rows);
     }
 
     /// Size of the largest eigenvalues of J, 1/s, by its powers at the last linearisation, in coordinates whose masses are one; internal states are left out.
@@ -287,6 +329,40 @@ impl Large {
 fn at<T: Number>([a0, a1, a2]: &[Vec<f64>; 3], s: T) -> Vec<T> {
     let square = s * s;
     a0.iter().zip(a1).zip(a2).map(|((&a0, &a1), &a2)| T::real(a0) + s.times(a1) + square.times(a2)).collect()
+}
+
+/// Solves `(s I - J) x = M^-1 f - s w` in place of f.
+fn solve_forces<T: Number>(
+    (n, states, rates): (usize, &[usize], &Rates),
+    s: T,
+    factors: &Factors<T>,
+    (f, w): (&mut [T], &[T]),
+    [moved, right]: &mut [Vec<T>; 2],
+) {
+    for (f, w) in f.iter_mut().zip(w).take(n) {
+        *f -= s * *w;
+    }
+    moved.clear();
+    moved.extend((0..n).map(|i| s * (f[i] - w[n + i])));
+    rates.apply(&f[..n], moved, right);
+    for (right, f) in right.iter_mut().zip(&f[n..2 * n]) {
+        *right += *f;
+    }
+    for (k, &z) in states.iter().enumerate() {
+        right[n + k] += f[2 * n + z] - s * w[2 * n + z];
+    }
+    factors.solve(right);
+    for i in 0..n {
+        let dq = right[i];
+        f[n + i] = s * dq - f[i];
+        f[i] = dq;
+    }
+    for (k, &z) in states.iter().enumerate() {
+        f[2 * n + z] = right[n + k];
+    }
+    for (f, w) in f.iter_mut().zip(w).skip(2 * n + states.len()) {
+        *f = *f / s - *w;
+    }
 }
 
 /// Solves `(s I - J) x = b` in place with the factors of T(s); the numbers behind the states are integrals.

@@ -381,4 +381,28 @@ impl StiffOde for Motion<'_> {
         self.elimination.solve(b, &mut shifted);
         self.elimination.complex = shifted;
     }
+
+    fn forces(&mut self, t: f64, y: &[f64], f: &mut [f64]) -> Result<(), Failure> {
+        let spin = self.spin(t, y);
+        match &mut self.large {
+            Some(large) if large.has_constant_mass() => large.forces(self.system, t, spin, y, f),
+            _ => self.rhs_without_integrals(t, y, f),
+        }
+    }
+
+    fn solve_real_forces(&mut self, real: f64, f: &mut [f64], w: &[f64], dense: &DenseSolver) {
+        if let Some(large) = self.large.as_mut().filter(|l| l.has_constant_mass()) {
+            return large.solve_real_forces(self.system.n(), f, w);
+        }
+        f.iter_mut().zip(w).for_each(|(f, w)| *f -= real * w);
+        self.solve_real(f, dense);
+    }
+
+    fn solve_complex_forces(&mut self, complex: C64, f: &mut [C64], w: &[C64], dense: &DenseSolver) {
+        if let Some(large) = self.large.as_mut().filter(|l| l.has_constant_mass()) {
+            return large.solve_complex_forces(self.system.n(), f, w);
+        }
+        f.iter_mut().zip(w).for_each(|(f, w)| *f -= complex * *w);
+        self.solve_complex(f, dense);
+    }
 }

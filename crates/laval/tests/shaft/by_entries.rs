@@ -118,6 +118,43 @@ fn solves_are_those_of_the_full_jacobian() {
     }
 }
 
+/// Forces in place of accelerations lead to the same solutions, whether the mass matrix is that of any speed or not.
+#[test]
+fn forces_need_no_division_by_the_mass() {
+    let mut undivided = 0;
+    for system in machines() {
+        let mut motion = Motion::new(&system, ramp(40.0, 400.0)).unwrap();
+        let dim = motion.dim();
+        let y = state(&system, dim);
+        let mut dense = DenseSolver::default();
+        motion.linearise(0.8, &y, &mut dense).unwrap();
+        let (real, complex) = (3e4, c(2e4, -2.5e4));
+        motion.factor(real, complex, &mut dense).unwrap();
+        let (mut rates, mut forces) = (vec![0.0; dim], vec![0.0; dim]);
+        motion.rhs(0.8, &y, &mut rates).unwrap();
+        motion.forces(0.8, &y, &mut forces).unwrap();
+        undivided += usize::from(rates != forces);
+        let w: Vec<f64> = y.iter().enumerate().map(|(i, y)| 1e-3 * y * (0.3 * i as f64).sin()).collect();
+        let turned: Vec<C64> = w.iter().map(|&w| c(w, 0.6 * w)).collect();
+        let mut expected: Vec<f64> = rates.iter().zip(&w).map(|(f, w)| f - real * w).collect();
+        let mut expected_turned: Vec<C64> = rates.iter().zip(&turned).map(|(f, w)| c(*f, -*f) - complex * *w).collect();
+        motion.solve_real(&mut expected, &dense);
+        motion.solve_complex(&mut expected_turned, &dense);
+        let mut found_turned: Vec<C64> = forces.iter().map(|&f| c(f, -f)).collect();
+        motion.solve_real_forces(real, &mut forces, &w, &dense);
+        motion.solve_complex_forces(complex, &mut found_turned, &turned, &dense);
+        // places and velocities have units of their own
+        for part in [0..system.n(), system.n()..2 * system.n(), 2 * system.n()..dim] {
+            let size = expected[part.clone()].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            for i in part {
+                assert!((forces[i] - expected[i]).abs() <= 1e-9 * size, "{i}: {} {}", forces[i], expected[i]);
+                assert!((found_turned[i] - expected_turned[i]).abs() <= 2e-9 * size, "{i}: {:?} {:?}", found_turned[i], expected_turned[i]);
+            }
+        }
+    }
+    assert!(undivided > 0);
+}
+
 /// A shaft with a layer that stands on its lower end, with displacement along its axis and rotation about it.
 fn standing() -> System {
     let text = "[machine]\nname = \"standing\"\nspeed = 300.0\n\
