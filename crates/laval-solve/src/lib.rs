@@ -16,6 +16,7 @@ pub mod exact;
 pub mod extrema;
 pub mod extremum;
 mod follow;
+mod free_motions;
 pub mod harmonic;
 pub mod harmonic_force;
 pub mod kinetic;

@@ -70,9 +70,13 @@ impl Spectrum {
         self.families.clear();
         self.modes.iter_mut().for_each(|m| *m = m.without_vectors());
     }
-    /// Largest growth rate and its mode; free motions along and about the axis are not among them.
+    /// All but free motions along and about the axis.
+    pub fn held(&self) -> impl Iterator<Item = &MachineMode> {
+        self.modes.iter().filter(|m| !m.is_free())
+    }
+    /// Largest growth rate and its mode; free motions are not among them.
     pub fn least_stable(&self) -> Option<&MachineMode> {
-        self.modes.iter().filter(|m| !m.is_free()).max_by(|a, b| a.value.re.total_cmp(&b.value.re))
+        self.held().max_by(|a, b| a.value.re.total_cmp(&b.value.re))
     }
 }
 

@@ -12,6 +12,7 @@
 //! Theory: `docs/theory/linear-vibration.md#counting-of-roots`.
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, Polished, is_polynomial};
+use super::free_motions::free_motions;
 use super::large::{Starts, is_large, starts};
 use super::machine_mode::{MachineMode, Unknowns, Whirl};
 use super::pencil::{Family, ISOTROPIC, Linearised, Spectrum, time_forms};
@@ -105,7 +106,7 @@ pub struct Roots {
     pub margin: f64,
     /// Largest frequency, rad/s.
     pub frequency: f64,
-    /// Roots at zero: motions that nothing holds.
+    /// Roots at zero beside those of free motions along and about the axis: motions that nothing holds.
     pub at_zero: Option<AtZero>,
 }
 
@@ -395,6 +396,9 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         if !request.growing && sector != Some(Sector::Axial) && domains.iter().any(|d| !d.left && !d.touches_axis()) {
             starts.extend(resonances(&mut t, &f.of.members, mirrored, (1.2 * largest, frequency)));
         }
+        // double roots, which the matrices give to half of the digits
+        let free = if mirrored { free_motions(&*f.t, &unknowns) } else { Vec::new() };
+        let double = if free.is_empty() { 0.0 } else { HALF * frequency };
         let mut known: Vec<Polished> = Vec::new();
         let keep = |t: &mut Characteristic, p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
@@ -408,7 +412,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             }
             // of a real function the upper half is enough
             let same = |k: &Polished| (k.value - p.value).abs() <= 1e-9 * p.value.abs();
-            let inside = p.value.im.abs() <= frequency && p.value.re.abs() <= frequency && p.defect < 1e-9;
+            let inside = p.value.im.abs() <= frequency && p.value.re.abs() <= frequency && p.defect < 1e-9 && p.value.abs() >= double;
             if inside && !(mirrored && p.value.im < 0.0) && !known.iter().any(same) {
                 known.push(p);
             }
@@ -431,10 +435,12 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 let lower = known.iter().filter(|p| mirrored && !region.mirrored && p.value.im != 0.0).map(|p| p.value.conj());
                 known.iter().map(|p| p.value).chain(lower).collect()
             };
-            let (mut given, mut still) = (both(&known), 0);
+            let zero_inside = holds(&growth, &band, region.mirrored, C64::zero());
+            let of_free = if zero_inside { 2 * free.len() } else { 0 };
+            let mut still = of_free;
+            let mut given: Vec<C64> = both(&known).into_iter().chain(vec![C64::zero(); still]).collect();
             let (first, evaluations) = missing(&mut f, &region, &given, budget);
             out.evaluations += evaluations;
-            let zero_inside = holds(&growth, &band, region.mirrored, C64::zero());
             // a search would divide the region about roots that lie in one place until nothing is left of it
             let mut at_once = None;
             if first != Some(0) && zero_inside {
@@ -449,7 +455,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                     found = zeros(&mut f, &region, &given, budget);
                     out.evaluations += found.evaluations;
                 }
-                let slow = found.zeros.iter().filter(|z| z.abs() < SLOW * frequency).count();
+                let slow = found.zeros.iter().filter(|z| **z != C64::zero() && z.abs() < SLOW * frequency).count();
                 if (found.missing != Some(0) || slow > 1) && zero_inside {
                     at_once = at_zero(&mut f, &known, (frequency, region.mirrored), budget);
                 }
@@ -462,7 +468,8 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 found = zeros(&mut f, &region, &given, budget);
                 out.evaluations += evaluations + found.evaluations;
                 let others = out.at_zero.unwrap_or(AtZero { count: 0, within: 0.0 });
-                out.at_zero = Some(AtZero { count: others.count + count, within: others.within.max(within) });
+                let count = others.count + count.saturating_sub(of_free);
+                out.at_zero = (count > 0).then_some(AtZero { count, within: others.within.max(within) });
             }
             let all = |known: &[Polished]| -> Vec<C64> { both(known).into_iter().chain(vec![C64::zero(); still]).collect() };
             let mut left = found.missing;
@@ -490,7 +497,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 left = None;
             }
             let inside = known.iter().filter(|p| holds(&growth, &band, region.mirrored, p.value)).count();
-            out.areas.push(Area { growth, frequency: band, mirrored, found: inside, missing: left });
+            out.areas.push(Area { growth, frequency: band, mirrored, found: inside + of_free / 2, missing: left });
         }
         let areas = &out.areas[first_area..];
         let proven = |z: C64| areas.iter().any(|a| a.complete() && holds(&a.growth, &a.frequency, a.mirrored && a.frequency.0 == 0.0, z));
@@ -504,6 +511,14 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             out.spectrum.modes.push(mode);
             modes.push(eig::Mode { value: p.value, right: p.right, left: p.left, residual: p.defect, sensitivity: 0.0 });
         }
+        for x in free {
+            let mut mode = bare_mode(&unknowns, C64::zero(), sector);
+            mode.place = (family, modes.len());
+            unknowns.reshape(&mut mode, C64::zero(), &x);
+            out.counted.push(proven(C64::zero()));
+            out.spectrum.modes.push(mode);
+            modes.push(eig::Mode { value: C64::zero(), right: x.clone(), left: x, residual: 0.0, sensitivity: 0.0 });
+        }
         out.spectrum.families.push(Family { sector, modes });
     }
     let mut order: Vec<usize> = (0..out.spectrum.modes.len()).collect();
@@ -515,6 +530,8 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     Ok(out)
 }
 
+/// Size of a double root at zero, over the largest frequency, that is rounding.
+const HALF: f64 = 1e-6;
 /// Distance from zero, over that of the nearest root, within which roots at zero are counted, and that over the largest at which they lie.
 const ABOUT_ZERO: f64 = 0.02;
 /// Distance from zero, over the largest frequency, from which on a root is none of these.
@@ -540,20 +557,25 @@ fn at_zero(f: &mut Determinant, known: &[Polished], (frequency, mirrored): (f64,
 
 /// A root as a mode.
 pub(super) fn mode(unknowns: &Unknowns, p: &Polished, sector: Option<Sector>) -> MachineMode {
-    let mut mode = MachineMode {
-        value: p.value,
+    let mut mode = MachineMode { residual: p.defect, error: p.step, ..bare_mode(unknowns, p.value, sector) };
+    unknowns.reshape(&mut mode, p.value, &p.right);
+    mode
+}
+
+/// One without its shape.
+fn bare_mode(unknowns: &Unknowns, value: C64, sector: Option<Sector>) -> MachineMode {
+    MachineMode {
+        value,
         q: Vec::new(),
         z: vec![C64::zero(); unknowns.states.len()],
         sector,
         whirl: Whirl::None,
         forward_share: 0.5,
-        residual: p.defect,
-        error: p.step,
+        residual: 0.0,
+        error: 0.0,
         polished: true,
         place: (0, 0),
-    };
-    unknowns.reshape(&mut mode, p.value, &p.right);
-    mode
+    }
 }
 
 /// The mode that a start leads to.

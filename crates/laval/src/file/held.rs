@@ -79,11 +79,11 @@ fn along(system: &System, slot: usize, free: &[usize], out: &mut Diagnostics) {
             ),
             _ => (
                 text!(
-                    "nothing holds the rotation of \"{name}\" about the axis: it may turn faster or slower than the spin",
+                    "nothing holds the rotation of \"{name}\" about the axis, alone or with what it is joined to or in mesh with: it may turn faster or slower than the spin",
                     name = slot.name
                 ),
                 text!(
-                    "a coupling with torsional_stiffness to \"ground\" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz"
+                    "modes show this rotation at 0 Hz, which is no instability; a coupling with torsional_stiffness to \"ground\" joins it to a drive at the spin speed"
                 ),
             ),
         };

@@ -36,6 +36,7 @@ forced-response-validity-unbounded = Not valid: the response is outside the rang
 # Separation margins.
 forced-response-margin-kept = Separation margins kept (API 684, SP6.8.2.10). The resonance at { $resonance } keeps least: { $value } from { $operating }, { $required } required ({ $body }, { $damped ->
         [yes] amplification factor { $factor }
+        [unknown] amplification factor not known
        *[no] undamped
     }).
 forced-response-margin-broken = Separation margin too small (API 684, SP6.8.2.10): the resonance at { $resonance } { $side ->
@@ -49,7 +50,11 @@ forced-response-margin-none = No resonance in this range requires a separation m
         [yes] {" "}The response stays above 0.707 of a peak up to an end of the range: its factor is at most { $most }.
        *[no] {""}
     }
-forced-response-margin-unknown = Separation margins are not decided (API 684, SP6.8.2.10): the half-power points of a resonance lie outside the range, or the study was stopped. Extend the range.
+forced-response-margin-unknown = { $reason ->
+        [stopped] Separation margins are not decided (API 684, SP6.8.2.10): the study was stopped.
+        [range] Separation margins are not decided (API 684, SP6.8.2.10): the half-power points of the resonance at { $resonance } lie outside the range, so that its amplification factor is not known. It is { $value } from the operating speeds; up to { $required } may be required. Extend the range.
+       *[neighbour] Separation margins are not decided (API 684, SP6.8.2.10): a higher resonance beside that at { $resonance } covers its half-power points, so that its amplification factor is not known. It is { $value } from the operating speeds; up to { $required } may be required.
+    }
 forced-response-spin = The unbalance of what turns with "{ $spin }" acts here, and speeds are those of this spin.
 forced-response-other-spins = The unbalance of what turns with { $spins } acts at another frequency and is left out here: give spin in a study of its own.
 

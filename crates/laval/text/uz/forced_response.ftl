@@ -36,6 +36,7 @@ forced-response-validity-unbounded = Haqiqiy emas: { $speed } tezlikda javob "{ 
 # Separation margins.
 forced-response-margin-kept = Chastota zaxiralari saqlangan (API 684, SP6.8.2.10). Eng kichigi { $resonance } rezonansida: { $operating } dan { $value }, { $required } talab qilinadi ({ $body }, { $damped ->
         [yes] kuchaytirish koeffitsienti { $factor }
+        [unknown] kuchaytirish koeffitsienti noma’lum
        *[no] so‘nishsiz
     }).
 forced-response-margin-broken = Chastota zaxirasi kichik (API 684, SP6.8.2.10): { $resonance } rezonansi { $side ->
@@ -49,7 +50,11 @@ forced-response-margin-none = Bu diapazonda hech bir rezonans chastota zaxirasin
         [yes] {" "}Diapazon chetigacha javob cho‘qqining 0,707 qismidan yuqori qoladi: kuchaytirish koeffitsienti { $most } dan oshmaydi.
        *[no] {""}
     }
-forced-response-margin-unknown = Chastota zaxiralari aniqlanmadi (API 684, SP6.8.2.10): rezonansning yarim quvvat nuqtalari diapazondan tashqarida yoki hisoblash to‘xtatildi. Diapazonni kengaytiring.
+forced-response-margin-unknown = { $reason ->
+        [stopped] Chastota zaxiralari aniqlanmadi (API 684, SP6.8.2.10): hisoblash to‘xtatildi.
+        [range] Chastota zaxiralari aniqlanmadi (API 684, SP6.8.2.10): { $resonance } rezonansining yarim quvvat nuqtalari diapazondan tashqarida, shuning uchun uning kuchaytirish koeffitsienti noma’lum. Ish chastotalarigacha { $value }; { $required } gacha talab qilinishi mumkin. Diapazonni kengaytiring.
+       *[neighbour] Chastota zaxiralari aniqlanmadi (API 684, SP6.8.2.10): yonidagi balandroq rezonans { $resonance } rezonansining yarim quvvat nuqtalarini yopib turadi, shuning uchun uning kuchaytirish koeffitsienti noma’lum. Ish chastotalarigacha { $value }; { $required } gacha talab qilinishi mumkin.
+    }
 forced-response-spin = Bu yerda "{ $spin }" aylanishi bilan aylanadigan qismlarning muvozanatsizligi ta’sir qiladi; aylanish chastotalari shu aylanishga tegishli.
 forced-response-other-spins = { $spins } aylanishi bilan aylanadigan qismlarning muvozanatsizligi boshqa chastotada ta’sir qiladi va bu yerda hisobga olinmagan: spin maydonini alohida hisobda bering.
 

@@ -25,6 +25,7 @@ use crate::solve::extrema::{Curve, Extremum, above, curve, seeds};
 use crate::solve::linear_response::Response;
 use crate::solve::rest::over_speed;
 use crate::solve::sweep::{Count, Strongest};
+use crate::study::shared::margins::resonant;
 use crate::study::shared::operation;
 use crate::study::shared::probes;
 use crate::study::shared::region;
@@ -264,8 +265,7 @@ impl Shown<'_> {
         let beside = |x: f64| x.clamp(a.min(b), a.max(b));
         let distance = |x: f64| (x - beside(x)).abs() / beside(x).abs();
         let near = |x: &Critical, y: &Critical| distance(x.speed).total_cmp(&distance(y.speed));
-        // a mode with a tenth of critical damping or more does not show as a resonance
-        let lightly = || self.result.crossings.iter().filter(|c| damping(c).abs() < 0.1);
+        let lightly = || self.result.crossings.iter().filter(|c| resonant(damping(c)));
         let excited = |c: &&Critical| !self.forced() || c.order != 1.0 || self.own_peak(c).is_some();
         let peak = self.loose.iter().min_by(|a, b| distance(a.speed).total_cmp(&distance(b.speed)));
         let close = lightly().filter(excited).min_by(|a, b| near(a, b));

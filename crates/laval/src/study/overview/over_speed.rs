@@ -10,11 +10,10 @@ use crate::study::Study;
 use crate::study::linear::campbell::damping;
 use crate::study::linear::whirl::aperiodic;
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+use crate::study::shared::margins::resonant;
 use crate::study::shared::probes::{self, farthest};
 use laval_num::order::{SortByNumber, ascending};
 
-/// A critical speed with more damping than this does not show as a resonance.
-const LIGHT: f64 = 0.1;
 /// The lowest speed shown, over the lowest event.
 const SHOWN: f64 = 0.25;
 /// Peaks smaller than this share of the largest are not resonances of the page.
@@ -54,7 +53,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
             None => {
                 let light = facts.criticals.get().into_iter().flat_map(|found| &found.crossings).filter(|c| {
                     // unbalance does not excite what whirls against the spin of a machine without preferred direction
-                    turns(facts) && c.driven_by_unbalance() && c.located() && damping(c).abs() < LIGHT
+                    turns(facts) && c.driven_by_unbalance() && c.located() && resonant(damping(c))
                 });
                 out.resonances = light.map(|c: &Critical| Resonance { speed: facts.sign * c.speed, amplitude: None }).collect();
             }
@@ -63,7 +62,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         let spins = facts.system.spins();
         let excited = |c: &Critical| c.order != 1.0 || spins.iter().any(|s| c.driven_by(s.ratio));
         let other = facts.criticals.get().into_iter().flat_map(|found| &found.crossings);
-        let other = other.filter(|c| excited(c) && c.located() && damping(c).abs() < LIGHT);
+        let other = other.filter(|c| excited(c) && c.located() && resonant(damping(c)));
         out.resonances.extend(other.map(|c| Resonance { speed: facts.sign * c.speed, amplitude: None }));
         out.resonances.sort_by_number(|a| a.speed);
         // a margin that the file requires holds for every resonance
@@ -166,7 +165,7 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
     // beside a sharp first resonance a further critical speed is small, but shown by the curve
     let critical = |e: &Extremum| {
         let found = facts.criticals.get().into_iter().flat_map(|c| &c.crossings);
-        let mut light = found.filter(|c| c.driven_by_unbalance() && c.located() && damping(c).abs() < LIGHT);
+        let mut light = found.filter(|c| c.driven_by_unbalance() && c.located() && resonant(damping(c)));
         light.any(|c| (c.speed - e.speed).abs() < SAME * e.speed.abs())
     };
     for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest && rises(e) || critical(e)) {

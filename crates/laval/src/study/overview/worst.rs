@@ -78,7 +78,7 @@ fn search(system: &System, operating: Operating, sign: f64) -> Result<Option<Wor
         let Some(m) = s.least_stable() else { continue };
         let worse = found.as_ref().is_none_or(|f| !(m.growth() <= f.value.re));
         if worse && !found.as_ref().is_some_and(|f| f.value.re.is_nan()) {
-            found = Some(Worst { speed: w, value: m.value, modes: s.modes.len(), decrement: None, peaks: Vec::new() });
+            found = Some(Worst { speed: w, value: m.value, modes: s.held().count(), decrement: None, peaks: Vec::new() });
         }
     }
     let damped = tops(&|s| least(s).map(|d| -d.0));

@@ -3,6 +3,7 @@
 
 use crate::model::field::{Field, FieldKind};
 use crate::model::system::System;
+use crate::outcome::{Arg, Finding};
 use crate::study::shared::operation;
 
 /// Field: the standard whose separation margins are assessed.
@@ -19,6 +20,11 @@ pub const STANDARD: Field = Field::optional(
 /// Amplification factor below which a response is critically damped.
 pub const CRITICALLY_DAMPED: f64 = 2.5;
 
+/// A mode of this damping ratio shows as a resonance: its amplification factor 1/(2 zeta) counts.
+pub fn resonant(damping: f64) -> bool {
+    2.0 * CRITICALLY_DAMPED * damping.abs() < 1.0
+}
+
 /// Separation margin that is required of a resonance, over the operating speed; NaN where the factor is not known.
 pub fn required(factor: f64, below: bool) -> f64 {
     let share = 0.17 * (1.0 - 1.0 / (factor - 1.5));
@@ -30,10 +36,42 @@ pub fn required(factor: f64, below: bool) -> f64 {
     }
 }
 
-/// As [`required`]; where the factor is not known but is at most so much, none below [`CRITICALLY_DAMPED`].
-pub fn required_within(factor: f64, at_most: f64, below: bool) -> f64 {
-    let damped = factor.is_nan() && at_most < CRITICALLY_DAMPED;
-    required(if damped { at_most } else { factor }, below)
+/// As [`required`] of a resonance so far from the operating speeds. Where the factor is not known but is at most so much, none below [`CRITICALLY_DAMPED`]; where nothing is known of it, the
+/// largest that any factor requires, if that is kept.
+pub fn required_within((factor, at_most): (f64, f64), below: bool, separation: f64) -> f64 {
+    let largest = required(f64::INFINITY, below);
+    match factor.is_nan() {
+        true if at_most < CRITICALLY_DAMPED => 0.0,
+        true if separation >= largest => largest,
+        _ => required(factor, below),
+    }
+}
+
+/// A resonance whose factor is not known.
+#[derive(Clone, Copy, Debug)]
+pub struct Open {
+    /// Its speed, rad/s.
+    pub speed: f64,
+    /// Distance from the operating speeds, over the nearest.
+    pub separation: f64,
+    /// It lies below them.
+    pub below: bool,
+    /// Half-power points may lie beyond the ends of the range.
+    pub by_range: bool,
+}
+
+/// That the margins are not decided, and what the nearest of the open resonances lacks; none is open where the study was stopped.
+pub fn undecided(open: impl Iterator<Item = Open>) -> Finding {
+    let finding = Finding::warning("separation_margin", "forced-response-margin-unknown");
+    match open.min_by(|a, b| a.separation.total_cmp(&b.separation)) {
+        None => finding.arg("reason", Arg::word("stopped")),
+        Some(o) => finding
+            .arg("reason", Arg::word(if o.by_range { "range" } else { "neighbour" }))
+            .of("of the nearest resonance whose amplification factor is not known")
+            .value_as(Arg::percent(o.separation))
+            .arg("resonance", Arg::speed(o.speed))
+            .arg("required", Arg::percent(required(f64::INFINITY, o.below))),
+    }
 }
 
 /// Operating speeds, rad/s: amounts.
@@ -89,8 +127,13 @@ mod tests {
         assert!(required(18.4, false) < 0.26 && required(18.6, false) == 0.26);
         assert!(required(f64::NAN, true).is_nan() && required(f64::INFINITY, false) == 0.26);
         // a bound decides alone below 2.5
-        assert_eq!([required_within(f64::NAN, 2.49, false), required_within(2.5, 1.0, false)], [0.0, 0.1]);
-        assert!(required_within(f64::NAN, 2.5, true).is_nan() && required_within(f64::NAN, f64::NAN, true).is_nan());
+        let nan = f64::NAN;
+        assert_eq!([required_within((nan, 2.49), false, 0.0), required_within((2.5, 1.0), false, 0.0)], [0.0, 0.1]);
+        assert!(required_within((nan, 2.5), true, 0.1).is_nan() && required_within((nan, nan), true, nan).is_nan());
+        // far away the factor does not matter
+        assert_eq!([required_within((nan, nan), true, 0.161), required_within((nan, 3.0), false, 0.27)], [0.16, 0.26]);
+        assert!(required_within((nan, nan), false, 0.25).is_nan());
+        assert!(resonant(0.199) && resonant(-0.1) && !resonant(0.201) && !resonant(nan));
         let s = Speeds { low: 800.0, high: 1000.0 };
         assert_eq!([s.separation(600.0), s.separation(900.0), s.separation(-1200.0)], [0.25, 0.0, 0.2]);
         assert!(s.separation(f64::NAN).is_nan());

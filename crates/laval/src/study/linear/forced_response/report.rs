@@ -13,7 +13,7 @@ use crate::solve::pencil::time_forms;
 use crate::study::Study;
 use crate::study::linear::growing::{Follows, unstable};
 use crate::study::linear::operating::operating;
-use crate::study::shared::margins::{Speeds, required_within};
+use crate::study::shared::margins::{Open, Speeds, required_within, undecided};
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
 use laval_num::order::SortByNumber;
@@ -307,7 +307,7 @@ impl<'a> Shown<'a> {
             .float_if_any(
                 "required_separation",
                 "",
-                "separation that the standard requires of a resonance (API 684, SP6.8.2.10); NaN of an antiresonance, and where its amplification is neither known nor bounded below 2.5",
+                "separation that the standard requires of a resonance (API 684, SP6.8.2.10); where its amplification is not known, the most that any requires, if that is kept; NaN of an antiresonance, and where it is not decided",
                 extrema.iter().map(|e| self.required(e)).collect(),
             )
             .build()
@@ -338,8 +338,13 @@ impl<'a> Shown<'a> {
     /// Separation margin required of a peak; NaN without a standard, and where the factor of amplification is not known.
     fn required(&self, e: &Extremum) -> f64 {
         let operating = Speeds::of(self.system).filter(|_| e.maximum && self.study.margins);
-        let (amplification, at_most) = self.factors(e);
-        operating.map_or(f64::NAN, |o| required_within(amplification, at_most, o.is_above(e.speed)))
+        operating.map_or(f64::NAN, |o| required_within(self.factors(e), o.is_above(e.speed), o.separation(e.speed)))
+    }
+
+    /// The response stays above half power from a peak up to an end of the range.
+    fn ends_beside(&self, e: &Extremum) -> bool {
+        let index = self.result.curve.extrema.iter().position(|o| std::ptr::eq(o, e));
+        index.and_then(|k| self.result.range_ends.get(k)).is_some_and(|ends| ends.iter().any(|x| x.is_finite()))
     }
 
     /// Whether the resonances keep the margins that the standard requires: the one that keeps least, or breaks most.
@@ -354,13 +359,18 @@ impl<'a> Shown<'a> {
         });
         let worst = worst.filter(|e| unknown == 0 || !(self.separation(e) >= self.required(e)));
         let Some(e) = worst else {
-            let finding = match (self.result.curve.complete, unknown) {
-                (true, 0) => Finding::info("separation_margin", "forced-response-margin-none"),
-                _ => Finding::warning("separation_margin", "forced-response-margin-unknown"),
-            };
+            if unknown > 0 || !self.result.curve.complete {
+                return Some(undecided(peaks.iter().filter(|e| self.required(e).is_nan()).map(|e| Open {
+                    speed: e.speed,
+                    separation: self.separation(e),
+                    below: operating.is_above(e.speed),
+                    by_range: self.ends_beside(e),
+                })));
+            }
+            let finding = Finding::info("separation_margin", "forced-response-margin-none");
             let most = peaks.iter().map(|e| self.at_most(e)).filter(|x| x.is_finite()).reduce(f64::max);
             let finding = finding.arg("bounded", Arg::word(if most.is_some() { "yes" } else { "no" }));
-            return Some(finding.arg("most", Arg::number(most.unwrap_or(0.0))).arg("unknown", Arg::count(unknown)));
+            return Some(finding.arg("most", Arg::number(most.unwrap_or(0.0))));
         };
         let (kept, needed) = (self.separation(e), self.required(e));
         let side = match (kept == 0.0, operating.is_above(e.speed)) {
@@ -384,9 +394,17 @@ impl<'a> Shown<'a> {
             .arg("operating", Arg::speed(nearest))
             .arg("side", Arg::word(side))
             .arg("body", probes::arg(&self.probes()[e.probe]))
-            .arg("damped", Arg::word(if factor.is_finite() { "yes" } else { "no" }))
+            .arg(
+                "damped",
+                Arg::word(if factor.is_nan() {
+                    "unknown"
+                } else if factor.is_finite() {
+                    "yes"
+                } else {
+                    "no"
+                }),
+            )
             .arg("factor", Arg::number(factor))
-            .arg("unknown", Arg::count(unknown))
             .evidence("its speed", e.speed, "rad/s");
         Some(finding.evidence("speed below at half power", low, "rad/s").evidence("speed above at half power", high, "rad/s"))
     }

@@ -10,7 +10,7 @@ use crate::study::Study;
 use crate::study::linear::growing::{Follows, unstable};
 use crate::study::linear::operating::operating;
 use crate::study::shared::half_power::{at_most, factor};
-use crate::study::shared::margins::{Speeds, required_within};
+use crate::study::shared::margins::{Open, Speeds, required_within, undecided};
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, largest, probe_name};
 
@@ -77,7 +77,7 @@ impl Shown<'_> {
 
     fn required(&self, p: &Peak) -> f64 {
         let operating = Speeds::of(self.system).filter(|_| self.study.margins);
-        operating.map_or(f64::NAN, |o| required_within(Self::amplification(p), Self::at_most(p), o.is_above(p.at)))
+        operating.map_or(f64::NAN, |o| required_within((Self::amplification(p), Self::at_most(p)), o.is_above(p.at), o.separation(p.at)))
     }
 
     fn special(&self, p: &Peak) -> SpecialPoint {
@@ -155,7 +155,7 @@ impl Shown<'_> {
             .float_if_any(
                 "required_separation",
                 "",
-                "separation that the standard requires of a peak (API 684, SP6.8.2.10); NaN without a standard, and where its amplification is neither known nor bounded below 2.5",
+                "separation that the standard requires of a peak (API 684, SP6.8.2.10); where its amplification is not known, the most that any requires, if that is kept; NaN without a standard, and where it is not decided",
                 column(&|p| self.required(p)),
             )
             .build()
@@ -271,9 +271,18 @@ impl Shown<'_> {
                     .arg("required", Arg::percent(self.required(p)))
                     .arg("resonance", Arg::speed(p.at))
                     .arg("factor", Arg::number(Self::amplification(p)))
+                    .arg("known", Arg::word(if Self::amplification(p).is_nan() { "no" } else { "yes" }))
                     .evidence("its speed", p.at, "rad/s")
             }
-            _ if unknown || !self.result.end.is_complete() => Finding::warning("separation_margin", "forced-response-margin-unknown"),
+            _ if unknown || !self.result.end.is_complete() => {
+                let operating = Speeds::of(self.system);
+                undecided(peaks.iter().filter(|p| self.required(p).is_nan()).map(|p| Open {
+                    speed: p.at,
+                    separation: self.separation(p),
+                    below: operating.is_some_and(|o| o.is_above(p.at)),
+                    by_range: p.range_ends.iter().any(|x| x.is_finite()),
+                }))
+            }
             _ => {
                 let most = peaks.iter().map(|p| Self::at_most(p)).filter(|x| x.is_finite()).reduce(f64::max);
                 Finding::info("separation_margin", "forced-response-margin-none")

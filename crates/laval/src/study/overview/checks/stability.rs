@@ -45,7 +45,7 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     // of a range of speeds the least stable one counts
     let (value, modes, place) = match &facts.worst {
         Some(w) if !(w.value.re <= least.growth()) => (w.value, w.modes, Some(w.speed)),
-        _ => (least.value, result.spectrum.modes.len(), facts.worst.as_ref().map(|_| study.speed.abs())),
+        _ => (least.value, result.spectrum.held().count(), facts.worst.as_ref().map(|_| study.speed.abs())),
     };
     let (growth, frequency) = (value.re, if aperiodic(value) { 0.0 } else { value.im.abs() });
     let threshold = study.threshold.max(facts.threshold);
