@@ -3,7 +3,7 @@
 use super::point;
 use super::seeded::{Seeded, Targets};
 use crate::model::linear::{Form, LinearModel, LinearScratch};
-use crate::model::part::{At, Rows};
+use crate::model::part::{At, DofKind, Rows};
 use crate::model::system::{Slot, System, Workspace};
 use crate::programme::Spin;
 use laval_model::text;
@@ -41,6 +41,25 @@ pub(super) struct Direct {
     state_rate: Vec<f64>,
     plain: Workspace<f64>,
     seeded: Seeded,
+}
+
+/// Inertia over the sum of its terms that is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// With a free spin, the twist of all that twists by one angle while the spin goes back by it moves nothing, unless something turns that does not twist.
+fn turns_without_inertia(system: &System, mass: &Mat, scale: &[f64]) -> bool {
+    let n = system.n();
+    let twist = |i: usize| match system.coordinates()[i].dof.kind {
+        DofKind::Twist => system.slots()[system.coordinates()[i].slot].speed(system.params(), 1.0),
+        _ => 0.0,
+    };
+    let turn: Vec<f64> = (0..=n).map(|i| scale[i] * if i < n { twist(i) } else { -1.0 }).collect();
+    turn[..n].iter().any(|x| *x != 0.0)
+        && (0..=n).all(|i| {
+            let terms = (0..=n).map(|j| mass[(i, j)] * turn[j]);
+            let (sum, size) = terms.fold((0.0f64, 0.0), |(sum, size), x| (sum + x, size + x.abs()));
+            sum.abs() <= ROUNDING * size
+        })
 }
 
 pub(super) fn zeroed(x: &mut Vec<f64>, n: usize) {
@@ -82,6 +101,9 @@ impl Direct {
     pub fn check_mass(&self, system: &System) -> Result<(), Failure> {
         let size: Vec<f64> = (0..self.mass.rows()).map(|i| self.mass[(i, i)].abs().sqrt()).collect();
         let scaled = Mat::from_fn(size.len(), size.len(), |i, j| self.mass[(i, j)] / (size[i] * size[j]));
+        if self.free && turns_without_inertia(system, &scaled, &size) {
+            return Err(singular(system, size.len() - 1, self.mass.data()));
+        }
         let lu = Lu::new(&scaled).map_err(|s| singular(system, s.column, self.mass.data()))?;
         // NaN fails
         if lu.pivot_ratio() > 1e-13 { Ok(()) } else { Err(singular(system, size.len() - 1, self.mass.data())) }

@@ -106,7 +106,9 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
         return;
     }
     let params = system.param_slots()[slot.params.clone()].iter().zip(&system.params()[slot.params.clone()]);
-    for (p, _) in params.filter(|(p, x)| p.unit == "N m/rad" && !p.name.starts_with("torsional") && **x != 0.0) {
+    for (p, _) in params
+        .filter(|(p, x)| p.unit == "N m/rad" && !p.name.rsplit('.').next().is_some_and(|own| own.starts_with("torsional")) && **x != 0.0)
+    {
         let message = text!("{name} of \"{slot}\" has no effect: what it is joined to does not tilt", name = p.name, slot = slot.name);
         out.push(
             Diagnostic::warning("part.no_tilt", message)

@@ -194,12 +194,12 @@ impl Facts<'_> {
         operation::required_margin(self.system)
     }
 
-    /// Range of speeds searched for resonances.
-    fn searched(&self, over: &OverSpeed) -> (f64, f64) {
-        let criticals = self.criticals.get().map_or(&[][..], |c| &c.strongest);
-        let along: Vec<f64> = criticals.iter().map(|s| self.sign * s.speed).collect();
+    /// Range of speeds searched for resonances; none where nothing was.
+    fn searched(&self, over: &OverSpeed) -> Option<(f64, f64)> {
+        let criticals = self.criticals.get();
+        let along: Vec<f64> = criticals.iter().flat_map(|c| &c.strongest).map(|s| self.sign * s.speed).collect();
         let own = if over.response_speed.is_empty() { &along } else { &over.response_speed };
-        ends(own).unwrap_or(over.range)
+        ends(own).or_else(|| criticals.is_some_and(|c| c.end.is_complete()).then_some(over.range))
     }
 }
 
@@ -258,6 +258,15 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let limits = limits::of(system);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
     let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
+    // what ended early below the operating speeds tells nothing of them
+    let reaches = |r: &CriticalSpeedsResult| {
+        let along: Vec<f64> = r.strongest.iter().map(|s| sign * s.speed).collect();
+        r.end.is_complete() || self::ends(&along).is_some_and(|e| operating.is_none_or(|o| e.1 >= o.high * (1.0 - 1e-9)))
+    };
+    let criticals = match criticals {
+        Known::Yes(r) if !reaches(&r) => Known::TooLong,
+        known => known,
+    };
     let mut response_study = match &criticals {
         Known::Studied(_, name) => studied::response_beside(outcomes, needed, name),
         _ => None,

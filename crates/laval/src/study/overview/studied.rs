@@ -16,7 +16,7 @@ use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult
 use crate::study::linear::modes::{Modes, ModesResult};
 use crate::study::linear::stability_map::{StabilityMap, StabilityMapResult};
 use crate::study::shared::support::About;
-use laval_num::complex::c;
+use laval_num::complex::{C64, c};
 
 /// Two speeds that differ by less than this share are one.
 const SAME: f64 = 1e-9;
@@ -43,6 +43,11 @@ impl Needed {
         Needed { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]) }
     }
 
+    fn holds(self, speed: f64) -> bool {
+        let slack = SAME * speed.abs();
+        self.from <= speed + slack && speed - slack <= self.to
+    }
+
     fn within(self, range: &RangeValue) -> bool {
         let slack = SAME * self.to.abs().max(self.from.abs());
         range.from <= self.from + slack && self.to - slack <= range.to
@@ -59,6 +64,15 @@ pub(super) fn modes(outcomes: &[Outcome], speed: f64) -> Found<ModesResult> {
     let fits = |s: &Modes| s.about == About::Rest && s.threshold == 0.0 && (s.speed - speed).abs() <= SAME * speed.abs();
     let found = complete::<Modes, ModesResult>(outcomes).find(|(s, ..)| fits(s));
     found.map(|(_, r, name)| (r.clone(), name.to_string()))
+}
+
+/// The mode that grows most among those that a study of modes found unstable at one of the operating speeds, and the study's name: it may have looked at higher frequencies than the page.
+pub(super) fn unstable(outcomes: &[Outcome], needed: Needed) -> Option<(C64, &str)> {
+    let inside = |s: &Modes| s.about == About::Rest && needed.holds(s.speed);
+    let own = outcomes.iter().filter(|o| o.findings.iter().any(|f| f.id == "unstable_mode"));
+    let found = own.filter_map(|o| o.kept.get::<Modes, ModesResult>().map(|(s, r)| (s, r, o.name.as_str())));
+    let grows = found.filter(|(s, ..)| inside(s)).filter_map(|(_, r, name)| Some((r.spectrum.least_stable()?.value, name)));
+    grows.filter(|(value, _)| value.re > 0.0).max_by(|a, b| a.0.re.total_cmp(&b.0.re))
 }
 
 /// Growth over the speed: of a stability map, else the mode that grows most along another study.

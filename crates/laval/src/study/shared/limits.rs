@@ -2,8 +2,9 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics, meant, nearest};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
+use crate::model::part::At;
 use crate::model::probe::Probe;
-use crate::model::system::{Station, System};
+use crate::model::system::{Station, System, Workspace};
 use crate::study::linear::campbell::spin_orders;
 use crate::text;
 use crate::units::read_quantity;
@@ -119,6 +120,17 @@ fn names(system: &System, such: impl Fn(&Station) -> bool) -> Vec<String> {
     out
 }
 
+/// Names of the parts with loads of this unit: all that join bodies, and bodies that show one.
+fn loaded(system: &System, unit: &str) -> Vec<String> {
+    let (zero, still) = (vec![0.0; system.n()], vec![0.0; system.m()]);
+    let speed = system.machine.speed.unwrap_or(0.0);
+    let at = At { q: &zero, v: &zero, a: &zero, z: &still, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    let mut scratch = Workspace::default();
+    let mut shows = |k: usize| system.observe_part(k, &at, &mut scratch).iter().any(|o| o.unit == unit);
+    let slots = system.slots().iter().enumerate();
+    slots.filter(|(k, s)| s.part.body().is_none() || shows(*k)).map(|(_, s)| s.name.clone()).collect()
+}
+
 /// The points of bodies that limits name.
 pub fn points(extra: &Extra, system: &System) -> Vec<(String, f64)> {
     let bodies = names(system, |_| true);
@@ -171,7 +183,8 @@ impl Limits {
 enum Limited {
     Body,
     Tilting,
-    Part,
+    Force,
+    Moment,
 }
 
 /// Says what is wrong with the limits.
@@ -182,7 +195,6 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
 /// Reads the limits; says all that is wrong.
 pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
     let bodies = names(system, |_| true);
-    let parts: Vec<String> = system.slots().iter().map(|s| s.name.clone()).collect();
     let mut list = |field: &str, known: &[String], of: Limited| -> Vec<Limit> {
         let mut found = Vec::new();
         let limit = |name: &str, body: &str, at: Option<f64>, value| Limit { name: name.into(), body: body.into(), at, value };
@@ -205,7 +217,8 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
                     let message = match of {
                         Limited::Body => text!("{field} names \"{n}\", which is no body of this machine", field, n),
                         Limited::Tilting => text!("{field} names \"{n}\", which is no body that tilts of this machine", field, n),
-                        Limited::Part => text!("{field} names \"{n}\", which is no part of this machine", field, n),
+                        Limited::Force => text!("{field} names \"{n}\", which is no part with a force", field, n),
+                        Limited::Moment => text!("{field} names \"{n}\", which is no part with a moment", field, n),
                     };
                     out.push(Diagnostic::error("limits.name", message).at(v.span_of(field)).about(n).help(help));
                 }
@@ -215,8 +228,9 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
     };
     let (displacement, velocity) = (list("displacement", &bodies, Limited::Body), list("velocity", &bodies, Limited::Body));
     let tilting = names(system, |s| s.tilt.is_some());
-    let (tilt, moment) = (list("tilt", &tilting, Limited::Tilting), list("moment", &parts, Limited::Part));
-    let (force, passage) = (list("force", &parts, Limited::Part), list("passage_displacement", &bodies, Limited::Body));
+    let [forces, moments] = ["N", "N m"].map(|unit| loaded(system, unit));
+    let (tilt, moment) = (list("tilt", &tilting, Limited::Tilting), list("moment", &moments, Limited::Moment));
+    let (force, passage) = (list("force", &forces, Limited::Force), list("passage_displacement", &bodies, Limited::Body));
     if v.number("rated_density").is_some() && v.number("speed").is_none() {
         let message = text!("rated_density belongs to a highest speed, which is missing");
         out.push(Diagnostic::error("limits.speed", message).at(v.span_of("rated_density")).help(text!("add speed")));

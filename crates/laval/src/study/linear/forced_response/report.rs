@@ -404,7 +404,7 @@ impl<'a> Shown<'a> {
                     "no"
                 }),
             )
-            .arg("factor", Arg::number(factor))
+            .arg("factor", Arg::number(if factor.is_nan() { 0.0 } else { factor }))
             .evidence("its speed", e.speed, "rad/s");
         Some(finding.evidence("speed below at half power", low, "rad/s").evidence("speed above at half power", high, "rad/s"))
     }

@@ -270,7 +270,7 @@ impl Shown<'_> {
                     .value_as(Arg::percent(self.separation(p)))
                     .arg("required", Arg::percent(self.required(p)))
                     .arg("resonance", Arg::speed(p.at))
-                    .arg("factor", Arg::number(Self::amplification(p)))
+                    .arg("factor", Arg::number(if Self::amplification(p).is_nan() { 0.0 } else { Self::amplification(p) }))
                     .arg("known", Arg::word(if Self::amplification(p).is_nan() { "no" } else { "yes" }))
                     .evidence("its speed", p.at, "rad/s")
             }

@@ -113,13 +113,13 @@ fn exempt(over: &OverSpeed) -> Option<Message> {
 pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
     let set = facts.resonance_margin();
     let over = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some());
-    let covered = |o: &&OverSpeed| facts.searched(o).1 >= speed.high * (1.0 - 1e-9);
-    let Some(over) = over.filter(covered) else {
+    let searched = over.and_then(|o| facts.searched(o)).filter(|s| s.1 >= speed.high * (1.0 - 1e-9));
+    let Some((over, searched)) = over.zip(searched) else {
         return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
     };
     let nearest = margins::resonance(over, speed);
     let none = if over.critically_damped.is_empty() { "distance-no-resonance" } else { "distance-no-other-resonance" };
-    let mut check = distance("check-resonance", none, &nearest, speed, set.unwrap_or(MARGIN), facts.searched(over));
+    let mut check = distance("check-resonance", none, &nearest, speed, set.unwrap_or(MARGIN), searched);
     check.detail = exempt(over).or_else(|| source(facts, over, &nearest, speed));
     if check.verdict == Verdict::Attention && set.is_some() {
         check.verdict = Verdict::Failed;

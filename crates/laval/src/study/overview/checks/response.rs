@@ -36,7 +36,7 @@ fn sizes(curve: &Curve, probes: &[Probe], probe: &Probe) -> (f64, f64) {
 }
 
 /// Names of the spins whose loads the response leaves out: all but the one of the machine.
-fn spins_left_out(facts: &Facts) -> Vec<String> {
+pub(super) fn spins_left_out(facts: &Facts) -> Vec<String> {
     let speed = facts.operating.map_or(0.0, |o| facts.sign * o.high);
     let loaded = |name: &str, ratio: f64| {
         let own = facts.system.at_spin(name).ok()?;
@@ -48,12 +48,12 @@ fn spins_left_out(facts: &Facts) -> Vec<String> {
 }
 
 /// A limit is not known to be kept where loads are left out.
-fn kept_without(spins: &[String], verdict: Verdict) -> Verdict {
+pub(super) fn kept_without(spins: &[String], verdict: Verdict) -> Verdict {
     if spins.is_empty() || verdict == Verdict::Failed { verdict } else { Verdict::NotComputed }
 }
 
 /// That the response is without their unbalance; none where no spin is left out.
-fn without_spins(spins: &[String]) -> Option<Message> {
+pub(super) fn without_spins(spins: &[String]) -> Option<Message> {
     let names = || Arg::names(spins.iter().map(String::as_str).collect::<Vec<_>>());
     (!spins.is_empty()).then(|| Message::new("response-without-spins").arg("spins", names()))
 }

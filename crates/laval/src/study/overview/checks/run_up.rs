@@ -2,6 +2,7 @@
 
 use super::super::operating::{Operating, span};
 use super::super::{Facts, Known, ends, within};
+use super::response::{kept_without, spins_left_out, without_spins};
 use super::{against, speeds};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{Value, Values};
@@ -73,7 +74,7 @@ fn nearest(facts: &Facts, sizes: &[(String, f64)]) -> Option<(f64, f64)> {
 /// The lowest speed from which on it is known up to the operating speeds what a run-up crosses.
 fn known_from(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<f64> {
     let over = over.filter(|o| !o.growth.is_empty() && (!o.response_speed.is_empty() || facts.criticals.get().is_some()))?;
-    let (growth, searched) = (ends(&over.growth_speed)?, facts.searched(over));
+    let (growth, searched) = (ends(&over.growth_speed)?, facts.searched(over)?);
     (growth.1.min(searched.1) >= speed.high * (1.0 - 1e-9)).then_some(growth.0.max(searched.0))
 }
 
@@ -132,7 +133,9 @@ pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, 
             (m.arg("several", several).arg("ranges", Arg::List(ranges)), None, Verdict::NotComputed)
         }
     };
-    Some(Check { required, detail: factor(facts, over, speed), ..Check::new("check-run-up", result, verdict) })
+    let spins = spins_left_out(facts);
+    let detail = without_spins(&spins).or_else(|| factor(facts, over, speed));
+    Some(Check { required, detail, ..Check::new("check-run-up", result, kept_without(&spins, verdict)) })
 }
 
 /// By what factor a disturbance grows at most on the way through unstable ranges in the time of the run-up: exp of the growth rate over that time, as in

@@ -2,6 +2,7 @@
 
 use super::super::margins;
 use super::super::operating::{Operating, span};
+use super::super::studied::{self, Needed};
 use super::super::worst::decrement;
 use super::super::{Facts, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
@@ -32,6 +33,12 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     let decay = if facts.limits.growth > 0.0 { Arg::quantity(facts.limits.growth, "1/s") } else { Arg::word("none") };
     let required = Some(Arg::from(Message::new("required-decay").arg("margin", decay)));
     let of = |result: Message, verdict| Check { required: required.clone(), ..Check::new("check-stability", result, verdict) };
+    if let Some((value, name)) = studied::unstable(facts.outcomes, Needed::of(speed, facts.sign)) {
+        let frequency = if aperiodic(value) { 0.0 } else { value.im.abs() };
+        let result = Message::new("stability-unstable").arg("time", Arg::quantity(1.0 / value.re, "s"));
+        let source = Message::new("from-study").arg("study", Arg::name(name));
+        return Check { detail: Some(source), ..of(result.arg("motion", motion(value.re, frequency)), Verdict::Failed) };
+    }
     let Some((study, known)) = &facts.modes else { return of(Message::new("why-no-speed"), Verdict::NotComputed) };
     let Some(result) = known.get() else {
         let (result, detail, verdict) = along(facts, over, speed).unwrap_or_else(|| (known.why(), None, Verdict::NotComputed));
@@ -75,6 +82,10 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         (named("stability-unstable"), Verdict::Failed)
     } else if let Some(range) = elsewhere().filter(|_| !speed.is_one()) {
         return of(Message::new("stability-unstable-range").arg("range", range), Verdict::Failed);
+    } else if !speed.is_one() && facts.worst.is_none() {
+        // modes at one speed say nothing of the others
+        let (result, detail, verdict) = along(facts, over, speed).unwrap_or_else(|| (facts.stability.why(), None, Verdict::NotComputed));
+        return Check { detail, ..of(result, verdict) };
     } else if facts.worst.as_ref().is_some_and(|w| w.value.re.is_nan()) {
         return of(Message::new("stability-unknown"), Verdict::Attention);
     } else if slow && (has("stability_unknown") || has("slow_growth")) {
