@@ -106,6 +106,39 @@ fn help_says_what_may_stand_there() {
     assert!(pounds.contains("\"20000 lbf/in\""), "{pounds}");
 }
 
+const SHAFT: &str = r#"[machine]
+name = "m"
+speed = "3000 rpm"
+[[part]]
+kind = "shaft"
+name = "shaft"
+section = [ { length = "600 mm", outer_diameter = "50 mm" } ]
+[[part]]
+kind = "bearing_linear"
+name = "left"
+between = ["shaft", "ground"]
+stiffness = "5e7 N/m"
+[[part]]
+kind = "bearing_linear"
+name = "right"
+between = [{ body = "shaft", at = "600 mm" }, "ground"]
+stiffness = "5e7 N/m"
+"#;
+
+/// A place just beside the end of a body is written with the digits that tell the two apart, in any unit.
+#[test]
+fn a_place_beside_the_end_differs_from_it_in_words() {
+    for (at, written) in [("600.0001 mm", "position 600.0001 mm"), ("601 mm", "position 601 mm"), ("-0.0001 mm", "position -0.0001 mm")] {
+        let text = said(Language::English, &SHAFT.replacen("at = \"600 mm\"", &format!("at = \"{at}\""), 1));
+        assert!(text.contains(written) && text.contains("from 0 mm to 600 mm"), "{text}");
+    }
+    let inches = SHAFT.replacen("600 mm", "25 in", 1).replacen("600 mm", "25.00001 in", 1);
+    let text = said(Language::English, &inches);
+    assert!(text.contains("position 25.00001 in") && text.contains("to 25 in"), "{text}");
+    let text = said(Language::Russian, &SHAFT.replacen("at = \"600 mm\"", "at = \"600.0001 mm\"", 1));
+    assert!(text.contains("600,0001"), "{text}");
+}
+
 /// A block in single brackets of which there may be several is one mistake, wherever it stands.
 #[test]
 fn single_brackets_are_one_mistake() {
