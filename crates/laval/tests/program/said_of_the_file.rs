@@ -139,6 +139,18 @@ fn a_place_beside_the_end_differs_from_it_in_words() {
     assert!(text.contains("600,0001"), "{text}");
 }
 
+/// A modulus out of bounds is one mistake; what stands in for it makes no Poisson's ratio.
+#[test]
+fn nothing_follows_from_a_modulus_out_of_bounds() {
+    for key in ["modulus", "shear_modulus"] {
+        let text = said(Language::English, &SHAFT.replacen("name = \"shaft\"\n", &format!("name = \"shaft\"\n{key} = \"-210 GPa\"\n"), 1));
+        assert!(text.matches("error[").count() == 1 && text.contains(key) && !text.contains("Poisson"), "{text}");
+    }
+    // of two that are read and do not go together it is said
+    let apart = SHAFT.replacen("name = \"shaft\"\n", "name = \"shaft\"\nmodulus = \"10 GPa\"\n", 1);
+    assert!(said(Language::English, &apart).contains("Poisson"));
+}
+
 /// A block in single brackets of which there may be several is one mistake, wherever it stands.
 #[test]
 fn single_brackets_are_one_mistake() {
