@@ -1,6 +1,6 @@
 //! A sentence for people as data: its English template and what stands in it, so that other languages can say it too.
 
-use crate::units::{format_number, format_si};
+use crate::units::{DIGITS, format_number, format_si};
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 
@@ -39,12 +39,14 @@ pub struct Value {
     pub value: f64,
     /// The SI unit.
     pub unit: Cow<'static, str>,
+    /// Significant digits; as many as people read where there is none.
+    pub digits: Option<u8>,
 }
 
 /// Compared bit by bit: NaN equals itself, and so does every sentence.
 impl PartialEq for Value {
     fn eq(&self, other: &Value) -> bool {
-        self.value.to_bits() == other.value.to_bits() && self.unit == other.unit
+        self.value.to_bits() == other.value.to_bits() && self.unit == other.unit && self.digits == other.digits
     }
 }
 impl Eq for Value {}
@@ -250,7 +252,15 @@ pub fn quoted(word: &(impl fmt::Debug + ?Sized)) -> Arg {
 
 /// A value in its SI unit, for the reader in the unit of the file.
 pub fn quantity(value: f64, unit: impl Into<Cow<'static, str>>) -> Arg {
-    Arg::Quantity(Value { value, unit: unit.into() })
+    Arg::Quantity(Value { value, unit: unit.into(), digits: None })
+}
+
+/// The same with so many digits that it differs from another value in every unit.
+pub fn quantity_beside(value: f64, other: f64, unit: impl Into<Cow<'static, str>>) -> Arg {
+    let apart = (value - other).abs() / value.abs().max(other.abs());
+    let digits = 1.0 + (-apart.log10()).ceil();
+    let digits = (digits > f64::from(DIGITS)).then(|| digits.min(17.0) as u8);
+    Arg::Quantity(Value { value, unit: unit.into(), digits })
 }
 
 /// A number without unit, with at most `significant` digits.
@@ -278,7 +288,7 @@ impl fmt::Display for Arg {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Arg::Plain(text) | Arg::Number(text) => f.write_str(text),
-            Arg::Quantity(q) => f.write_str(&format_si(q.value, &q.unit)),
+            Arg::Quantity(q) => f.write_str(&format_si(q.value, &q.unit, q.digits.unwrap_or(DIGITS))),
             Arg::Count(n) => write!(f, "{n}"),
             Arg::Term(text) => f.write_str(text),
             Arg::Text(text) => text.fmt(f),

@@ -16,13 +16,14 @@ use std::sync::OnceLock;
 pub fn outside(position: f64, [low, high]: [f64; 2]) -> Option<Text> {
     let rounding = 1e-9 * (high - low);
     let on = (low - rounding..=high + rounding).contains(&position);
-    let length = |x: f64| text::quantity(x, "m");
+    let end = if position < low { low } else { high };
+    let length = |x: f64, other: f64| text::quantity_beside(x, other, "m");
     (!on).then(|| {
         text!(
             "the position {position} is not on the body, which reaches from {low} to {high}",
-            position = length(position),
-            low = length(low),
-            high = length(high)
+            position = length(position, end),
+            low = if end == low { length(low, position) } else { text::quantity(low, "m") },
+            high = if end == high { length(high, position) } else { text::quantity(high, "m") }
         )
     })
 }

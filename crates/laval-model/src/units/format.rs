@@ -109,10 +109,13 @@ pub fn write_number(x: f64) -> String {
     plain(n, &d, e)
 }
 
-/// A value in SI units for people, with four digits, a readable prefix, and the usual second unit for speeds and angles:
+/// Significant digits of a value for people.
+pub const DIGITS: u8 = 4;
+
+/// A value in SI units for people, with so many digits, a readable prefix, and the usual second unit for speeds and angles:
 /// "70 mm", "11 MN/m", "25 rad/s (238.7 rpm)", "333.1 K (60 degC)".
-pub fn format_si(x: f64, unit: &str) -> String {
-    let n = |x: f64| format_number(x, 4);
+pub fn format_si(x: f64, unit: &str, significant: u8) -> String {
+    let n = |x: f64| format_number(x, significant.into());
     if !x.is_finite() || unit.is_empty() {
         return n(x);
     }
@@ -121,7 +124,7 @@ pub fn format_si(x: f64, unit: &str) -> String {
         "rad" if x != 0.0 => format!("{} rad ({} deg)", n(x), n(x * 180.0 / PI)),
         "K" if x > 0.0 => format!("{} K ({} degC)", n(x), n(x - 273.15)),
         _ => {
-            let (neg, d, e) = digits(&format!("{x:.3e}"));
+            let (neg, d, e) = digits(&format!("{x:.*e}", usize::from(significant.clamp(1, 17)) - 1));
             let (text, shift) = if x == 0.0 { (unit.to_string(), 0) } else { rung(unit, e) };
             format!("{} {text}", plain(neg, &d, e - shift))
         }
@@ -135,16 +138,16 @@ pub fn unit_of(text: &str) -> Option<&str> {
     parse_unit(unit).ok().filter(|_| !unit.is_empty()).map(|_| unit)
 }
 
-/// A value in SI units with four digits as number and unit: in the first of the units a reader has chosen that measures it readably, else in the first that
+/// A value in SI units with so many digits as number and unit: in the first of the units a reader has chosen that measures it readably, else in the first that
 /// measures it at all, else with a readable prefix; speeds then in rpm, angles in degrees.
 ///
 /// ```
 /// use laval_model::units::read_in;
-/// assert_eq!(read_in(&["lbf/in", "in"], 0.0508, "m"), ("2".into(), "in".into()));
-/// assert_eq!(read_in(&[""; 0], 314.159265, "rad/s"), ("3000".into(), "rpm".into()));
+/// assert_eq!(read_in(&["lbf/in", "in"], 0.0508, "m", 4), ("2".into(), "in".into()));
+/// assert_eq!(read_in(&[""; 0], 314.159265, "rad/s", 4), ("3000".into(), "rpm".into()));
 /// ```
-pub fn read_in(units: &[impl AsRef<str>], x: f64, unit: &str) -> (String, String) {
-    let n = |x: f64| format_number(x, 4);
+pub fn read_in(units: &[impl AsRef<str>], x: f64, unit: &str, significant: u8) -> (String, String) {
+    let n = |x: f64| format_number(x, significant.into());
     if !x.is_finite() {
         return (n(x), String::new());
     }
@@ -166,7 +169,7 @@ pub fn read_in(units: &[impl AsRef<str>], x: f64, unit: &str) -> (String, String
         "rad" => (n(x * 180.0 / PI), "deg".into()),
         "K" if x > 0.0 => (n(x - 273.15), "degC".into()),
         _ => {
-            let (neg, d, e) = digits(&format!("{x:.3e}"));
+            let (neg, d, e) = digits(&format!("{x:.*e}", usize::from(significant.clamp(1, 17)) - 1));
             let (text, shift) = if x == 0.0 { (unit.to_string(), 0) } else { rung(unit, e) };
             (plain(neg, &d, e - shift), text)
         }

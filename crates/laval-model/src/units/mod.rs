@@ -20,7 +20,7 @@ mod format;
 mod parse;
 mod table;
 
-pub use format::{format_length, format_number, format_si, read_in, unit_of, write_number, write_si};
+pub use format::{DIGITS, format_length, format_number, format_si, read_in, unit_of, write_number, write_si};
 pub use parse::parse_unit;
 pub use table::{Listed, describe, examples, list, quantities};
 

@@ -187,7 +187,7 @@ fn display() {
         (25e-6, "m^2/s", "25 mm^2/s"),
         (1200.0, "m", "1200 m"),
     ] {
-        assert_eq!(format_si(x, unit), text);
+        assert_eq!(format_si(x, unit, DIGITS), text);
     }
 }
 
@@ -206,12 +206,12 @@ fn values_are_read_in_the_units_of_the_file() {
         (0.25, "", "25", "%"),
         (f64::NAN, "m", "not a number", ""),
     ] {
-        assert_eq!(read_in(&imperial, x, unit), (number.into(), name.into()), "{x} {unit}");
+        assert_eq!(read_in(&imperial, x, unit, DIGITS), (number.into(), name.into()), "{x} {unit}");
     }
     // the first that measures it readably; a torque is no energy, a rate no speed
-    assert_eq!(read_in(&["m", "µm"], 2e-5, "m"), ("20".into(), "µm".into()));
-    assert_eq!(read_in(&["J", "Hz"], 5.0, "N m"), ("5".into(), "N m".into()));
-    assert_eq!(read_in(&["Hz"], 5.0, "1/s"), ("5".into(), "1/s".into()));
+    assert_eq!(read_in(&["m", "µm"], 2e-5, "m", DIGITS), ("20".into(), "µm".into()));
+    assert_eq!(read_in(&["J", "Hz"], 5.0, "N m", DIGITS), ("5".into(), "N m".into()));
+    assert_eq!(read_in(&["Hz"], 5.0, "1/s", DIGITS), ("5".into(), "1/s".into()));
     for (text, unit) in [("46.7mm", Some("mm")), ("3 N m/rad", Some("N m/rad")), ("5", None), ("fast", None), ("3 furlongs", None)] {
         assert_eq!(unit_of(text), unit);
     }

@@ -383,7 +383,7 @@ def operation(
 
     Args:
         speed: operating speed, or the range of operating speeds as { from = "2700 rpm", to = "3000 rpm" }; its upper end is the speed of [machine] where that gives none (optional).
-            one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between -1e6 rad/s (-9.549e6 rpm) and 1e6 rad/s (9.549e6 rpm)
+            one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
         run_up_time: time from standstill to the operating speed at constant acceleration; the run-up is then simulated for the first page (optional).
             a time (s, ms, min), above 0 and at most 1e7 s
         resonance_margin: least distance of resonances from the operating speeds, over the speed; clearance of [limits], or 15 %, where absent (optional).

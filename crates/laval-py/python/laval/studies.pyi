@@ -166,6 +166,7 @@ def support_stiffness_map(
     modes: int | None = None,
     supports: str | None = None,
     rest_frequencies: bool | None = None,
+    spin: str | None = None,
 ) -> Study:
     """Undamped critical speeds over the stiffness of the supports: every bearing is replaced by the same stiffness in x and y, without damping and cross terms; pedestals and masses stay. The stiffness of the linear bearings is laid over it, and where it meets the curves the share of the strain energy in the supports says whether other bearings or another shaft would move the critical speed.
 
@@ -179,6 +180,8 @@ def support_stiffness_map(
             a text
         rest_frequencies: natural frequencies of the rotor at rest as well (default false).
             true or false
+        spin: of a machine of several spins: the part of kind "speed_ratio" whose unbalance drives the whirls; speeds are then those of this spin. Without it, they are those of the machine, or where no body turns at its speed of the first of its spins (optional).
+            a text
 
     In a machine file::
 

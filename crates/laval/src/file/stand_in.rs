@@ -23,11 +23,11 @@ pub(super) fn complete<'a>(values: &mut Values, fields: impl Iterator<Item = &'a
     }
 }
 
-/// An admissible number, small or large.
+/// An admissible number, small or large. A quantity whose least value is large itself, such as a modulus, has a large one above what is usual.
 pub(super) fn number(b: &Bounds, side: Side) -> f64 {
     let x: f64 = match side {
         Side::Low => 1e-6,
-        Side::High => 1e6,
+        Side::High => (1e12 * b.min).max(1e6),
     };
     let x = x.min(b.max).max(b.min);
     if b.contains(x) { x } else { b.min + 1e-3 * (b.max - b.min).min(1.0) }
@@ -84,6 +84,8 @@ mod tests {
             let (low, high) = (number(&b, Side::Low), number(&b, Side::High));
             assert!(b.contains(low) && b.contains(high), "{b:?}: {low}, {high}");
         }
+        let modulus = Bounds::closed(1e5, 1e13);
+        assert!(number(&modulus, Side::Low) < 1e9 && number(&modulus, Side::High) > 1e12);
         let open = Bounds { min: 1.0, max: 10.0, min_open: true };
         assert!(open.contains(number(&open, Side::Low)) && number(&open, Side::Low) < number(&open, Side::High));
     }

@@ -3,11 +3,11 @@
 use super::Language;
 use crate::plain;
 use crate::text::{Arg, Joint, Text, capital, fill, id};
-use crate::units::read_in;
+use crate::units::{DIGITS, read_in};
 use fluent_bundle::{FluentArgs, FluentValue};
 
-/// Number and unit of a value in its SI unit, as a reader has them.
-pub type Shown<'a> = &'a dyn Fn(f64, &str) -> (String, String);
+/// Number and unit of a value in its SI unit, as a reader has them, with so many digits or as many as the reader is used to.
+pub type Shown<'a> = &'a dyn Fn(f64, &str, Option<u8>) -> (String, String);
 
 impl Language {
     /// A sentence of a diagnostic, with values in everyday units; in English where the language does not have it.
@@ -17,7 +17,7 @@ impl Language {
 
     /// The same with values in the first of these units that measures them, such as those of the file.
     pub fn said_in(self, text: &Text, units: &[impl AsRef<str>]) -> String {
-        self.said_with(text, &|x, unit| read_in(units, x, unit))
+        self.said_with(text, &|x, unit, digits| read_in(units, x, unit, digits.unwrap_or(DIGITS)))
     }
 
     /// The same with values as `shown` has them.
@@ -49,7 +49,7 @@ impl Language {
             Arg::Plain(text) => text.clone(),
             Arg::Number(number) => self.number(number),
             Arg::Quantity(q) => {
-                let (number, unit) = shown(q.value, &q.unit);
+                let (number, unit) = shown(q.value, &q.unit, q.digits);
                 let number = if q.value.is_finite() { self.number(&number) } else { number };
                 if unit.is_empty() { number } else { format!("{number} {}", self.unit(&unit)) }
             }
@@ -110,7 +110,7 @@ mod tests {
         let t = text!("{x}: {share}", x = text::quantity(0.0508, "m"), share = 2.5);
         assert_eq!(Language::English.said_in(&t, &["rpm", "in"]), "2 in: 2.5");
         assert_eq!(Language::Russian.said(&t), "50,8 мм: 2,5");
-        assert_eq!(Language::Kazakh.said_with(&t, &|_, _| ("0.0508".into(), "m".into())), "0,0508 м: 2,5");
+        assert_eq!(Language::Kazakh.said_with(&t, &|_, _, _| ("0.0508".into(), "m".into())), "0,0508 м: 2,5");
         // what stands in quotation marks is written into the file, with a decimal point
         assert_eq!(Language::Uzbek.said(&text!("{x}", x = text::quoted("1.5 mm"))), "\"1.5 mm\"");
         assert_eq!(Language::English.said(&text!("{w}", w = text::quantity(314.159_265, "rad/s"))), "3000 rpm");

@@ -92,8 +92,8 @@ struct Said {
 enum Word {
     Plain(String),
     Number(String),
-    /// The bits of the value, so that NaN comes back too.
-    Quantity(u64, String),
+    /// The bits of the value, so that NaN comes back too, unit and digits.
+    Quantity(u64, String, Option<u8>),
     Count(u64),
     Term(String),
     Text(Said),
@@ -133,7 +133,7 @@ impl From<&text::Arg> for Word {
         match arg {
             text::Arg::Plain(s) => Word::Plain(s.clone()),
             text::Arg::Number(s) => Word::Number(s.clone()),
-            text::Arg::Quantity(q) => Word::Quantity(q.value.to_bits(), q.unit.to_string()),
+            text::Arg::Quantity(q) => Word::Quantity(q.value.to_bits(), q.unit.to_string(), q.digits),
             text::Arg::Count(n) => Word::Count(*n),
             text::Arg::Term(s) => Word::Term(s.to_string()),
             text::Arg::Text(t) => Word::Text(t.into()),
@@ -148,7 +148,9 @@ impl From<Word> for text::Arg {
         match word {
             Word::Plain(s) => text::Arg::Plain(s),
             Word::Number(s) => text::Arg::Number(s),
-            Word::Quantity(bits, unit) => text::Arg::Quantity(text::Value { value: f64::from_bits(bits), unit: unit.into() }),
+            Word::Quantity(bits, unit, digits) => {
+                text::Arg::Quantity(text::Value { value: f64::from_bits(bits), unit: unit.into(), digits })
+            }
             Word::Count(n) => text::Arg::Count(n),
             Word::Term(s) => text::Arg::Term(fixed(s)),
             Word::Text(t) => text::Arg::Text(t.into()),

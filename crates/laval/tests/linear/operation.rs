@@ -27,16 +27,25 @@ fn peak(damping: f64) -> (f64, f64) {
 
 #[test]
 fn a_range_counts_from_its_nearer_end_and_by_its_worst_speed() {
-    for text in ["speed = { from = 150.0, to = 200.0 }", "speed = { from = -200.0, to = -150.0 }"] {
-        let p = of(text, 4.0);
-        assert_eq!((p.operating, p.operating_range), (Some(200.0), Some((150.0, 200.0))), "{text}");
-        assert_eq!(p.verdict, Verdict::Passed, "{:?}", p.headline);
-        let near = check(&p, "check-resonance").margin.unwrap();
-        assert!((near - (150.0 - peak(4.0).0) / 150.0).abs() < 1e-4, "{near}");
-        // largest at the lower end, above the critical speed
-        let found = number(&check(&p, "check-vibration").result, "sizes");
-        assert!((found / amplitude(150.0, 4.0) - 1.0).abs() < 1e-9, "{found}");
-        assert_eq!(check(&p, "check-run-up").result.key, "run-up-resonances");
+    let p = of("speed = { from = 150.0, to = 200.0 }", 4.0);
+    assert_eq!((p.operating, p.operating_range), (Some(200.0), Some((150.0, 200.0))));
+    assert_eq!(p.verdict, Verdict::Passed, "{:?}", p.headline);
+    let near = check(&p, "check-resonance").margin.unwrap();
+    assert!((near - (150.0 - peak(4.0).0) / 150.0).abs() < 1e-4, "{near}");
+    // largest at the lower end, above the critical speed
+    let found = number(&check(&p, "check-vibration").result, "sizes");
+    assert!((found / amplitude(150.0, 4.0) - 1.0).abs() < 1e-9, "{found}");
+    assert_eq!(check(&p, "check-run-up").result.key, "run-up-resonances");
+}
+
+/// As the speed of `[machine]`: what turns the other way is a spin of negative ratio.
+#[test]
+fn negative_operating_speeds_are_refused_at_their_place() {
+    for speed in ["-200.0", "{ from = -200.0, to = -150.0 }", "{ from = -200.0, to = 150.0 }"] {
+        let text = jeffcott("", 4.0, &format!("[operation]\nspeed = {speed}\n"));
+        let wrong = read(&text).err().unwrap_or_else(|| panic!("{speed} is read"));
+        let places: Vec<&str> = wrong.0.iter().map(|d| &text[d.span.clone().unwrap()]).collect();
+        assert!(places[0].contains("-200.0") && places.iter().all(|p| p.contains('-')), "{wrong:?}");
     }
 }
 

@@ -100,9 +100,55 @@ fn help_says_what_may_stand_there() {
     let from_rest = format!("{MACHINE}[operation]\nspeed = {{ from = \"0 rpm\", to = \"3000 rpm\" }}\n");
     assert!(said(Language::English, &from_rest).contains("lowest speed at which the machine runs in place of 0"));
     let both_ways = format!("{MACHINE}[operation]\nspeed = {{ from = \"-100 rpm\", to = \"3000 rpm\" }}\n");
-    assert!(said(Language::English, &both_ways).contains("from and to of the same sign"));
+    let text = said(Language::English, &both_ways);
+    assert!(text.contains("-100 rpm") && text.matches("error[").count() == 1, "{text}");
     let pounds = said(Language::English, &with("lbf/in", "lb/in"));
     assert!(pounds.contains("\"20000 lbf/in\""), "{pounds}");
+}
+
+const SHAFT: &str = r#"[machine]
+name = "m"
+speed = "3000 rpm"
+[[part]]
+kind = "shaft"
+name = "shaft"
+section = [ { length = "600 mm", outer_diameter = "50 mm" } ]
+[[part]]
+kind = "bearing_linear"
+name = "left"
+between = ["shaft", "ground"]
+stiffness = "5e7 N/m"
+[[part]]
+kind = "bearing_linear"
+name = "right"
+between = [{ body = "shaft", at = "600 mm" }, "ground"]
+stiffness = "5e7 N/m"
+"#;
+
+/// A place just beside the end of a body is written with the digits that tell the two apart, in any unit.
+#[test]
+fn a_place_beside_the_end_differs_from_it_in_words() {
+    for (at, written) in [("600.0001 mm", "position 600.0001 mm"), ("601 mm", "position 601 mm"), ("-0.0001 mm", "position -0.0001 mm")] {
+        let text = said(Language::English, &SHAFT.replacen("at = \"600 mm\"", &format!("at = \"{at}\""), 1));
+        assert!(text.contains(written) && text.contains("from 0 mm to 600 mm"), "{text}");
+    }
+    let inches = SHAFT.replacen("600 mm", "25 in", 1).replacen("600 mm", "25.00001 in", 1);
+    let text = said(Language::English, &inches);
+    assert!(text.contains("position 25.00001 in") && text.contains("to 25 in"), "{text}");
+    let text = said(Language::Russian, &SHAFT.replacen("at = \"600 mm\"", "at = \"600.0001 mm\"", 1));
+    assert!(text.contains("600,0001"), "{text}");
+}
+
+/// A modulus out of bounds is one mistake; what stands in for it makes no Poisson's ratio.
+#[test]
+fn nothing_follows_from_a_modulus_out_of_bounds() {
+    for key in ["modulus", "shear_modulus"] {
+        let text = said(Language::English, &SHAFT.replacen("name = \"shaft\"\n", &format!("name = \"shaft\"\n{key} = \"-210 GPa\"\n"), 1));
+        assert!(text.matches("error[").count() == 1 && text.contains(key) && !text.contains("Poisson"), "{text}");
+    }
+    // of two that are read and do not go together it is said
+    let apart = SHAFT.replacen("name = \"shaft\"\n", "name = \"shaft\"\nmodulus = \"10 GPa\"\n", 1);
+    assert!(said(Language::English, &apart).contains("Poisson"));
 }
 
 /// A block in single brackets of which there may be several is one mistake, wherever it stands.

@@ -29,6 +29,36 @@ fn column(o: &Outcome, name: &str) -> Vec<f64> {
     (0..table.rows()).map(|i| column.number(i).unwrap()).collect()
 }
 
+/// A rotor whose spin has a negative ratio is the mirror image of one that turns with the machine: the film takes power, and its attitude has the sense of the journal.
+#[test]
+fn a_journal_that_turns_the_other_way_is_mirrored() {
+    let turned = |ratio: f64, study: &str| {
+        let film = format!("kind = \"bearing_journal\"\n{OIL}");
+        let text = machine("horizontal", [&film, &film], study).replacen("name = \"s\"\n", "name = \"s\"\nspin = \"own\"\n", 1);
+        let spin = format!("[[part]]\nkind = \"speed_ratio\"\nname = \"own\"\nratio = {ratio:?}\n");
+        run_all(&text.replacen("[[part]]", &format!("{spin}[[part]]"), 1).replace("3000 rpm", &format!("{:?} rpm", 3000.0 / ratio.abs())))
+            .remove(0)
+    };
+    let alone = journals("horizontal", "speed = { from = \"1000 rpm\", to = \"9000 rpm\", points = 5 }");
+    assert!(column(&alone, "power").iter().chain(&column(&alone, "attitude")).all(|x| *x > 0.0));
+    let at = |ratio: f64| {
+        let [from, to] = [1000.0, 9000.0].map(|w| w / f64::abs(ratio));
+        turned(ratio, &format!("speed = {{ from = \"{from:?} rpm\", to = \"{to:?} rpm\", points = 5 }}"))
+    };
+    for ratio in [1.0, -1.0, -2.0, 4.0] {
+        let other = at(ratio);
+        for name in ["load", "eccentricity", "attitude", "film", "power", "kxx", "kyy", "threshold_mass", "whirl_ratio"] {
+            let (a, b) = (column(&other, name), column(&alone, name));
+            assert_eq!(a.len(), b.len(), "{ratio} {name}");
+            let same = |a: f64, b: f64| (a - b).abs() <= 1e-6 * b.abs() || a.is_nan() && b.is_nan();
+            a.iter().zip(&b).for_each(|(a, b)| assert!(same(*a, *b), "{ratio} {name}: {a} {b}"));
+        }
+        let sense = ratio.signum();
+        let sideways = column(&other, "x").into_iter().zip(column(&alone, "x"));
+        sideways.for_each(|(a, b)| assert!((a - sense * b).abs() <= 1e-6 * b.abs(), "{ratio}: {a} {b}"));
+    }
+}
+
 /// The bearings carry the weight as a beam on two supports does, at every speed; faster films carry it nearer to the middle, and the attitude turns towards a right angle.
 #[test]
 fn films_carry_the_weight() {

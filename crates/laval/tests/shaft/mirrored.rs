@@ -3,6 +3,7 @@
 
 use crate::common::files::load;
 use laval::outcome::{Check, Outcome, Overview, Verdict};
+use laval::study::stability_threshold::region::{RigidLimit, rigid_limit};
 use laval::study::{Context, overview};
 
 const RPM: f64 = std::f64::consts::PI / 30.0;
@@ -77,6 +78,21 @@ fn cross_coupling_and_turning_forces_follow_the_place() {
     peaks.iter().zip(&others).for_each(|(a, b)| near(*a, *b, "peak"));
     // a force that turns with the rotor excites forward whirl
     assert!(peaks.iter().all(|w| (12_500.0..13_500.0).contains(&(w / RPM))), "{peaks:?}");
+}
+
+/// The critical speed on rigid supports is that of the rotor at the place, at the speed of the machine at which its spin reaches it.
+#[test]
+fn the_critical_speed_on_rigid_supports_is_that_of_the_own_spin() {
+    let limit = |ratio: f64| {
+        let system = load(&overhung(ratio, 9000.0 / ratio.abs(), "")).system;
+        match rigid_limit(&system, &[], Some("wheel"), 9000.0 * RPM / ratio.abs()) {
+            RigidLimit::Found { speed, .. } => speed,
+            other => panic!("{ratio}: {other:?}"),
+        }
+    };
+    let along = limit(1.0);
+    near(limit(-1.0), along, "mirror image");
+    near(limit(-3.0), along / 3.0, "a faster spin");
 }
 
 /// The limits of a geared machine cannot be passed by the response to the unbalance of one of its shafts.

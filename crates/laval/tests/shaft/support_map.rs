@@ -17,7 +17,7 @@ fn near(a: f64, b: f64, tolerance: f64, what: &str) {
 
 fn map(system: &System, stiffness: Option<(f64, f64)>, modes: usize) -> MapResult {
     let stiffness = stiffness.map(|(from, to)| laval::model::field::RangeValue { from, to, points: Some(20) });
-    SupportStiffnessMap { stiffness, modes, supports: vec![], rest: true }.compute(system, &Context::quiet("map")).unwrap()
+    SupportStiffnessMap { stiffness, modes, supports: vec![], rest: true, spin: None }.compute(system, &Context::quiet("map")).unwrap()
 }
 
 fn bearing(name: &str, body: &str, at: f64, to: &str, more: &str) -> String {
@@ -187,6 +187,106 @@ fn anisotropic_pedestals() {
     }
 }
 
+/// An overhung rotor whose spin has a ratio to the speed of the machine, with its pedestals and bearings.
+fn overhung(ratio: Option<f64>, pedestal: &str, table: &str, more: &str) -> String {
+    let spin = ratio.map_or(String::new(), |r| format!("[[part]]\nkind = \"speed_ratio\"\nname = \"own\"\nratio = {r:?}\n"));
+    let own = if ratio.is_some() { "spin = \"own\"\n" } else { "" };
+    let base = |name: &str| format!("[[part]]\nkind = \"foundation\"\nname = \"{name}\"\nmass = 15.0\nstiffness = {pedestal}\n");
+    format!(
+        "[machine]\nname = \"t\"\nspeed = {:?}\n{spin}{}{}[[part]]\nkind = \"shaft\"\nname = \"shaft\"\n{own}section = {{ length = [0.8], outer_diameter = [0.06] }}\nelements = 6\n\
+         [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.8 }}\nmass = 30.0\npolar_inertia = 1.0\ndiametral_inertia = 0.52\n{}{}{more}",
+        300.0 / ratio.unwrap_or(1.0).abs(),
+        base("left"),
+        base("right"),
+        bearing("a", "shaft", 0.0, "left", table),
+        bearing("b", "shaft", 0.5, "right", "stiffness = 4e7")
+    )
+}
+
+fn bodies(text: &str) -> MapResult {
+    map(&load(text).system, Some((1e6, 1e9)), 4)
+}
+
+fn same(a: &MapResult, b: &MapResult, what: &str) {
+    let roots = |m: &MapResult| -> Vec<(f64, f64)> {
+        let curves = m.curves.iter().flat_map(|r| &r.roots);
+        let all = curves.chain(&m.rigid).chain(&m.free).chain(m.intersections.iter().map(|i| &i.root));
+        all.map(|r| (r.speed, r.forward)).collect()
+    };
+    let (a, b) = (roots(a), roots(b));
+    assert_eq!(a.len(), b.len(), "{what}");
+    for (x, y) in a.iter().zip(&b) {
+        near(x.0, y.0, 1e-8, what);
+        assert!((x.1 - y.1).abs() < 1e-6, "{what}: {x:?} {y:?}");
+    }
+}
+
+/// The only rotor of a machine has the map of the rotor by itself, whatever the ratio of its spin: that of another speed, or of the mirror image.
+#[test]
+fn the_ratio_of_the_only_spin_changes_nothing() {
+    let rows = |sign: f64| {
+        let speeds: Vec<f64> = (0..5).map(|i| sign * 300.0 * f64::from(i)).collect();
+        let (speeds, k) = if sign < 0.0 {
+            (speeds.into_iter().rev().collect::<Vec<_>>(), "[8e7, 5e7, 2e7, 8e6, 4e6]")
+        } else {
+            (speeds, "[4e6, 8e6, 2e7, 5e7, 8e7]")
+        };
+        format!("table = {{ speed = {speeds:?}, kxx = {k}, kyy = {k} }}")
+    };
+    for (pedestal, forward) in [("2e8", true), ("{ x = 4e7, y = 9e7 }", false)] {
+        let alone = bodies(&overhung(None, pedestal, &rows(1.0), ""));
+        assert_eq!(alone.forward_alone, forward);
+        assert!(!alone.intersections.is_empty() && !alone.rigid.is_empty());
+        for ratio in [1.0, -1.0, -6.0, 0.4] {
+            same(&bodies(&overhung(Some(ratio), pedestal, &rows(ratio.signum()), "")), &alone, &format!("ratio {ratio}"));
+        }
+    }
+    let said = |text: &str| {
+        run_all(&format!("{text}[[study]]\nkind = \"support_stiffness_map\"\nstiffness = {{ from = 1e6, to = 1e8, points = 3 }}\n"))
+    };
+    let outcome = &said(&overhung(Some(-6.0), "2e8", "stiffness = 4e7", ""))[0];
+    let sentence = finding(outcome, "spin").sentence();
+    assert!(sentence.contains("\"own\"") && !sentence.contains("otherwise"), "{sentence}");
+    assert!(findings(&said(&overhung(None, "2e8", "stiffness = 4e7", ""))[0], "spin").is_empty());
+}
+
+/// Two rotors that touch nothing in common: the curves at the spin of one are its own, and those of the other with the gyroscopic effect of its speed at that whirl.
+#[test]
+fn several_spins_are_told_apart() {
+    let drum = |polar: f64| {
+        let all = format!("[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 10.0\npolar_inertia = {polar:?}\ndiametral_inertia = 3.0\n");
+        all + &bearing("c", "drum", -0.2, "ground", "stiffness = 1e6") + &bearing("d", "drum", 0.2, "ground", "stiffness = 1e6")
+    };
+    let both = |named: Option<&str>| {
+        let system = load(&overhung(Some(-2.0), "2e8", "stiffness = 4e7", &drum(0.5))).system;
+        let stiffness = Some(laval::model::field::RangeValue { from: 1e6, to: 1e7, points: Some(3) });
+        SupportStiffnessMap { stiffness, modes: 4, supports: vec![], rest: false, spin: named.map(str::to_string) }
+            .compute(&system, &Context::quiet("map"))
+            .unwrap()
+    };
+    let polar_over = |found: &MapResult, ratio: f64| {
+        for row in &found.curves {
+            // the drum by itself: W^2 = 2 k a^2/(Id - Ip ratio)
+            let own = (2.0 * row.stiffness * 0.04 / (3.0 - 0.5 * ratio)).sqrt();
+            assert!(row.roots.iter().any(|r| (r.speed / own - 1.0).abs() < 1e-9), "{ratio}: {own} {:?}", row.roots);
+        }
+    };
+    polar_over(&both(None), 1.0);
+    polar_over(&both(Some("own")), -0.5);
+    let study = |spin: &str| {
+        format!(
+            "{}[[study]]\nkind = \"support_stiffness_map\"\nstiffness = {{ from = 1e6, to = 1e7, points = 3 }}\n{spin}",
+            overhung(Some(-2.0), "2e8", "stiffness = 4e7", &drum(0.5))
+        )
+    };
+    for (spin, words) in [("", "Speeds are those of the machine."), ("spin = \"own\"\n", "What turns otherwise")] {
+        let sentence = finding(&run_all(&study(spin))[0], "spin").sentence();
+        assert!(sentence.contains("\"own\"") && sentence.contains(words), "{sentence}");
+    }
+    let wrong = laval::file::load(&study("spin = \"a\"\n")).err().unwrap();
+    assert!(wrong.0.iter().any(|d| d.code == "spin.missing" && d.span.is_some()), "{wrong:?}");
+}
+
 const DISC: &str = "[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 10.0\npolar_inertia = 0.1\ndiametral_inertia = 0.3\n";
 
 fn study(parts: &str, fields: &str) -> String {
@@ -203,7 +303,7 @@ fn findings_and_storage() {
     assert_eq!(finding(outcome, "fewer").number("modes"), Some(2.0));
     assert!(findings(outcome, "together").is_empty() && outcome.figures.len() == 1);
     let system = load(&study(&two, "")).system;
-    let study = SupportStiffnessMap { stiffness: None, modes: 2, supports: vec![], rest: false };
+    let study = SupportStiffnessMap { stiffness: None, modes: 2, supports: vec![], rest: false, spin: None };
     let result = study.compute(&system, &Context::quiet("map")).unwrap();
     let again: MapResult = serde_json::from_str(&serde_json::to_string(&result).unwrap()).unwrap();
     assert_eq!(study.report(&system, &result, "map").unwrap(), study.report(&system, &again, "map").unwrap());

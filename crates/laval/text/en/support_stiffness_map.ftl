@@ -24,6 +24,11 @@ support-map-replaced = Replaced by equal stiffness in x and y, without damping a
        *[other] {" "}Without positive stiffness, and so without a curve: { $soft }.
     }
 support-map-directions = The machine prefers a direction beside its bearings: curves hold forward and backward whirls.
+support-map-spin = Speeds are those of what turns with "{ $spin }", { $ratio } times the speed of the machine.{ $others ->
+        [0] {""}
+       *[other] {" "}What turns otherwise has critical speeds of its own: give spin in a study of its own.
+    }
+support-map-machine-spin = Speeds are those of the machine. What turns with { $spins } has critical speeds of its own: give spin in a study of its own.
 
 support-map-bearing = { $parts }{ $axes ->
         [x] , kxx

@@ -20,6 +20,11 @@ support-map-replaced = x va y bo‘yicha teng bikrlik bilan, so‘nishsiz va kes
        *[other] {" "}Musbat bikrligi yo‘q, shuning uchun egri chizig‘i ham yo‘q: { $soft }.
     }
 support-map-directions = Podshipniklardan tashqari mashinada ajralib turgan yo‘nalish bor: egri chiziqlarda to‘g‘ri va teskari pretsessiyalar bor.
+support-map-spin = Aylanish chastotalari "{ $spin }" aylanishi bilan aylanadigan qismlarga tegishli, mashina aylanish chastotasiga nisbati { $ratio }.{ $others ->
+        [0] {""}
+       *[other] {" "}Boshqacha aylanadigan qismlarning o‘z kritik aylanish chastotalari bor: spin maydonini alohida hisobda bering.
+    }
+support-map-machine-spin = Aylanish chastotalari mashinaga tegishli. { $spins } aylanishi bilan aylanadigan qismlarning o‘z kritik aylanish chastotalari bor: spin maydonini alohida hisobda bering.
 
 support-map-bearing = { $parts }{ $axes ->
         [x] , kxx

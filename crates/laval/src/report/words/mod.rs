@@ -64,9 +64,9 @@ impl Style {
             Arg::Word(word) => word.to_string(),
             Arg::Term(text) => self.language.term(text),
             Arg::Phrase(m) => self.message(m),
-            Arg::Said(text) => self
-                .language
-                .said_with(text, &|value, unit| self.units.split(&Quantity { value, unit: unit.into(), role: Role::Plain, digits: None })),
+            Arg::Said(text) => self.language.said_with(text, &|value, unit, digits| {
+                self.units.split(&Quantity { value, unit: unit.into(), role: Role::Plain, digits })
+            }),
             Arg::List(all) => self.list(all),
         }
     }

@@ -88,7 +88,8 @@ impl Study for BearingCoefficients {
             };
             for s in &supports {
                 let Some(b) = bearing_state(system, s.slot, &at) else { continue };
-                out.rows.push(Row::of(s.slot, speed, &b));
+                let spin = system.slots()[s.slot].speed(system.params(), speed);
+                out.rows.push(Row::of(s.slot, (speed, spin), &b));
             }
             out.states.push((speed, at.q, at.z));
         }
@@ -129,8 +130,10 @@ impl BearingCoefficients {
 pub struct Row {
     /// Slot of the support.
     pub slot: usize,
-    /// Spin speed, rad/s.
+    /// Speed of the machine, rad/s.
     pub speed: f64,
+    /// Speed of the spin that turns in the support, rad/s.
+    pub spin: f64,
     /// Force on the turning body, x and y, N.
     pub force: [f64; 2],
     /// Displacement of the turning body in the support, x and y, m.
@@ -148,7 +151,7 @@ pub struct Row {
 }
 
 impl Row {
-    fn of(slot: usize, speed: f64, b: &BearingState) -> Row {
+    fn of(slot: usize, (speed, spin): (f64, f64), b: &BearingState) -> Row {
         let shown = |name: &str| b.observed.iter().find(|o| o.name == name).map_or(f64::NAN, |o| o.value);
         let [k, c] = [b.stiffness, b.damping];
         // a film without a load holds no mass, but for rounding
@@ -157,12 +160,13 @@ impl Row {
         Row {
             slot,
             speed,
+            spin,
             force: b.force,
             place: b.place,
             coefficients: [k[0], k[1], k[2], k[3], c[0], c[1], c[2], c[3]],
             eccentricity: shown(Observed::ECCENTRICITY),
             film: shown(Observed::FILM),
-            power: shown(Observed::TORQUE) * speed,
+            power: shown(Observed::TORQUE) * spin,
             threshold: threshold.map_or([f64::NAN; 2], |t| [if held(t.mass, t.frequency) > 0.0 { t.mass } else { 0.0 }, t.frequency]),
         }
     }
@@ -172,11 +176,12 @@ impl Row {
         self.force[0].hypot(self.force[1])
     }
 
-    /// Angle in the sense of the rotation from the load to the displacement, rad, above -pi and at most pi; NaN without a load.
+    /// Angle in the sense in which the journal turns from the load to the displacement, rad, above -pi and at most pi; NaN without a load.
     fn attitude(&self) -> f64 {
         let ([fx, fy], [x, y]) = (self.force, self.place);
         // the load is the opposite of the force on the journal
         let (along, across) = (-(fx * x + fy * y), -(fx * y - fy * x));
+        let across = if self.spin < 0.0 { -across } else { across };
         if along == 0.0 && across == 0.0 { f64::NAN } else { across.atan2(along) }
     }
 }
@@ -265,7 +270,7 @@ impl Shown<'_> {
                 "whirl_ratio",
                 "",
                 "frequency of that whirl over the speed; NaN where none does",
-                column(&|r| r.threshold[1] / r.speed.abs()),
+                column(&|r| r.threshold[1] / r.spin.abs()),
             )
             .build()
             .map_err(inconsistent)
@@ -332,7 +337,7 @@ impl Shown<'_> {
                     .of(name)
                     .value(mass, "kg")
                     .arg("part", Arg::name(name))
-                    .arg("share", Arg::percent(frequency / speed.abs()))
+                    .arg("share", Arg::percent(frequency / r.spin.abs()))
                     .arg("any", Arg::word(if mass > 0.0 { "some" } else { "all" }));
                 out.push(finding.evidence("frequency of the whirl", frequency, "rad/s"));
             }
@@ -364,6 +369,7 @@ mod tests {
         let row = |force: [f64; 2], place: [f64; 2]| Row {
             slot: 0,
             speed: 1.0,
+            spin: 1.0,
             force,
             place,
             coefficients: [0.0; 8],
@@ -376,5 +382,8 @@ mod tests {
         assert!((row([0.0, 10.0], [1.0, -1.0]).attitude() - 0.25 * std::f64::consts::PI).abs() < 1e-15);
         assert!((row([0.0, 10.0], [-1.0, 0.0]).attitude() + 0.5 * std::f64::consts::PI).abs() < 1e-15);
         assert!(row([0.0; 2], [0.0; 2]).attitude().is_nan());
+        // of a journal that turns from y to x the other way
+        let turned = Row { spin: -1.0, ..row([0.0, 10.0], [-1.0, -1.0]) };
+        assert!((turned.attitude() - 0.25 * std::f64::consts::PI).abs() < 1e-15);
     }
 }

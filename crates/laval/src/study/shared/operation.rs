@@ -23,7 +23,7 @@ pub const MARGIN: f64 = 0.15;
 pub const FIELDS: &[Field] = &[
     Field::optional(
         "speed",
-        FieldKind::Range { unit: "rad/s", bounds: Bounds::within(1e6) },
+        FieldKind::Range { unit: "rad/s", bounds: Bounds::up_to(1e6) },
         "",
         "operating speed, or the range of operating speeds as { from = \"2700 rpm\", to = \"3000 rpm\" }; its upper end is the speed of [machine] where that gives none",
     ),
@@ -127,10 +127,8 @@ pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
         let message = text!("operating speeds begin above standstill and have one direction of rotation");
         let help = if from == 0.0 && to == 0.0 {
             text!("write the speed at which the machine runs, as in speed = \"3000 rpm\"; leave speed out where [machine] gives it")
-        } else if from == 0.0 || to == 0.0 {
-            text!("write the lowest speed at which the machine runs in place of 0: the run-up from standstill is not part of this range")
         } else {
-            text!("give from and to of the same sign")
+            text!("write the lowest speed at which the machine runs in place of 0: the run-up from standstill is not part of this range")
         };
         out.push(Diagnostic::error("operation.speed", message).at(place).help(help));
         return;

@@ -187,7 +187,8 @@ anticipated = "1e6 N/m"
         }
         lines.modes = modes;
         let about = rest(system, self.speed)?;
-        let rigid = self.anticipated.and(self.gas_density).map(|_| region::rigid_limit(system, &self.supports, self.speed));
+        let body = self.place.body.as_deref();
+        let rigid = self.anticipated.and(self.gas_density).map(|_| region::rigid_limit(system, &self.supports, body, self.speed));
         Ok(ThresholdResult { lines, values, about, rigid, end: context.end(complete) })
     }
 

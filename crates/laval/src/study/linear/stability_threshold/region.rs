@@ -98,9 +98,19 @@ impl Reason {
     }
 }
 
-/// The lowest critical speed of either direction with the supports named, or all of the machine, rigid; pedestals and masses kept.
-pub fn rigid_limit(system: &System, named: &[usize], speed: f64) -> RigidLimit {
-    found(system, named, speed).unwrap_or_else(RigidLimit::Unknown)
+/// The lowest critical speed of either direction with the supports named, or all of the machine, rigid; pedestals and masses kept. It is that of the spin of a body, as speed of
+/// the machine.
+pub fn rigid_limit(system: &System, named: &[usize], body: Option<&str>, speed: f64) -> RigidLimit {
+    let own = system.slots().iter().find(|s| Some(s.name.as_str()) == body).and_then(|s| s.ratio).map(|r| system.other_spin(r));
+    let Some((name, ratio)) = own.and_then(|s| Some((s.name?, s.ratio))) else {
+        return found(system, named, speed).unwrap_or_else(RigidLimit::Unknown);
+    };
+    let turned = system.at_spin(&name).map_err(|_| Reason::Rest);
+    match turned.and_then(|turned| found(&turned, named, ratio * speed)) {
+        Ok(RigidLimit::Found { speed, difference, supports }) => RigidLimit::Found { speed: speed / ratio.abs(), difference, supports },
+        Ok(unknown) => unknown,
+        Err(reason) => RigidLimit::Unknown(reason),
+    }
 }
 
 fn found(system: &System, named: &[usize], speed: f64) -> Result<RigidLimit, Reason> {

@@ -2,7 +2,8 @@
 //!
 //! Equations: `[K + k sum b b^H - W^2 (M - i G)] u = 0`, positive W^2 alone; a bearing meets a curve where `W_j(k(W)) = W`.
 //!
-//! Symbols: K, M, G stiffness, mass, gyroscopic matrix without the supports; b place of a support; k its stiffness; W speed.
+//! Symbols: K, M, G stiffness, mass, gyroscopic matrix without the supports; b place of a support; k its stiffness; W speed of the spin whose unbalance drives the whirl,
+//! which is forward along that spin; G of a body is that of its own speed over W.
 //!
 //! Validity: without damping and cross stiffness; small motions.
 //!
@@ -14,6 +15,7 @@ mod report;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::spins::{OtherSpin, same_ratio};
 use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
 use crate::solve::statics::supports::{Support, diagonal};
@@ -38,6 +40,8 @@ pub struct SupportStiffnessMap {
     pub supports: Vec<usize>,
     /// Natural frequencies at rest as well.
     pub rest: bool,
+    /// The spin that speeds are those of, and along which whirl is forward.
+    pub spin: Option<String>,
 }
 
 /// Values of the stiffness, and modes, unless given.
@@ -70,6 +74,12 @@ modes = 4
         Field::optional("modes", FieldKind::Integer { min: 1, max: 20 }, "4", "critical speeds at each stiffness"),
         supporting::SUPPORTS,
         Field::optional("rest_frequencies", FieldKind::Flag, "false", "natural frequencies of the rotor at rest as well"),
+        Field::optional(
+            "spin",
+            FieldKind::Text,
+            "",
+            "of a machine of several spins: the part of kind \"speed_ratio\" whose unbalance drives the whirls; speeds are then those of this spin. Without it, they are those of the machine, or where no body turns at its speed of the first of its spins",
+        ),
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -77,11 +87,17 @@ modes = 4
             Some(range) => Some(range_or("stiffness", (range, |help| help), 2, values, diagnostics)?),
             None => None,
         };
+        let spin = values.text("spin").map(str::to_string);
+        if let Some(Err(found)) = spin.as_ref().map(|name| system.at_spin(name)) {
+            diagnostics.0.extend(found.0.into_iter().map(|d| d.at(values.span_of("spin"))));
+            return None;
+        }
         Some(SupportStiffnessMap {
             stiffness: given,
             modes: values.integer("modes").unwrap_or(MODES).clamp(1, 20) as usize,
             supports: supporting::read(values, system, diagnostics)?,
             rest: values.flag("rest_frequencies").unwrap_or(false),
+            spin,
         })
     }
 
@@ -95,14 +111,17 @@ modes = 4
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        self.problem(system).map(drop)
+        let turned = self.turned(system)?;
+        self.problem(turned.system(system)).map(drop)
     }
 
     fn compute(&self, system: &System, context: &Context) -> Result<MapResult, Diagnostic> {
+        let turned = self.turned(system)?;
+        let system = turned.system(system);
         let (map, supports) = self.problem(system)?;
         let rigid = map.rigid(Spin::Synchronous, self.modes);
         let (free, still) = map.free(Spin::Synchronous, self.modes);
-        let bearings = bearings(system, &supports, highest(&rigid));
+        let bearings = bearings(system, &supports, (turned.sense, highest(&rigid)));
         let stiffness = self.values(&map, &rigid, &bearings);
         let spins = if self.rest { vec![Spin::Synchronous, Spin::Rest] } else { vec![Spin::Synchronous] };
         let mut curves = Vec::new();
@@ -119,7 +138,7 @@ modes = 4
         let mut intersections = Vec::new();
         for (index, bearing) in bearings.iter().enumerate().filter(|_| complete) {
             for curve in 0..self.modes {
-                intersections.extend(meetings(system, &map, (index, bearing), curve));
+                intersections.extend(meetings(system, turned.sense, &map, (index, bearing), curve));
             }
         }
         Ok(MapResult {
@@ -136,7 +155,8 @@ modes = 4
     }
 
     fn report(&self, system: &System, result: &MapResult, name: &str) -> Result<Outcome, Diagnostic> {
-        report::Shown { study: self, system, result }.outcome(name)
+        let turned = self.turned(system)?;
+        report::Shown { study: self, system: turned.system(system), turned: &turned, result }.outcome(name)
     }
 
     fn keep(&self, result: Self::Result) -> Kept {
@@ -148,7 +168,49 @@ fn highest(roots: &[Root]) -> f64 {
     roots.iter().map(|r| r.speed).fold(0.0, f64::max)
 }
 
+/// The machine at the spin whose unbalance drives the whirls.
+struct Turned {
+    /// The spin, where it is not that of the machine.
+    spin: Option<OtherSpin>,
+    /// The machine at it.
+    system: Option<System>,
+    /// 1, or -1 of a spin that turns the other way.
+    sense: f64,
+}
+
+impl Turned {
+    fn system<'a>(&'a self, own: &'a System) -> &'a System {
+        self.system.as_ref().unwrap_or(own)
+    }
+}
+
+/// Spins of bodies besides that of the machine.
+fn others(system: &System) -> Vec<OtherSpin> {
+    let spins = system.spins().into_iter().filter(|s| !same_ratio(s.ratio, 1.0));
+    spins.filter(|s| turns_at(system, s.ratio)).collect()
+}
+
+/// A body turns with this ratio to the speed of the machine.
+fn turns_at(system: &System, ratio: f64) -> bool {
+    let mut turning = system.slots().iter().filter(|s| s.part.body().is_some_and(|b| b.turns()));
+    turning.any(|s| same_ratio(s.speed(system.params(), 1.0), ratio))
+}
+
 impl SupportStiffnessMap {
+    /// Unbalance drives whirls at the speeds of bodies alone: where none turns with the machine its speed is that of no critical speed.
+    fn turned(&self, system: &System) -> Result<Turned, Diagnostic> {
+        let named = |s: &OtherSpin| s.name.is_some() && (self.spin.is_none() || s.name == self.spin);
+        let spin = match &self.spin {
+            Some(_) => system.spins().into_iter().find(named),
+            None if turns_at(system, 1.0) => None,
+            None => others(system).into_iter().find(named),
+        };
+        let name = spin.as_ref().and_then(|s| s.name.as_deref()).or(self.spin.as_deref());
+        let turned = name.map(|name| system.at_spin(name).map_err(Diagnostics::into_error)).transpose()?;
+        let sense = spin.as_ref().map_or(1.0, |s| s.ratio.signum());
+        Ok(Turned { spin, system: turned, sense })
+    }
+
     fn problem(&self, system: &System) -> Result<(SupportMap, Vec<Support>), Diagnostic> {
         let at = supporting::state(system, system.machine.speed.unwrap_or(0.0))?;
         let supports = supporting::of(system, &self.supports, &at);
@@ -240,15 +302,18 @@ pub struct MapResult {
     pub end: End,
 }
 
-/// The linear supports over the speed, up to one; those alike together.
-fn bearings(system: &System, supports: &[Support], top: f64) -> Vec<Bearing> {
+/// The linear supports over the speed in one sense, up to one; those alike together.
+fn bearings(system: &System, supports: &[Support], (sense, top): (f64, f64)) -> Vec<Bearing> {
     let mut out: Vec<Bearing> = Vec::new();
     for s in supports {
         let slot = &system.slots()[s.slot];
         let table = slot.part.scope().and_then(|scope| scope.tabulated());
-        let (from, to) = table.map_or((0.0, top), |t| (t.from, t.to));
+        // a table is over the speed of its own spin
+        let ratio = sense * slot.speed(system.params(), 1.0);
+        let ends = table.map_or([0.0, top], |t| [t.from / ratio, t.to / ratio]);
+        let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         for axis in 0..2 {
-            let at = |w: f64| diagonal(system, s.slot, w).map(|k| (w, k[axis]));
+            let at = |w: f64| diagonal(system, s.slot, sense * w).map(|k| (w, k[axis]));
             let points: Option<Vec<(f64, f64)>> = (0..READ).map(|i| at(from + (to - from) * i as f64 / (READ - 1) as f64)).collect();
             let Some(points) = points.filter(|p| p.iter().any(|x| x.1 > 0.0)) else { continue };
             match out.iter_mut().find(|b| b.points == points) {
@@ -261,7 +326,7 @@ fn bearings(system: &System, supports: &[Support], top: f64) -> Vec<Bearing> {
 }
 
 /// Where one bearing meets one curve.
-fn meetings(system: &System, map: &SupportMap, (index, bearing): (usize, &Bearing), curve: usize) -> Vec<Intersection> {
+fn meetings(system: &System, sense: f64, map: &SupportMap, (index, bearing): (usize, &Bearing), curve: usize) -> Vec<Intersection> {
     let Some(&(slot, axis)) = bearing.of.first() else { return Vec::new() };
     let of = |k: f64| map.roots(k, Spin::Synchronous, (curve, 1)).into_iter().next();
     let one = |w: Option<f64>, k: f64| {
@@ -273,7 +338,7 @@ fn meetings(system: &System, map: &SupportMap, (index, bearing): (usize, &Bearin
         return one(None, bearing.points[0].1).into_iter().collect();
     }
     let mut out = Vec::new();
-    let stiffness = |w: f64| diagonal(system, slot, w).map(|k| k[axis]).filter(|k| *k > 0.0);
+    let stiffness = |w: f64| diagonal(system, slot, sense * w).map(|k| k[axis]).filter(|k| *k > 0.0);
     let gap = |w: f64| stiffness(w).and_then(of).map(|r| r.speed - w);
     let gaps: Vec<(f64, Option<f64>)> = bearing.points.iter().map(|p| (p.0, gap(p.0))).collect();
     for pair in gaps.windows(2) {

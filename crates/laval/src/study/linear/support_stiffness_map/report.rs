@@ -1,6 +1,6 @@
 //! Tables, figure and findings of a map over the stiffness of the supports.
 
-use super::{Bearing, Intersection, MapResult, Row, SupportStiffnessMap};
+use super::{Bearing, Intersection, MapResult, Row, SupportStiffnessMap, Turned, others};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Finding, Line, Message, Outcome, Panel, Points, Rule, Table};
@@ -11,7 +11,9 @@ use crate::study::shared::support::{RPM, inconsistent, largest};
 
 pub(super) struct Shown<'a> {
     pub study: &'a SupportStiffnessMap,
+    /// At the spin that speeds are those of.
     pub system: &'a System,
+    pub turned: &'a Turned,
     pub result: &'a MapResult,
 }
 
@@ -164,8 +166,9 @@ impl Shown<'_> {
             }
         }
         let (low, high) = self.speeds();
-        if let Some(w) = operating(self.system, low, high) {
-            panel = panel.mark(Rule::y(w.speed(), "operating speed"));
+        let sense = self.turned.sense;
+        if let Some(w) = operating(self.system, sense * low, sense * high) {
+            panel = panel.mark(Rule::y(w.speed().abs(), "operating speed"));
         }
         let alt = Message::new("support-map-alt")
             .arg("curves", Arg::count(self.study.modes))
@@ -175,9 +178,20 @@ impl Shown<'_> {
             .panel(panel)
     }
 
+    /// Which spin speeds are those of, in a machine of several or one that turns with none of its bodies.
+    fn spin(&self) -> Option<Finding> {
+        let others = others(self.system);
+        if let Some(spin) = &self.turned.spin {
+            let finding = Finding::info("spin", "support-map-spin").arg("spin", Arg::name(spin.name.as_deref().unwrap_or_default()));
+            return Some(finding.arg("ratio", Arg::number(spin.ratio)).arg("others", Arg::count(others.len())));
+        }
+        let names: Vec<String> = others.iter().filter_map(|s| s.name.as_ref()).map(|name| format!("\"{name}\"")).collect();
+        (!names.is_empty()).then(|| Finding::info("spin", "support-map-machine-spin").arg("spins", Arg::term(names.join(", "))))
+    }
+
     fn findings(&self) -> Vec<Finding> {
         let r = self.result;
-        let mut out = Vec::new();
+        let mut out: Vec<Finding> = self.spin().into_iter().collect();
         let lowest = |roots: &[Root]| roots.iter().find(|r| r.forward >= 0.5).cloned();
         // the bearings of the machine first: the map is drawn for them
         for i in r.intersections.iter().filter(|i| i.root.forward >= 0.5) {
