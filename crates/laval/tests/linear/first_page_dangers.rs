@@ -182,3 +182,54 @@ fn a_resonance_is_attributed_to_the_study_of_the_response() {
     assert_eq!(from(&of(&[("forced_response", "vibration")])), Some(Arg::name("vibration")));
     assert_eq!(from(&of(&[("critical_speeds", "speeds")])), Some(Arg::name("speeds")));
 }
+
+/// A shaft of so many elements that the page does not search a range of speeds, with rotating damping: unstable from about 8850 rpm on.
+fn long_shaft(operation: &str, studies: &str) -> String {
+    let bearing = |name: &str, at: f64| {
+        format!(
+            "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at:?} }}, \"ground\"]\nkxx = 5e7\nkyy = 7e7\ncxx = 5e3\ncyy = 5e3\n"
+        )
+    };
+    format!(
+        "[machine]\nname = \"pump\"\nspeed = \"3000 rpm\"\naxis = \"horizontal\"\n\
+         [[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 120\nrotating_damping = 1e-4\nsection = [{{ length = 0.6, outer_diameter = 0.05 }}]\n\
+         [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.3 }}\nmass = 15.0\npolar_inertia = 0.12\ndiametral_inertia = 0.08\nunbalance = \"100 g mm\"\n\
+         {}{}{operation}{studies}",
+        bearing("left", 0.0),
+        bearing("right", 0.6)
+    )
+}
+
+/// A range of operating speeds is stable where it was examined, and nowhere else; a study of modes at one of its speeds that finds an instability counts.
+#[test]
+fn a_range_is_stable_only_where_it_was_examined() {
+    let range = |to: u32| format!("[operation]\nspeed = {{ from = \"3000 rpm\", to = \"{to} rpm\" }}\n");
+    let modes = |speed: u32| format!("[[study]]\nkind = \"modes\"\nname = \"at {speed}\"\nspeed = \"{speed} rpm\"\n");
+    let map = "[[study]]\nkind = \"stability_map\"\nspeed = { from = \"1000 rpm\", to = \"12000 rpm\", points = 8 }\n";
+    let of = |to: u32, studies: &str| {
+        let p = page(&long_shaft(&range(to), studies));
+        (check(&p, "check-stability").verdict, p.verdict)
+    };
+    // one speed of the range says nothing of the others
+    let (stability, whole) = of(11_000, &modes(3000));
+    assert_eq!(stability, Verdict::NotComputed);
+    assert_ne!(whole, Verdict::Passed);
+    for studies in [modes(11_000), modes(3000) + &modes(11_000), map.to_string()] {
+        assert_eq!(of(11_000, &studies), (Verdict::Failed, Verdict::Failed), "{studies}");
+    }
+    // beyond the range an instability is none of it
+    assert_eq!(of(7000, &(modes(11_000) + map)).0, Verdict::Passed);
+    assert_eq!(of(7000, &modes(11_000)).0, Verdict::NotComputed);
+}
+
+/// A search for critical speeds that ended before the operating speeds is no search: the response of a study that covers them has its resonance among them.
+#[test]
+fn a_search_that_ended_early_finds_nothing_out() {
+    let response = "[[study]]\nkind = \"forced_response\"\nspeed = { from = \"1000 rpm\", to = \"12000 rpm\", points = 20 }\n";
+    let operation = "[operation]\nspeed = { from = \"3000 rpm\", to = \"8500 rpm\" }\n";
+    let p = page(&long_shaft(operation, response));
+    let resonance = check(&p, "check-resonance");
+    assert!(resonance.margin == Some(0.0) || resonance.verdict == Verdict::NotComputed, "{resonance:?}");
+    assert!(p.over_speed.as_ref().is_none_or(|o| o.response_speed.is_empty() || !o.resonances.is_empty()), "{:?}", p.over_speed);
+    assert_ne!(p.verdict, Verdict::Passed);
+}

@@ -178,3 +178,27 @@ fn they_change_nothing_across_the_axis() {
         }
     }
 }
+
+/// With a free spin the twist of all that turns is the spin itself: no equation is left for it, however fine the shaft. Without torsion, or with inertia that does not twist, there is one.
+#[test]
+fn a_free_spin_and_a_free_twist_are_one_motion() {
+    let text = |torsional: bool, more: &str| {
+        format!(
+            "[machine]\nname = \"pump\"\nspeed = \"3000 rpm\"\ndrive = \"free\"\n\
+             [[part]]\nkind = \"shaft\"\nname = \"shaft\"\ntorsional = {torsional}\nelements = 10\nsection = [{{ length = 0.6, outer_diameter = 0.05 }}]\n\
+             [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.3 }}\nmass = 15.0\npolar_inertia = 0.12\ndiametral_inertia = 0.08\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"left\"\nbetween = [\"shaft\", \"ground\"]\nstiffness = 5e7\ndamping = 5e3\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"right\"\nbetween = [{{ body = \"shaft\", at = 0.6 }}, \"ground\"]\nstiffness = 5e7\ndamping = 5e3\n\
+             [[part]]\nkind = \"motor\"\nname = \"motor\"\ncurve = \"linear\"\ntorque = \"50 N m\"\nsynchronous_speed = \"3100 rpm\"\n{more}"
+        )
+    };
+    let of = |text: &str| {
+        let system = load(text).system;
+        laval::solve::motion::Motion::new(&system, laval::solve::motion::SpinLaw::Free).map(|_| ()).map_err(|d| d.message.to_string())
+    };
+    let refused = of(&text(true, "")).unwrap_err();
+    assert!(refused.contains("the mass matrix is singular") && refused.contains("the spin angle"), "{refused}");
+    assert_eq!(of(&text(false, "")), Ok(()));
+    let fan = "[[part]]\nkind = \"disc\"\nname = \"fan\"\nmass = 1.0\npolar_inertia = 0.01\n[[part]]\nkind = \"bearing_linear\"\nname = \"third\"\nbetween = [\"fan\", \"ground\"]\nstiffness = 1e6\n";
+    assert_eq!(of(&text(true, fan)), Ok(()));
+}

@@ -109,6 +109,10 @@ stability-stable-below = { $modes ->
         [one] the mode below { $limit } decays at { $decay }
        *[other] all { $modes } modes below { $limit } decay, the slowest at { $decay }
     }
+stability-across = { $modes ->
+        [one] the mode across the axis decays at { $decay }
+       *[other] all { $modes } modes across the axis decay, the slowest at { $decay }
+    }; vibration along or about it has no damping
 stability-unstable = { $motion ->
         [divergence] statically unstable (divergence): a displacement
        *[whirl] the machine whirls: the amplitude

@@ -98,6 +98,7 @@ stability-stable-below = { $modes ->
         [one] { $limit } chastotadan pastdagi moda { $decay } sur’at bilan so‘nadi
        *[other] { $limit } chastotadan pastdagi barcha { $modes } moda so‘nadi, eng sekini { $decay } sur’at bilan
     }
+stability-across = barcha { $modes } ko‘ndalang tebranish shakli so‘nadi, eng sekinining ko‘rsatkichi { $decay }; bo‘ylama va buralma tebranishlar so‘nishsiz
 stability-unstable = { $motion ->
         [divergence] statik noturg‘unlik (divergensiya): siljish
        *[whirl] noturg‘un pretsessiya: amplituda

@@ -22,6 +22,8 @@ use laval_num::order::SortByNumber;
 const LABELLED: usize = 4;
 const ONE_PEAK: f64 = 0.02;
 const SHARPEST: f64 = 1e4;
+/// Size of a resonance, over that of the largest, that is rounding.
+const STILL: f64 = 1e-9;
 
 /// Columns of a displacement and of a tilt.
 const COLUMNS: [[&str; 7]; 2] = [
@@ -128,7 +130,13 @@ impl<'a> Shown<'a> {
     fn resonances(&self) -> Vec<Finding> {
         let found = &self.result.curve;
         let mut out = Vec::new();
+        let size = |e: &Extremum| if e.unbounded { f64::INFINITY } else { e.value / self.probes()[e.probe].typical() };
+        let most = self.largest.iter().flatten().map(|e| size(e)).fold(0.0, f64::max);
         for (e, direction) in self.largest.into_iter().zip(self.result.directions).filter_map(|(e, d)| Some((e?, d))) {
+            // what does not move but for rounding has no resonance
+            if !(size(e) > STILL * most) && most.is_finite() {
+                continue;
+            }
             let probe = &self.probes()[e.probe];
             let finding = if e.unbounded {
                 Finding::warning("undamped_resonance", "forced-response-undamped-resonance")

@@ -10,6 +10,7 @@ use crate::study::motion::passages::{envelope, reach};
 use crate::study::motion::unstable::Range;
 use crate::study::motion::{balance, drive, start};
 use crate::study::shared::support::place;
+use laval_num::order::ascending;
 
 pub(super) fn report(study: &RunUp, system: &System, result: &RunUpResult, name: &str) -> Result<Outcome, Diagnostic> {
     let record = &result.motion;
@@ -99,13 +100,13 @@ fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Resul
     columns.add("speed", "rad/s", "spin speed", spins.iter().map(|s| s.speed).collect());
     columns.add("acceleration", "rad/s^2", "spin acceleration", spins.iter().map(|s| s.accel).collect());
     columns.add("torque", "N m", "torque the drive must bring", torque.clone());
-    columns.add("power", "W", "power the drive must bring", power);
+    columns.add("power", "W", "power the drive must bring", power.clone());
     let line = |column: &str| Line::new("drive", "t", column);
     let figure = Figure::new("drive", "Drive", "run-up-alt-drive")
         .x(Axis::new("time", "s"))
         .panel(Panel::new(Axis::new("speed", "rad/s")).mark(line("speed")))
-        .panel(Panel::new(Axis::new("torque", "N m")).mark(line("torque")))
-        .panel(Panel::new(Axis::new("power", "W")).mark(line("power")));
+        .panel(Panel::new(both_signs("torque", "N m", torque)).mark(line("torque")))
+        .panel(Panel::new(both_signs("power", "W", &power)).mark(line("power")));
     let outcome = outcome.table(columns.table("drive", "Torque and power of the drive against time")?).figure(figure);
     if record.left.is_some() {
         return Ok(outcome);
@@ -115,6 +116,23 @@ fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Resul
     let power = Finding::info("largest_power", if driven { "run-up-power-beyond-motors" } else { "run-up-power" });
     let at_speed = |f: Finding, w: f64| f.arg("speed", Arg::speed(w)).evidence("at speed", w, "rad/s");
     Ok(outcome.finding(at_speed(torque.value(most, "N m"), speed(at))).finding(at_speed(power.value(strongest, "W"), speed(when))))
+}
+
+/// The largest of some values over the middle one from which on their axis is logarithmic: the end of a motion that diverges hides all before it otherwise.
+const DIVERGES: f64 = 1e3;
+
+/// The middle and the largest of sizes that are finite and not zero; 0 where there are none.
+fn middle_and_most(sizes: impl Iterator<Item = f64>) -> (f64, f64) {
+    let mut all: Vec<f64> = sizes.filter(|x| x.is_finite() && *x > 0.0).collect();
+    ascending(&mut all);
+    (all.get(all.len() / 2).copied().unwrap_or(0.0), all.last().copied().unwrap_or(0.0))
+}
+
+/// An axis for values of both signs.
+fn both_signs(label: &'static str, unit: &str, values: &[f64]) -> Axis {
+    let (middle, most) = middle_and_most(values.iter().map(|x| x.abs()));
+    let axis = Axis::new(label, unit);
+    if most > DIVERGES * middle { axis.knee(10.0 * middle) } else { axis }
 }
 
 /// Envelope against speed, beside the linear response.
@@ -148,10 +166,10 @@ fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome:
         let amplitude = |i: usize| seen[k][i].amplitude;
         let doc = "largest distance from rest in the window and within half a turn of it";
         columns.add(format!("{} amplitude", b.name), "m", doc, (0..count).map(amplitude).collect());
-        let mut panel = Panel::new(
-            Axis::new(Arg::of("amplitude", Arg::name(&b.name)), "m").metres(seen[k].iter().map(|p| p.amplitude).fold(0.0, f64::max)),
-        )
-        .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
+        let (middle, most) = middle_and_most(seen[k].iter().map(|p| p.amplitude));
+        let label = Arg::of("amplitude", Arg::name(&b.name));
+        let axis = if most > DIVERGES * middle { Axis::log(label, "m").metres(middle) } else { Axis::new(label, "m").metres(most) };
+        let mut panel = Panel::new(axis).mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
         let own = result.passages.iter().filter(|p| p.body == b.name && !p.tilt).flat_map(|p| &p.passages);
         for p in own.filter(|p| p.nature == Nature::Resonance) {
             panel = panel.mark(Rule::x(p.speed, "resonance"));

@@ -59,16 +59,24 @@ impl Stretch<'_> {
         self.folds.iter().any(Option::is_some) && 2 * points.iter().filter(|p| odd(p)).count() > points.len()
     }
 
-    /// Consecutive unstable points. Beside a fold one point is so by rounding.
+    /// Consecutive unstable points, with those between them that were not assessed. Beside a fold one point is so by rounding.
     fn unstable(&self) -> Vec<Range<usize>> {
         if self.saddle() {
             return Vec::new();
         }
         let (from, count) = (self.points.start, self.points.len());
-        let found = runs(self.branch.points[self.points.clone()].iter().map(State::unstable));
+        let points = &self.branch.points[self.points.clone()];
+        let found = runs(points.iter().map(State::unstable));
         let at_fold =
             |a: usize, b: usize| a == b && (a == 0 && self.folds[0].is_some() || a + 1 == count && self.folds[1].is_some()) && count > 1;
-        found.into_iter().filter(|&(a, b)| !at_fold(a, b)).map(|(a, b)| from + a..from + b + 1).collect()
+        let mut out: Vec<Range<usize>> = Vec::new();
+        for (a, b) in found.into_iter().filter(|&(a, b)| !at_fold(a, b)) {
+            match out.last_mut().filter(|last| points[last.end..a].iter().all(|p| p.exponents.is_none())) {
+                Some(last) => last.end = b + 1,
+                None => out.push(a..b + 1),
+            }
+        }
+        out.into_iter().map(|r| from + r.start..from + r.end).collect()
     }
 
     /// Ranges of speed over which its states are unstable.

@@ -6,10 +6,12 @@ use super::super::studied::{self, Needed};
 use super::super::worst::decrement;
 use super::super::{Facts, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Verdict};
+use crate::solve::machine_mode::{MachineMode, Whirl};
+use crate::solve::pencil::Spectrum;
 use crate::solve::roots::has_more_modes;
 use crate::study::Study;
 use crate::study::linear::whirl::aperiodic;
-use crate::study::shared::support::larger;
+use crate::study::shared::support::{growth_rounding, larger};
 use std::f64::consts::TAU;
 
 /// The check of stability found motions that grow.
@@ -96,7 +98,13 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     } else if facts.limits.growth > 0.0 && !(-growth >= facts.limits.growth) {
         (named("stability-stable"), Verdict::Failed)
     } else if !(growth < 0.0) || outcome.findings.iter().any(|f| f.id == "stable" && f.value == Some(0.0)) {
-        (named("stability-neutral"), Verdict::Attention)
+        match decay_across(&result.spectrum).filter(|_| speed.is_one() && !(facts.limits.growth > 0.0)) {
+            Some((modes, decay)) => {
+                let m = Message::new("stability-across").arg("modes", Arg::count(modes)).arg("decay", Arg::quantity(decay, "1/s"));
+                return of(m, Verdict::Passed);
+            }
+            None => (named("stability-neutral"), Verdict::Attention),
+        }
     } else {
         let limit = result.roots.as_ref().map(|r| r.frequency).filter(|_| has_more_modes(facts.system));
         let below = |limit: f64| named("stability-stable-below").arg("limit", Arg::frequency(limit));
@@ -113,6 +121,15 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         }
     }
     Check { detail, ..of(message, verdict) }
+}
+
+/// Where vibration along or about the axis alone has no damping: how many modes across it there are, and the rate at which the slowest decays, 1/s.
+fn decay_across(spectrum: &Spectrum) -> Option<(usize, f64)> {
+    let rounding = growth_rounding(spectrum);
+    let (along, across): (Vec<_>, Vec<_>) = spectrum.held().partition(|m| !m.whirl.is_lateral() && m.whirl != Whirl::None);
+    let largest = |modes: &[&MachineMode]| modes.iter().map(|m| m.growth()).fold(f64::NEG_INFINITY, larger);
+    let (still, slowest) = (largest(&along), largest(&across));
+    (still.abs() <= rounding && slowest < -rounding && slowest.is_finite()).then_some((across.len(), -slowest))
 }
 
 /// Stability at the operating speeds without modes there: by the growth along the speed, or by the steady responses that a study of the file found.
