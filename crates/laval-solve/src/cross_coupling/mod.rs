@@ -23,7 +23,7 @@ use crate::model::station::Row;
 use crate::model::system::{PartInput, System};
 use crate::pencil::modes_about;
 use crate::rest::rest;
-use crate::roots::{Request, in_region, mode, roots};
+use crate::roots::{Request, in_region, mode, roots, transcendental};
 use crate::sectors::Sector;
 use laval_model::model::params::Family;
 use laval_model::model::part::Part;
@@ -91,6 +91,8 @@ pub struct Lines {
     pub modes: usize,
     /// Growing modes at the largest value by all of its spectrum, and among those followed; `None` where the count is not complete.
     pub growing: Option<[usize; 2]>,
+    /// Frequency up to which modes that grow are known, rad/s; `None` where all of them are.
+    pub below: Option<f64>,
     /// Modes that could not be followed to the largest value.
     pub lost: usize,
     /// Values between which two modes meet in a double root: which of them goes on as which is a convention.
@@ -253,14 +255,14 @@ impl Coupled {
         Ok(out)
     }
 
-    /// Modes that grow at a value; `None` where the count is not complete.
-    fn growing(&self, stiffness: f64, starts: &[C64]) -> Result<Option<Vec<MachineMode>>, Diagnostic> {
+    /// Modes that grow at a value, `None` where the count is not complete, and the frequency up to which they were counted, `None` where it is any.
+    fn growing(&self, stiffness: f64, starts: &[C64]) -> Result<(Option<Vec<MachineMode>>, Option<f64>), Diagnostic> {
         let system = self.system(stiffness)?;
         if in_region(&system) {
-            let found = roots(&system, &self.about, &Request { growing: true, starts, ..Request::default() })?;
+            let found = roots(&system, &self.about, &Request { growing: true, everywhere: true, starts, ..Request::default() })?;
             let count = found.growing();
             let modes: Vec<MachineMode> = found.spectrum.modes.into_iter().filter(|m| m.value.re > 0.0).collect();
-            return Ok(count.filter(|n| *n == modes.len()).map(|_| modes));
+            return Ok((count.filter(|n| *n == modes.len()).map(|_| modes), transcendental(&system).then_some(found.frequency)));
         }
         let mut modes = modes_about(&system, &self.about, true)?.modes;
         let largest = modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
@@ -268,7 +270,7 @@ impl Coupled {
             let error = if m.error.is_nan() { 0.0 } else { m.error };
             !(m.value.re <= error + ROUNDING * largest)
         });
-        Ok(Some(modes))
+        Ok((Some(modes), None))
     }
 
     /// Follows modes over rising values, the first of which is 0; `each` receives the number of values done and stops the work by saying false. Modes that grow at the last value and
@@ -314,10 +316,12 @@ impl Coupled {
         }
         let lost = here.iter().filter(|f| f.is_none()).count();
         let mut sectors: Vec<Option<Sector>> = (0..starts.len()).map(sector).collect();
-        let mut growing = None;
+        let (mut growing, mut below) = (None, None);
         if let (true, Some(&last)) = (complete, values.last()) {
             let known: Vec<C64> = here.iter().flatten().map(|f| signed(f.at.value, f.sector)).collect();
-            if let Some(all) = self.growing(last, &known)? {
+            let found = self.growing(last, &known)?;
+            below = found.1;
+            if let Some(all) = found.0 {
                 let mut among = 0;
                 for m in &all {
                     if here.iter().flatten().any(|f| f.sector == m.sector && same(f.at.value, m.value)) {
@@ -334,7 +338,7 @@ impl Coupled {
         for (line, sector) in lines.iter_mut().zip(&sectors) {
             line.crossings = self.crossings(line, *sector)?;
         }
-        Ok((Lines { lines, modes: starts.len(), growing, lost, meetings }, complete))
+        Ok((Lines { lines, modes: starts.len(), growing, below, lost, meetings }, complete))
     }
 
     /// Of roots that end before a value, because they meet others in double roots: continues them by those at the value that lead back to the same place.
@@ -437,7 +441,7 @@ impl Coupled {
             let uncertainty = left_over(at.value.re, at.slope.re);
             let beside = |side: f64| -> Result<Option<usize>, Diagnostic> {
                 let q = q * (1.0 + side * BESIDE);
-                Ok(self.growing(q, &[signed(at.value, sector)])?.map(|all| all.len()))
+                Ok(self.growing(q, &[signed(at.value, sector)])?.0.map(|all| all.len()))
             };
             let growing = [beside(-1.0)?, beside(1.0)?];
             let (whirl, forward_share) = (shape.whirl, shape.forward_share);

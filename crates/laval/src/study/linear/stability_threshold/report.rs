@@ -60,6 +60,22 @@ impl Shown<'_> {
         lines[k].points.iter().find(|p| p.stiffness == stiffness).map(|p| (k, p))
     }
 
+    /// No mode grows below the first threshold, or up to the largest stiffness without one: by a count at any frequency.
+    fn proven(&self) -> bool {
+        let lines = &self.result.lines;
+        let counted = match self.first() {
+            Some((_, c)) => c.at.stiffness == 0.0 || c.growing[0] == Some(0),
+            None => lines.growing.is_some_and(|[all, among]| all == among),
+        };
+        counted && lines.below.is_none()
+    }
+
+    /// A mode grows without the stiffness.
+    fn already(&self) -> bool {
+        let at_zero = |l: &Line| l.points.first().is_some_and(|p| p.stiffness == 0.0 && p.value.re > NEUTRAL * p.value.abs());
+        self.result.lines.lines.iter().any(at_zero)
+    }
+
     fn direction(&self, line: &Line) -> Message {
         whirl::direction(line.whirl.at(self.study.speed), line.forward_share)
     }
@@ -153,9 +169,8 @@ impl Shown<'_> {
         let complete = r.end.is_complete();
         let last = r.lines.lines.iter().flat_map(|l| &l.points).map(|p| p.stiffness).fold(0.0, f64::max);
         let of = |finding: Finding| finding.arg("speed", Arg::speed(w)).arg("place", place());
-        let already =
-            r.lines.lines.iter().any(|l| l.points.first().is_some_and(|p| p.stiffness == 0.0 && p.value.re > NEUTRAL * p.value.abs()));
-        let proven = r.lines.growing.is_some_and(|[all, among]| all == among);
+        let already = self.already();
+        let proven = self.proven();
         match self.first() {
             Some((k, c)) => {
                 let finding = of(Finding::info("threshold", "stability-threshold-threshold"))
@@ -199,7 +214,10 @@ impl Shown<'_> {
         }
         if let Some([all, among]) = r.lines.growing {
             let finding = if all == among {
+                let limit = r.lines.below;
                 Finding::info("counted", "stability-threshold-counted")
+                    .arg("range", Arg::word(if limit.is_some() { "below" } else { "all" }))
+                    .arg("limit", limit.map_or(Arg::word("all"), Arg::frequency))
             } else {
                 Finding::warning("missed", "stability-threshold-missed").arg("missed", Arg::count(all.saturating_sub(among)))
             };
@@ -219,7 +237,10 @@ impl Shown<'_> {
         let ratio = self.first().map(|(_, c)| c.at.stiffness / anticipated);
         // without a threshold up to the largest value the ratio is at least that
         let least = ratio.unwrap_or(self.result.values.last().copied().unwrap_or(f64::NAN) / anticipated);
-        let known = complete && (ratio.is_some() || least >= RATIO);
+        // a machine that is unstable without the stiffness has no threshold
+        let (ratio, least) = if self.already() { (Some(0.0), 0.0) } else { (ratio, least) };
+        let proven = self.proven() || self.already();
+        let known = complete && (ratio.is_some_and(|r| r < RATIO) || proven && (ratio.is_some() || least >= RATIO));
         let counts = !(least >= DENSITY);
         let counted = if counts { "yes" } else { "no" };
         let region = self.study.gas_density.filter(|_| counts && !(least < RATIO)).map(|density| (density, self.region(density)));
@@ -242,7 +263,16 @@ impl Shown<'_> {
             .arg("least_decrement", Arg::number(DECREMENT))
             .arg("least_ratio", Arg::number(RATIO))
             .arg("ratio", Arg::number(least))
-            .arg("reached", Arg::word(if ratio.is_some() { "yes" } else { "no" }))
+            .arg(
+                "reached",
+                Arg::word(if complete && !proven && !known {
+                    "uncounted"
+                } else if ratio.is_some() {
+                    "yes"
+                } else {
+                    "no"
+                }),
+            )
             .arg("density", Arg::word(if region.is_some() { "region" } else { counted }));
         let finding = finding.evidence("growth rate", p.value.re, "1/s").evidence("threshold over the anticipated stiffness", least, "");
         let Some((density, region)) = region else { return Some(finding) };
