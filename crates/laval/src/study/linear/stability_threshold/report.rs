@@ -1,7 +1,7 @@
 //! Tables, figure and findings of the stability over a cross-coupled stiffness.
 
 use super::region::{DENSE, Region, RigidLimit, speed_ratio_limit};
-use super::{StabilityThreshold, ThresholdResult, decrement, first_forward};
+use super::{StabilityThreshold, ThresholdResult, decrement};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Finding, Line as Curve, Message, Outcome, Panel, Points, Rule, SpecialPoint, Table};
@@ -54,10 +54,8 @@ impl Shown<'_> {
     /// The first forward mode at a stiffness: at a value computed.
     fn first_forward(&self, stiffness: f64) -> Option<(usize, &Point)> {
         let lines = &self.result.lines.lines;
-        // those that were followed back do not begin at 0
-        let begun: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].points.first().is_some_and(|p| p.stiffness == 0.0)).collect();
-        let k = begun[first_forward(begun.iter().map(|&k| &lines[k].points[0]))?];
-        lines[k].points.iter().find(|p| p.stiffness == stiffness).map(|p| (k, p))
+        let k = self.result.forward?;
+        lines.get(k)?.points.iter().find(|p| p.stiffness == stiffness).map(|p| (k, p))
     }
 
     /// No mode grows below the first threshold, or up to the largest stiffness without one: by a count at any frequency.
