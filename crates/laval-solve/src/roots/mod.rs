@@ -13,9 +13,11 @@
 
 mod beyond;
 mod region;
+mod repeated;
 
 pub use region::{ACCUMULATION, PAIR};
 use region::{Piece, rectangles, step_limit};
+use repeated::repeated;
 
 use crate::characteristic::{Characteristic, Equilibrium, Frame, Polished, is_polynomial};
 use crate::diagnostic::Diagnostic;
@@ -328,6 +330,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             f.scale_for(frequency);
         }
         let mut known: Vec<Polished> = Vec::new();
+        let same = |a: C64, b: C64| (a - b).abs() <= 1e-9 * b.abs();
         let keep = |t: &mut Characteristic, p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
             // also where the axes turn, whose rounding is that of the speed; stiff elements of a fine division round the frequencies of soft bearings
@@ -339,9 +342,8 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 p.value.im = 0.0;
             }
             // of a real function the upper half is enough
-            let same = |k: &Polished| (k.value - p.value).abs() <= 1e-9 * p.value.abs();
             let inside = p.value.im.abs() <= reach && p.value.re.abs() <= reach && p.defect < 1e-9 && p.value.abs() >= double;
-            if inside && !(mirrored && p.value.im < 0.0) && !known.iter().any(same) {
+            if inside && !(mirrored && p.value.im < 0.0) && !known.iter().any(|k| same(k.value, p.value)) {
                 known.push(p);
             }
         };
@@ -416,12 +418,22 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 let polished = t.polish(z, sector).filter(near);
                 if let Some(p) = polished.or_else(|| beside.find_map(|d| t.polish_beside_pole(z + d, sector).filter(near))) {
                     moved |= holds(&growth, &band, region.mirrored, z) != holds(&growth, &band, region.mirrored, p.value);
-                    keep(&mut t, p, &mut known);
+                    let alike = |k: &Polished| same(k.value, p.value);
+                    let again = known.iter().filter(|k| alike(k)).count();
+                    let first = known.iter().find(|k| alike(k));
+                    // what is missing at the place of a root that is known is another one there
+                    match first.and_then(|first| repeated(&mut t, first, again + 1, sector)) {
+                        Some(all) => {
+                            known.retain(|k| !alike(k));
+                            known.extend(all);
+                        }
+                        None => keep(&mut t, p, &mut known),
+                    }
                 }
             }
             // the proof is for the roots as they are handed on: the same where each is one that was found, on the same side of the edge
-            let same = !moved && known.len() == before + fresh.len();
-            if known.len() > before && left == Some(0) && !same {
+            let unmoved = !moved && known.len() == before + fresh.len();
+            if known.len() > before && left == Some(0) && !unmoved {
                 let again = missing(&mut f, &region, &all(&known), budget);
                 out.evaluations += again.1;
                 left = again.0;
