@@ -134,18 +134,64 @@ pub(super) fn equilibrate(of: &Selection, t: &[C64], slope: &[C64], s: f64) -> (
 /// Inverse of a singular value, over the size one of the entries, from which on no further iteration is needed.
 const NEAR_SINGULAR: f64 = 1e5;
 
-/// Left and right singular directions of the smallest singular value, roughly, by inverse iteration.
-pub(super) fn singular_directions(of: &Selection, t: &[C64]) -> Option<(Vec<C64>, Vec<C64>)> {
-    let (pattern, k) = (of.inner.pattern(), of.members.len());
+/// Factors of a matrix that may be singular, for inverse iteration.
+fn nearly_singular(of: &Selection, t: &[C64]) -> Option<Factors<C64>> {
+    let pattern = of.inner.pattern();
     // A change by a few roundings keeps an exactly singular matrix factorable and moves the directions no further.
     // One equation alone is zero where it is singular, and has no size.
     let size = t.iter().fold(0.0, |m: f64, x| if x.size() > m || x.size().is_nan() { x.size() } else { m });
     let eps = 8.0 * f64::EPSILON * if size > 0.0 { size } else { 1.0 };
     let mut shifted = t.to_vec();
-    for i in 0..k {
+    for i in 0..of.members.len() {
         pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| shifted[e] += c(eps, 0.5 * eps));
     }
-    let factors = Factors::new(&of.inner, &shifted).ok()?;
+    Factors::new(&of.inner, &shifted).ok()
+}
+
+/// Orthonormal left and right singular directions of some of the smallest singular values, by inverse iteration.
+pub(super) fn null_spaces(of: &Selection, t: &[C64], count: usize) -> Option<[Vec<Vec<C64>>; 2]> {
+    let factors = nearly_singular(of, t)?;
+    let start = |k: usize| {
+        let entry = |i: usize| C64::cis(1.0 + (2.4 + 0.7 * k as f64) * i as f64).scale(1.0 + 0.3 * ((1 + k) as f64 * i as f64).sin());
+        (0..of.members.len()).map(entry).collect()
+    };
+    let mut right: Vec<Vec<C64>> = (0..count).map(start).collect();
+    let mut left = right.clone();
+    for _ in 0..4 {
+        for (y, x) in left.iter_mut().zip(&right) {
+            *y = x.iter().map(|x| x.conj()).collect();
+            factors.solve_transposed_roughly(y);
+            y.iter_mut().for_each(|y| *y = y.conj());
+        }
+        orthonormal(&mut left)?;
+        right.clone_from(&left);
+        right.iter_mut().for_each(|x| factors.solve_roughly(x));
+        orthonormal(&mut right)?;
+    }
+    Some([left, right])
+}
+
+fn orthonormal(all: &mut [Vec<C64>]) -> Option<()> {
+    for k in 0..all.len() {
+        let (before, rest) = all.split_at_mut(k);
+        let x = &mut rest[0];
+        normalise(x)?;
+        // the first pass leaves rounding of what it takes away
+        for _ in 0..2 {
+            for b in before.iter() {
+                let share = b.iter().zip(x.iter()).fold(C64::ZERO, |sum, (b, x)| sum + b.conj() * *x);
+                x.iter_mut().zip(b).for_each(|(x, b)| *x -= share * *b);
+            }
+            normalise(x)?;
+        }
+    }
+    Some(())
+}
+
+/// Left and right singular directions of the smallest singular value, roughly, by inverse iteration.
+pub(super) fn singular_directions(of: &Selection, t: &[C64]) -> Option<(Vec<C64>, Vec<C64>)> {
+    let k = of.members.len();
+    let factors = nearly_singular(of, t)?;
     let mut x: Vec<C64> = (0..k).map(|i| C64::cis(1.0 + 2.4 * i as f64).scale(1.0 + 0.3 * (i as f64).sin())).collect();
     let mut y = x.clone();
     for _ in 0..3 {

@@ -17,13 +17,14 @@ mod part;
 use crate::characteristic::{Characteristic, Equilibrium, Polished};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::follow::{same, signed};
+use crate::large::usual_frequency;
 use crate::machine_mode::{MachineMode, Unknowns, Whirl};
 use crate::model::field::Attach;
 use crate::model::station::Row;
 use crate::model::system::{PartInput, System};
 use crate::pencil::modes_about;
 use crate::rest::rest;
-use crate::roots::{Request, in_region, mode, roots};
+use crate::roots::{Request, has_more_modes, in_region, mode, roots, transcendental};
 use crate::sectors::Sector;
 use laval_model::model::params::Family;
 use laval_model::model::part::Part;
@@ -36,6 +37,8 @@ use serde::{Deserialize, Serialize};
 pub struct Coupled {
     /// Without stiffness at the place.
     base: System,
+    /// Displacements of the place in x and y over the coordinates.
+    rows: [Row; 2],
     /// Path of the stiffness.
     path: String,
     about: Equilibrium,
@@ -91,6 +94,8 @@ pub struct Lines {
     pub modes: usize,
     /// Growing modes at the largest value by all of its spectrum, and among those followed; `None` where the count is not complete.
     pub growing: Option<[usize; 2]>,
+    /// Frequency up to which modes that grow are known, rad/s; `None` where all of them are.
+    pub below: Option<f64>,
     /// Modes that could not be followed to the largest value.
     pub lost: usize,
     /// Values between which two modes meet in a double root: which of them goes on as which is a convention.
@@ -121,6 +126,10 @@ const MOST: usize = 300;
 /// Distance of two modes that have met, of their values over one of them, and of the stiffness over the step between two values.
 const MET: f64 = 0.02;
 const GAP: f64 = 1e-3;
+/// Amplitude of the place over the largest of a mode in which it does not move.
+const STAYS: f64 = 1e-6;
+/// How often the range of frequencies is doubled until a mode moves the place.
+const DOUBLINGS: usize = 6;
 /// Steps in which roots that lead to one are followed again.
 const PIECES: [usize; 3] = [4, 16, 64];
 /// Distance from a threshold, over it, at which growing modes are counted on both sides.
@@ -162,10 +171,10 @@ impl Coupled {
     /// # Errors
     /// A place that the machine does not have; no equilibrium at the speed (rad/s).
     pub fn new(system: &System, at: &Attach, speed: f64) -> Result<Self, Diagnostics> {
-        let (.., ratio) = placed(system, at)?;
+        let (_, rows, ratio) = placed(system, at)?;
         let (base, name) = with_point(system, at, if ratio * speed < 0.0 { -1.0 } else { 1.0 })?;
         let about = rest(&base, speed).map_err(|d| Diagnostics(vec![d]))?;
-        Ok(Coupled { path: format!("{name}.cross_coupled"), base, about })
+        Ok(Coupled { rows, path: format!("{name}.cross_coupled"), base, about })
     }
 
     fn system(&self, stiffness: f64) -> Result<System, Diagnostic> {
@@ -177,6 +186,13 @@ impl Coupled {
         let by_q = t.linear_by_parameters(p.value, &self.base.param(&self.path)?);
         let slope = -t.product(p, &by_q) / p.by_s;
         (p.value.is_finite() && slope.is_finite()).then_some(Point { stiffness, value: p.value, slope })
+    }
+
+    /// Amplitude of the place over the largest of all coordinates.
+    fn share(&self, mode: &MachineMode) -> f64 {
+        let at = |row: &Row| row.iter().fold(C64::zero(), |sum, &(i, a)| sum + mode.q.get(i).map_or(C64::zero(), |q| q.scale(a))).abs();
+        let largest = mode.q.iter().map(|q| q.abs()).fold(0.0, f64::max);
+        if largest > 0.0 { at(&self.rows[0]).hypot(at(&self.rows[1])) / largest } else { 0.0 }
     }
 
     /// The root that a start leads to.
@@ -242,25 +258,37 @@ impl Coupled {
     /// # Errors
     /// As [`modes_about`].
     pub fn modes(&self) -> Result<Vec<Start>, Diagnostic> {
-        let found = modes_about(&self.base, &self.about, true)?.modes;
+        let mut found = modes_about(&self.base, &self.about, true)?.modes;
+        if has_more_modes(&self.base) {
+            // the lowest modes of a large machine may be of other bodies
+            let mut frequency = usual_frequency(&self.base, &self.about);
+            for _ in 0..DOUBLINGS {
+                if found.iter().any(|m| m.whirl.is_lateral() && m.value.im > 0.0 && self.share(m) >= STAYS) {
+                    break;
+                }
+                frequency *= 2.0;
+                found = roots(&self.base, &self.about, &Request { frequency: Some(frequency), ..Request::default() })?.spectrum.modes;
+            }
+        }
         let mut t = Characteristic::new(&self.base, &self.about);
         let mut out: Vec<Start> = Vec::new();
         for m in found.into_iter().filter(|m| m.whirl.is_lateral() && m.value.im > 0.0) {
             let Some(p) = t.polish(m.value, m.sector) else { continue };
-            out.extend(self.point(&mut t, &p, 0.0).map(|at| Start { at, mode: m }));
+            let share = self.share(&m);
+            out.extend(self.point(&mut t, &p, 0.0).map(|at| Start { at, mode: m, share }));
         }
         out.sort_by(|a, b| a.estimate().total_cmp(&b.estimate()).then(b.at.value.re.total_cmp(&a.at.value.re)));
         Ok(out)
     }
 
-    /// Modes that grow at a value; `None` where the count is not complete.
-    fn growing(&self, stiffness: f64, starts: &[C64]) -> Result<Option<Vec<MachineMode>>, Diagnostic> {
+    /// Modes that grow at a value, `None` where the count is not complete, and the frequency up to which they were counted, `None` where it is any.
+    fn growing(&self, stiffness: f64, starts: &[C64]) -> Result<(Option<Vec<MachineMode>>, Option<f64>), Diagnostic> {
         let system = self.system(stiffness)?;
         if in_region(&system) {
-            let found = roots(&system, &self.about, &Request { growing: true, starts, ..Request::default() })?;
+            let found = roots(&system, &self.about, &Request { growing: true, everywhere: true, starts, ..Request::default() })?;
             let count = found.growing();
             let modes: Vec<MachineMode> = found.spectrum.modes.into_iter().filter(|m| m.value.re > 0.0).collect();
-            return Ok(count.filter(|n| *n == modes.len()).map(|_| modes));
+            return Ok((count.filter(|n| *n == modes.len()).map(|_| modes), transcendental(&system).then_some(found.frequency)));
         }
         let mut modes = modes_about(&system, &self.about, true)?.modes;
         let largest = modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
@@ -268,7 +296,7 @@ impl Coupled {
             let error = if m.error.is_nan() { 0.0 } else { m.error };
             !(m.value.re <= error + ROUNDING * largest)
         });
-        Ok(Some(modes))
+        Ok((Some(modes), None))
     }
 
     /// Follows modes over rising values, the first of which is 0; `each` receives the number of values done and stops the work by saying false. Modes that grow at the last value and
@@ -314,10 +342,12 @@ impl Coupled {
         }
         let lost = here.iter().filter(|f| f.is_none()).count();
         let mut sectors: Vec<Option<Sector>> = (0..starts.len()).map(sector).collect();
-        let mut growing = None;
+        let (mut growing, mut below) = (None, None);
         if let (true, Some(&last)) = (complete, values.last()) {
             let known: Vec<C64> = here.iter().flatten().map(|f| signed(f.at.value, f.sector)).collect();
-            if let Some(all) = self.growing(last, &known)? {
+            let found = self.growing(last, &known)?;
+            below = found.1;
+            if let Some(all) = found.0 {
                 let mut among = 0;
                 for m in &all {
                     if here.iter().flatten().any(|f| f.sector == m.sector && same(f.at.value, m.value)) {
@@ -334,7 +364,7 @@ impl Coupled {
         for (line, sector) in lines.iter_mut().zip(&sectors) {
             line.crossings = self.crossings(line, *sector)?;
         }
-        Ok((Lines { lines, modes: starts.len(), growing, lost, meetings }, complete))
+        Ok((Lines { lines, modes: starts.len(), growing, below, lost, meetings }, complete))
     }
 
     /// Of roots that end before a value, because they meet others in double roots: continues them by those at the value that lead back to the same place.
@@ -437,7 +467,7 @@ impl Coupled {
             let uncertainty = left_over(at.value.re, at.slope.re);
             let beside = |side: f64| -> Result<Option<usize>, Diagnostic> {
                 let q = q * (1.0 + side * BESIDE);
-                Ok(self.growing(q, &[signed(at.value, sector)])?.map(|all| all.len()))
+                Ok(self.growing(q, &[signed(at.value, sector)])?.0.map(|all| all.len()))
             };
             let growing = [beside(-1.0)?, beside(1.0)?];
             let (whirl, forward_share) = (shape.whirl, shape.forward_share);
@@ -454,9 +484,16 @@ pub struct Start {
     pub at: Point,
     /// Its shape and direction.
     pub mode: MachineMode,
+    /// Amplitude of the place over the largest of all coordinates.
+    pub share: f64,
 }
 
 impl Start {
+    /// The place moves in this mode; what is driven in another is rounding.
+    pub fn moves(&self) -> bool {
+        self.share >= STAYS
+    }
+
     /// Stiffness at which it becomes unstable by its derivative, N/m; infinite where that decreases the growth.
     pub fn estimate(&self) -> f64 {
         let (growth, rate) = (self.at.value.re, self.at.slope.re);

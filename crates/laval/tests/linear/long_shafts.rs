@@ -61,6 +61,45 @@ fn modes_up_to_a_frequency() {
     }
 }
 
+/// A planar body on equal springs beside a long shaft on unequal ones has its forward and its backward mode at one root: both are found and counted, as by the full matrices of a coarser shaft.
+#[test]
+fn two_modes_at_one_root() {
+    let (m, k, damping) = (400.0, 4e8, 5e4);
+    let system = |elements: usize| {
+        let mut text = format!(
+            "[machine]\nname = \"t\"\nspeed = 314\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = {elements}\nsection = [{{ length = 0.6, outer_diameter = 0.05 }}]\n"
+        );
+        for (name, at) in [("left", 0.0), ("right", 0.6)] {
+            text += &format!(
+                "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at:?} }}, \"ground\"]\nkxx = 5e7\nkyy = 7e7\ncxx = 5e3\ncyy = 5e3\n"
+            );
+        }
+        text += &format!(
+            "[[part]]\nkind = \"disc\"\nname = \"alone\"\nmass = {m:?}\n[[part]]\nkind = \"bearing_linear\"\nname = \"b\"\nbetween = [\"alone\", \"ground\"]\nstiffness = {k:?}\ndamping = {damping:?}\n"
+        );
+        load(&text).system
+    };
+    let fine = system(45);
+    let about = rest(&fine, 314.0).unwrap();
+    let found = roots(&fine, &about, &Request::default()).unwrap();
+    assert!(found.areas.iter().all(|a| a.complete()) && !found.areas.is_empty(), "{:?}", found.areas);
+    assert!(found.counted.iter().all(|x| *x));
+    let root = (c(damping * damping - 4.0 * m * k, 0.0).sqrt() - c(damping, 0.0)).scale(0.5 / m);
+    let root = c(root.re, root.im.abs());
+    let there: Vec<f64> =
+        found.spectrum.modes.iter().filter(|s| (s.value - root).abs() <= 1e-9 * root.abs()).map(|s| s.forward_share).collect();
+    assert_eq!(there.len(), 2, "{:?}", found.spectrum.modes.iter().map(|s| s.value).collect::<Vec<_>>());
+    assert!((there[0] - 1.0).abs() <= 1e-9 && there[1].abs() <= 1e-9, "{there:?}");
+    let coarse = system(12);
+    let all = dense(&coarse, &rest(&coarse, 314.0).unwrap(), found.frequency);
+    assert_eq!(all.len(), found.spectrum.modes.len());
+    for s in all.iter().filter(|s| s.abs() <= 0.5 * found.frequency) {
+        let count = |some: &[C64]| some.iter().filter(|z| (**z - *s).abs() <= 1e-3 * s.abs()).count();
+        let modes: Vec<C64> = found.spectrum.modes.iter().map(|m| m.value).collect();
+        assert_eq!(count(&modes), count(&all), "{s:?} {modes:?}");
+    }
+}
+
 /// The same of a machine without preferred direction, whose forward sector is solved by itself, and of one with twice the stiffness in it as a nonlinear part.
 #[test]
 fn modes_of_isotropic_and_nonlinear_machines() {

@@ -3,13 +3,13 @@
 use crate::common::files::{finding, findings, load, run_all};
 use laval::model::field::Attach;
 use laval::outcome::{Data, Finding, Level, Outcome};
-use laval::solve::pencil::modes_about;
+use laval::solve::pencil::{Linearised, modes_about};
 use laval::solve::rest::rest;
 use laval::solve::roots::in_region;
 use laval::study::stability_threshold::region::{Region, speed_ratio_limit};
 use laval::study::stability_threshold::{StabilityThreshold, ThresholdResult, decrement};
 use laval::study::{Context, Study};
-use laval_num::complex::c;
+use laval_num::complex::{C64, c};
 use std::f64::consts::TAU;
 
 fn near(a: f64, b: f64, tolerance: f64, what: &str) {
@@ -303,6 +303,72 @@ fn pedestals_and_large_shafts() {
             near(beside, side * 1e-4 * q * slope, 1e-3, "growth beside");
         }
         assert_eq!(f.evidence.iter().skip(2).map(|e| e.value).collect::<Vec<_>>(), [0.0, 1.0]);
+    }
+}
+
+/// A shaft on damped bearings beside nine bodies of their own, so slow that the modes usually sought of a large machine are theirs.
+fn beside_slow_bodies(elements: usize, more: &str) -> String {
+    let mut text = format!(
+        "[machine]\nname = \"t\"\nspeed = 20\n[[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = {elements}\nsection = [{{ length = 0.6, outer_diameter = 0.05 }}]\n\
+         [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.4 }}\nmass = 8.0\npolar_inertia = 0.03\ndiametral_inertia = 0.02\n"
+    );
+    for (name, at) in [("a", 0.0), ("b", 0.6)] {
+        text += &format!(
+            "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at:?} }}, \"ground\"]\nstiffness = 5e7\ndamping = 3e3\n"
+        );
+    }
+    for k in 0..9 {
+        let stiffness = 1e5 + 1.3e4 * f64::from(k);
+        text += &format!(
+            "[[part]]\nkind = \"disc\"\nname = \"d{k}\"\nmass = 10.0\n[[part]]\nkind = \"bearing_linear\"\nname = \"s{k}\"\nbetween = [\"d{k}\", \"ground\"]\nkxx = {stiffness:?}\nkyy = {:?}\ndamping = 100.0\n",
+            1.3 * stiffness
+        );
+    }
+    text + more
+}
+
+/// All roots of a machine with a bearing kxy = -kyx = q at 0.3 m of its shaft, by its full matrices.
+fn with_seal(elements: usize, q: f64) -> Vec<C64> {
+    let seal = format!(
+        "[[part]]\nkind = \"bearing_linear\"\nname = \"seal\"\nbetween = [{{ body = \"shaft\", at = 0.3 }}, \"ground\"]\nkxy = {q:?}\nkyx = {:?}\n",
+        -q
+    );
+    let system = load(&beside_slow_bodies(elements, &seal)).system;
+    let all = Linearised::new(&system, &rest(&system, 20.0).unwrap()).unwrap().spectrum().unwrap().modes;
+    all.iter().map(|m| m.value).collect()
+}
+
+const AT_MIDSPAN: &str =
+    "[[study]]\nkind = \"stability_threshold\"\nplace = { body = \"shaft\", at = 0.3 }\nanticipated = 1e5\nup_to = 1e6\npoints = 8\n";
+
+/// A mode that grows beyond the frequency up to which modes of a large machine are sought: the threshold is that of the full matrices.
+#[test]
+fn growth_beyond_the_usual_frequency() {
+    let o = run(&beside_slow_bodies(24, AT_MIDSPAN));
+    assert!(findings(&o, "no_threshold").is_empty());
+    let f = finding(&o, "threshold");
+    let q = f.value.unwrap();
+    assert_eq!(f.evidence.iter().skip(2).map(|e| e.value).collect::<Vec<_>>(), [0.0, 1.0]);
+    let growth = |q: f64| with_seal(24, q).iter().map(|s| s.re).fold(f64::NEG_INFINITY, f64::max);
+    assert!(growth(0.99 * q) < 0.0 && growth(1.01 * q) > 0.0, "{q}");
+    let frequency = column(&o, "thresholds", "frequency")[0];
+    assert!(with_seal(24, q).iter().any(|s| s.re.abs() <= 1e-6 * frequency && (s.im - frequency).abs() <= 1e-6 * frequency), "{frequency}");
+    let level = finding(&o, "level_1");
+    assert!(level.level == Level::Warning && level.sentence().contains("Level 2"), "{}", level.sentence());
+    // the division into elements moves it little
+    near(q, finding(&run(&beside_slow_bodies(4, AT_MIDSPAN)), "threshold").value.unwrap(), 1e-2, "threshold");
+}
+
+/// The first forward mode is one of the shaft, not one of the bodies beside it, in which the place does not move: its decrement is that of the full matrices.
+#[test]
+fn first_forward_mode_moves_the_place() {
+    for elements in [4, 24] {
+        let f = finding(&run(&beside_slow_bodies(elements, AT_MIDSPAN)), "level_1").clone();
+        // those of the bodies alone lie below 500 rad/s
+        let shaft = with_seal(elements, 1e5).into_iter().filter(|s| s.im > 500.0);
+        let least = shaft.map(|s| -TAU * s.re / s.im).fold(f64::INFINITY, f64::min);
+        near(f.value.unwrap(), least, 1e-3, "decrement");
+        assert!(least < 0.1 && f.sentence().contains("Level 2"), "{} {}", least, f.sentence());
     }
 }
 

@@ -24,6 +24,7 @@ stability-threshold-level-2 = Level 2 analysis required (API 684, SP6.8.5.10): l
     }
 stability-threshold-level-open = Level 1 is not decided (API 684, SP6.8.5.10): logarithmic decrement { $value } of the first forward mode, mode { $mode }, with the anticipated { $anticipated }; { $reached ->
         [yes] threshold { $ratio } times that.
+        [uncounted] the modes that grow below { $ratio } times that could not be counted at all frequencies. Others may be unstable.
        *[no] no threshold was found up to { $ratio } times that. Raise up_to.
     }{ $density ->
         [region] {" "}{ $region }
@@ -46,7 +47,10 @@ stability-threshold-counted = { $growing ->
         [0] No mode grows
         [one] One mode grows
        *[other] { $growing } modes grow
-    } at { $stiffness } by all of the spectrum, as many as among the { $followed } of { $modes } lateral modes followed.
+    } at { $stiffness } { $range ->
+        [below] below { $limit }
+       *[all] by all of the spectrum
+    }, as many as among the { $followed } of { $modes } lateral modes followed.
 stability-threshold-missed = { $missed ->
         [one] One mode
        *[other] { $missed } modes

@@ -24,6 +24,7 @@ stability-threshold-level-2 = Требуется анализ уровня 2 (AP
     }
 stability-threshold-level-open = Уровень 1 не решён (API 684, SP6.8.5.10): логарифмический декремент первой прямой моды, моды { $mode }, { $value } при ожидаемой жёсткости { $anticipated }; { $reached ->
         [yes] отношение порога к ней { $ratio }.
+        [uncounted] растущие моды до отношения { $ratio } не удалось сосчитать на всех частотах. Могут быть и другие неустойчивые.
        *[no] порог не найден до отношения { $ratio }. Увеличьте up_to.
     }{ $density ->
         [region] {" "}{ $region }
@@ -42,7 +43,10 @@ stability-threshold-region-open = Критерий плотности газа �
         [uncertain] критическая частота вращения на жёстких опорах не сошлась.
        *[number] отношение частоты вращения к критической неизвестно.
     }
-stability-threshold-counted = По всему спектру число растущих мод при { $stiffness }: { $growing }, столько же среди прослеженных { $followed } из { $modes } поперечных мод.
+stability-threshold-counted = { $range ->
+        [below] До частоты { $limit }
+       *[all] По всему спектру
+    } число растущих мод при { $stiffness }: { $growing }, столько же среди прослеженных { $followed } из { $modes } поперечных мод.
 stability-threshold-missed = Число растущих при { $stiffness } мод, не прослеженных до начала неустойчивости: { $missed }. Увеличьте points.
 stability-threshold-not-counted = Растущие моды при { $stiffness } не удалось сосчитать: могут быть и другие неустойчивые.
 stability-threshold-meeting = Две моды сходятся в кратном корне при { $value }. За ним их номера условны.

@@ -24,6 +24,7 @@ stability-threshold-level-2 = 2-darajali tahlil kerak (API 684, SP6.8.5.10): kut
     }
 stability-threshold-level-open = 1-daraja hal qilinmadi (API 684, SP6.8.5.10): kutilgan { $anticipated } bikrlikda birinchi to‘g‘ri moda ({ $mode }-moda) logarifmik dekrementi { $value }; { $reached ->
         [yes] chegaraning unga nisbati { $ratio }.
+        [uncounted] { $ratio } nisbatgacha o‘suvchi modalarni barcha chastotalarda sanab bo‘lmadi. Boshqalari ham noturg‘un bo‘lishi mumkin.
        *[no] { $ratio } nisbatgacha chegara topilmadi. up_to ni oshiring.
     }{ $density ->
         [region] {" "}{ $region }
@@ -42,7 +43,10 @@ stability-threshold-region-open = Gaz zichligi va aylanish chastotasining kritik
         [uncertain] qattiq tayanchlardagi kritik aylanish chastotasi yaqinlashmadi.
        *[number] aylanish chastotasining kritik aylanish chastotasiga nisbati noma’lum.
     }
-stability-threshold-counted = Butun spektr bo‘yicha { $stiffness } da o‘suvchi modalar soni: { $growing }, kuzatilgan { $followed } moda orasida ham shuncha (ko‘ndalang modalar jami { $modes }).
+stability-threshold-counted = { $range ->
+        [below] { $limit } chastotagacha
+       *[all] Butun spektr bo‘yicha
+    } { $stiffness } da o‘suvchi modalar soni: { $growing }, kuzatilgan { $followed } moda orasida ham shuncha (ko‘ndalang modalar jami { $modes }).
 stability-threshold-missed = { $stiffness } da o‘suvchi, noturg‘unlik boshigacha kuzatilmagan modalar soni: { $missed }. points ni oshiring.
 stability-threshold-not-counted = { $stiffness } da o‘suvchi modalarni sanab bo‘lmadi: boshqalari ham noturg‘un bo‘lishi mumkin.
 stability-threshold-meeting = Ikki moda { $value } da karrali ildizda uchrashadi. Undan keyin ularning raqamlari shartli.

@@ -166,8 +166,10 @@ anticipated = "1e6 N/m"
         // those that grow without it are of interest, too
         let growing = starts.iter().filter(|s| s.at.value.re >= 0.0).count();
         let kept = self.modes.max(growing);
-        if let Some(k) = first_forward(starts.iter().map(|s| &s.at)).filter(|k| *k >= kept) {
+        let mut forward = first_forward(&starts);
+        if let Some(k) = forward.filter(|k| *k >= kept) {
             starts.swap(k, kept);
+            forward = Some(kept);
             starts.truncate(kept + 1);
         } else {
             starts.truncate(kept);
@@ -189,7 +191,7 @@ anticipated = "1e6 N/m"
         let about = rest(system, self.speed)?;
         let body = self.place.body.as_deref();
         let rigid = self.anticipated.and(self.gas_density).map(|_| region::rigid_limit(system, &self.supports, body, self.speed));
-        Ok(ThresholdResult { lines, values, about, rigid, end: context.end(complete) })
+        Ok(ThresholdResult { lines, forward, values, about, rigid, end: context.end(complete) })
     }
 
     fn report(&self, system: &System, result: &ThresholdResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -201,10 +203,14 @@ anticipated = "1e6 N/m"
     }
 }
 
-/// The first forward mode, whose decrement the criteria of level 1 assess: the lowest of those that the stiffness drives and that are less than half critically damped.
-fn first_forward<'p>(all: impl Iterator<Item = &'p Point>) -> Option<usize> {
-    let driven = all.enumerate().filter(|(_, p)| p.slope.re > 0.0 && -p.value.re < 0.5 * p.value.abs());
-    driven.min_by(|a, b| a.1.value.im.total_cmp(&b.1.value.im)).map(|x| x.0)
+/// The first forward mode, whose decrement the criteria of level 1 assess: the lowest of those that move at the place, that the stiffness drives and that are less than half critically
+/// damped.
+fn first_forward(all: &[Start]) -> Option<usize> {
+    let driven = all.iter().enumerate().filter(|(_, s)| {
+        let Point { value, slope, .. } = s.at;
+        s.moves() && slope.re > 0.0 && -value.re < 0.5 * value.abs()
+    });
+    driven.min_by(|a, b| a.1.at.value.im.total_cmp(&b.1.at.value.im)).map(|x| x.0)
 }
 
 impl StabilityThreshold {
@@ -243,6 +249,8 @@ impl StabilityThreshold {
 pub struct ThresholdResult {
     /// The modes, their thresholds, and the counts.
     pub lines: Lines,
+    /// The first forward mode among them.
+    pub forward: Option<usize>,
     /// Values of the stiffness, N/m.
     pub values: Vec<f64>,
     /// State linearised about.

@@ -1,7 +1,7 @@
 //! Tables, figure and findings of the stability over a cross-coupled stiffness.
 
 use super::region::{DENSE, Region, RigidLimit, speed_ratio_limit};
-use super::{StabilityThreshold, ThresholdResult, decrement, first_forward};
+use super::{StabilityThreshold, ThresholdResult, decrement};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Arg, Axis, Figure, Finding, Line as Curve, Message, Outcome, Panel, Points, Rule, SpecialPoint, Table};
@@ -54,10 +54,24 @@ impl Shown<'_> {
     /// The first forward mode at a stiffness: at a value computed.
     fn first_forward(&self, stiffness: f64) -> Option<(usize, &Point)> {
         let lines = &self.result.lines.lines;
-        // those that were followed back do not begin at 0
-        let begun: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].points.first().is_some_and(|p| p.stiffness == 0.0)).collect();
-        let k = begun[first_forward(begun.iter().map(|&k| &lines[k].points[0]))?];
-        lines[k].points.iter().find(|p| p.stiffness == stiffness).map(|p| (k, p))
+        let k = self.result.forward?;
+        lines.get(k)?.points.iter().find(|p| p.stiffness == stiffness).map(|p| (k, p))
+    }
+
+    /// No mode grows below the first threshold, or up to the largest stiffness without one: by a count at any frequency.
+    fn proven(&self) -> bool {
+        let lines = &self.result.lines;
+        let counted = match self.first() {
+            Some((_, c)) => c.at.stiffness == 0.0 || c.growing[0] == Some(0),
+            None => lines.growing.is_some_and(|[all, among]| all == among),
+        };
+        counted && lines.below.is_none()
+    }
+
+    /// A mode grows without the stiffness.
+    fn already(&self) -> bool {
+        let at_zero = |l: &Line| l.points.first().is_some_and(|p| p.stiffness == 0.0 && p.value.re > NEUTRAL * p.value.abs());
+        self.result.lines.lines.iter().any(at_zero)
     }
 
     fn direction(&self, line: &Line) -> Message {
@@ -153,9 +167,8 @@ impl Shown<'_> {
         let complete = r.end.is_complete();
         let last = r.lines.lines.iter().flat_map(|l| &l.points).map(|p| p.stiffness).fold(0.0, f64::max);
         let of = |finding: Finding| finding.arg("speed", Arg::speed(w)).arg("place", place());
-        let already =
-            r.lines.lines.iter().any(|l| l.points.first().is_some_and(|p| p.stiffness == 0.0 && p.value.re > NEUTRAL * p.value.abs()));
-        let proven = r.lines.growing.is_some_and(|[all, among]| all == among);
+        let already = self.already();
+        let proven = self.proven();
         match self.first() {
             Some((k, c)) => {
                 let finding = of(Finding::info("threshold", "stability-threshold-threshold"))
@@ -199,7 +212,10 @@ impl Shown<'_> {
         }
         if let Some([all, among]) = r.lines.growing {
             let finding = if all == among {
+                let limit = r.lines.below;
                 Finding::info("counted", "stability-threshold-counted")
+                    .arg("range", Arg::word(if limit.is_some() { "below" } else { "all" }))
+                    .arg("limit", limit.map_or(Arg::word("all"), Arg::frequency))
             } else {
                 Finding::warning("missed", "stability-threshold-missed").arg("missed", Arg::count(all.saturating_sub(among)))
             };
@@ -219,7 +235,10 @@ impl Shown<'_> {
         let ratio = self.first().map(|(_, c)| c.at.stiffness / anticipated);
         // without a threshold up to the largest value the ratio is at least that
         let least = ratio.unwrap_or(self.result.values.last().copied().unwrap_or(f64::NAN) / anticipated);
-        let known = complete && (ratio.is_some() || least >= RATIO);
+        // a machine that is unstable without the stiffness has no threshold
+        let (ratio, least) = if self.already() { (Some(0.0), 0.0) } else { (ratio, least) };
+        let proven = self.proven() || self.already();
+        let known = complete && (ratio.is_some_and(|r| r < RATIO) || proven && (ratio.is_some() || least >= RATIO));
         let counts = !(least >= DENSITY);
         let counted = if counts { "yes" } else { "no" };
         let region = self.study.gas_density.filter(|_| counts && !(least < RATIO)).map(|density| (density, self.region(density)));
@@ -242,7 +261,16 @@ impl Shown<'_> {
             .arg("least_decrement", Arg::number(DECREMENT))
             .arg("least_ratio", Arg::number(RATIO))
             .arg("ratio", Arg::number(least))
-            .arg("reached", Arg::word(if ratio.is_some() { "yes" } else { "no" }))
+            .arg(
+                "reached",
+                Arg::word(if complete && !proven && !known {
+                    "uncounted"
+                } else if ratio.is_some() {
+                    "yes"
+                } else {
+                    "no"
+                }),
+            )
             .arg("density", Arg::word(if region.is_some() { "region" } else { counted }));
         let finding = finding.evidence("growth rate", p.value.re, "1/s").evidence("threshold over the anticipated stiffness", least, "");
         let Some((density, region)) = region else { return Some(finding) };

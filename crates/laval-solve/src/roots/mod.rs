@@ -11,38 +11,38 @@
 //!
 //! Theory: `docs/theory/linear-vibration.md#counting-of-roots`.
 
-use super::characteristic::{Characteristic, Equilibrium, Frame, Polished, is_polynomial};
-use super::free_motions::free_motions;
-use super::large::{Starts, is_large, starts};
-use super::machine_mode::{MachineMode, Unknowns, Whirl};
-use super::pencil::{Family, ISOTROPIC, Linearised, Spectrum, time_forms};
-use super::resonances::resonances;
-use super::sectors::Sector;
-use super::side_by_side::{Block, Determinants, Near, polish_all};
-use super::ties::{mode_rank, settle};
+mod beyond;
+mod region;
+mod repeated;
+
+pub use region::{ACCUMULATION, PAIR};
+use region::{Piece, rectangles, step_limit};
+use repeated::repeated;
+
+use crate::characteristic::{Characteristic, Equilibrium, Frame, Polished, is_polynomial};
 use crate::diagnostic::Diagnostic;
+use crate::free_motions::free_motions;
+use crate::large::{Starts, is_large, starts};
+use crate::machine_mode::{MachineMode, Unknowns, Whirl};
 use crate::model::part::{Domain, Physics, TimeForm};
 use crate::model::system::System;
+use crate::pencil::{Family, ISOTROPIC, Linearised, Spectrum, time_forms};
+use crate::resonances::resonances;
+use crate::sectors::Sector;
+use crate::side_by_side::{Block, Determinants, Near, polish_all};
+use crate::ties::{mode_rank, settle};
 use laval_model::text;
 use laval_num::complex::{C64, c};
 use laval_num::contour::{Found, Function, Region, Sample, missing, zeros};
 use laval_num::eig;
 use laval_num::factor::{Directed, Factors, Selection};
 use laval_num::lanes::LANES;
-use laval_num::order::SortByNumber;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Half width, over the speed, of the band about a frequency where singularities accumulate in which roots close to the imaginary axis are not counted.
-pub const ACCUMULATION: f64 = 0.08;
-/// Width, over the speed, of what is added to the range of waves of a truncated series.
-const ASIDE: f64 = 0.05;
 /// Least margin beside a dense range and where singularities accumulate, over the speed, and least resolution of waves that die out slowly.
 pub const LEAST: f64 = Domain::MARGIN;
-/// Longest step over the distance of the poles beside the path: a zero on the other side of the path and a pole at that distance show in `f'/f` at the ends of any
-/// step up to 2.6 times that distance.
-pub const PAIR: f64 = 1.8;
 /// Starts spread over the frequencies.
 const SPREAD: i32 = 16;
 /// Most evaluations of the characteristic matrix for one rectangle, and most terms of series in them.
@@ -61,6 +61,8 @@ pub struct Request<'a> {
     pub frequency: Option<f64>,
     /// Only roots that grow faster than the margin are wanted; others are kept when starts lead to them.
     pub growing: bool,
+    /// Also roots beyond the frequency that grow faster than the margin, where T is a polynomial; with `growing`.
+    pub everywhere: bool,
     /// Places near roots.
     pub starts: &'a [C64],
     /// Most evaluations for one rectangle, where they are fewer than a study may take.
@@ -167,6 +169,13 @@ impl<'a, 'b> Determinant<'a, 'b> {
         Determinant { t, sector, of, factors: Factors::default(), bare: false, together, cancel }
     }
 
+    /// For places of some size.
+    fn scale_for(&mut self, size: f64) {
+        if self.together.is_some() {
+            self.together = Block::new(self.t, self.sector).and_then(|block| Determinants::new(&block, size));
+        }
+    }
+
     fn single(&mut self, s: C64) -> Option<Sample> {
         let determinant = self.t.determinant(s, &self.of, &mut self.factors)?;
         let mut sample = Sample { phase: determinant.phase, rate: determinant.rate };
@@ -201,103 +210,6 @@ impl Function for &mut Determinant<'_, '_> {
             }
         }
     }
-}
-
-/// A rectangle: range of growth and range of frequency.
-struct Piece {
-    growth: (f64, f64),
-    band: (f64, f64),
-    /// Beside waves of a truncated series, at no less than the margin: their poles are not taken away, the steps see them.
-    bare: bool,
-}
-
-/// Rectangles inside the domain.
-fn rectangles(domains: &[Domain], speed: f64, margin: f64, reach: f64, growing: bool, sector: Option<Sector>) -> (Vec<Piece>, f64) {
-    let axial = sector == Some(Sector::Axial);
-    let domains = if axial { &[] } else { domains };
-    let (left, axis) = (domains.iter().all(|d| d.left), !domains.iter().any(Domain::touches_axis));
-    let mirrored = sector != Some(Sector::Forward);
-    let low = if mirrored { 0.0 } else { -reach };
-    let least = LEAST * speed.abs();
-    let margin = if axis { margin.max(if left { f64::NEG_INFINITY } else { 0.0 }) } else { margin.max(least) };
-    let bottom = if axis && left && !growing { -reach } else { margin };
-    let (waves, places) = (bands(domains, speed, true, mirrored), bands(domains, speed, false, mirrored));
-    let mut out = Vec::new();
-    if places.is_empty() {
-        out.push(Piece { growth: (bottom, reach), band: (low, reach), bare: false });
-    } else {
-        // what grows or decays beside the waves does not depend on whether those on the axis can be distinguished
-        for growth in [(bottom.max(least), reach), (bottom, -least)] {
-            out.extend(pieces(&waves, (low, reach)).map(|(band, bare)| Piece { growth, band, bare }));
-        }
-        let slow = pieces(&places, (low, reach)).filter(|p| !p.1);
-        out.extend(slow.map(|(band, bare)| Piece { growth: (bottom.max(-least), least), band, bare }));
-    }
-    if !axis && left && !growing {
-        out.push(Piece { growth: (-reach, -margin), band: (low, reach), bare: false });
-    }
-    out.retain(|p| p.growth.1 > p.growth.0 && p.band.1 > p.band.0);
-    (out, if places.is_empty() { margin } else { margin.max(least) })
-}
-
-/// A range of frequencies in pieces, with whether they lie in one of the bands.
-fn pieces(bands: &[(f64, f64)], (low, high): (f64, f64)) -> impl Iterator<Item = ((f64, f64), bool)> {
-    let mut ends = vec![low];
-    ends.extend(bands.iter().flat_map(|b| [b.0, b.1]).map(|x| x.clamp(low, high)));
-    ends.push(high);
-    (1..ends.len()).map(move |k| ((ends[k - 1], ends[k]), k % 2 == 0))
-}
-
-/// Bands of frequencies beside the waves of truncated series: all of theirs (`beside`), where roots are counted at some distance from the axis and the poles need not be
-/// taken away, which turns by half a circle for every wave; or those about the places where they accumulate, where slow roots are not counted.
-fn bands(domains: &[Domain], speed: f64, beside: bool, mirrored: bool) -> Vec<(f64, f64)> {
-    let (half, aside) = (ACCUMULATION * speed.abs(), ASIDE * speed.abs());
-    let ranges = domains.iter().flat_map(|d| {
-        let all = d.truncated.filter(|_| beside).map(|[a, b]| [a - aside, b + aside]);
-        d.except.iter().map(move |e| all.unwrap_or([e - half, e + half]))
-    });
-    let ranges = ranges.map(|[a, b]| match mirrored {
-        true if a < 0.0 && b > 0.0 => (0.0, b.max(-a)),
-        true if b <= 0.0 => (-b, -a),
-        _ => (a, b),
-    });
-    let mut ranges: Vec<(f64, f64)> = ranges.filter(|(a, b)| b > a).collect();
-    ranges.sort_by_number(|a| a.0);
-    let mut out: Vec<(f64, f64)> = Vec::new();
-    for (a, b) in ranges {
-        match out.last_mut() {
-            Some(last) if a <= last.1 => last.1 = last.1.max(b),
-            _ => out.push((a, b)),
-        }
-    }
-    out
-}
-
-/// Longest step at a place: so short that no root hides beside a wave of a part on the other side of the path.
-fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool, bare: bool) -> f64 {
-    let mut limit = f64::INFINITY;
-    // what takes the poles of waves away has one itself where they accumulate
-    for e in domains.iter().flat_map(|d| &d.except).filter(|_| !bare) {
-        let beside = if mirrored { (s.im - e).abs().min((s.im + e).abs()) } else { (s.im - e).abs() };
-        limit = limit.min(0.5 * s.re.hypot(beside));
-    }
-    // with `regular` waves are no poles
-    for d in domains.iter().filter(|d| bare || !(d.left && d.axis)) {
-        let away = if d.left { s.re.abs() } else { (s.re + d.gap).abs() };
-        let heights = [s.im, -s.im];
-        let all = [f64::NEG_INFINITY, f64::INFINITY];
-        let crowded = if bare && !d.except.is_empty() { Some(all) } else { d.crowded };
-        for h in &heights[..if mirrored { 2 } else { 1 }] {
-            if let Some([a, b]) = crowded {
-                let outside = (a - h).max(h - b).max(0.0);
-                limit = limit.min(PAIR * away.max(LEAST * speed.abs()).hypot(outside));
-            }
-            for w in &d.waves {
-                limit = limit.min(0.5 * away.hypot(h - w));
-            }
-        }
-    }
-    limit
 }
 
 /// Roots of the machine in a region.
@@ -399,7 +311,26 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         // double roots, which the matrices give to half of the digits
         let free = if mirrored { free_motions(&*f.t, &unknowns) } else { Vec::new() };
         let double = if free.is_empty() { 0.0 } else { HALF * frequency };
+        let everywhere = request.everywhere && request.growing && is_polynomial(system);
+        let mut rest = Vec::new();
+        let mut reach = frequency;
+        if everywhere {
+            let (found, evaluations) = beyond::beyond(&mut f, (request.margin, frequency), mirrored, budget);
+            out.evaluations += evaluations;
+            match found {
+                Some(found) => (rest, reach) = (found.pieces, found.reach),
+                None => out.areas.push(Area {
+                    growth: (request.margin, f64::MAX),
+                    frequency: (frequency, f64::MAX),
+                    mirrored,
+                    found: 0,
+                    missing: None,
+                }),
+            }
+            f.scale_for(frequency);
+        }
         let mut known: Vec<Polished> = Vec::new();
+        let same = |a: C64, b: C64| (a - b).abs() <= 1e-9 * b.abs();
         let keep = |t: &mut Characteristic, p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
             // also where the axes turn, whose rounding is that of the speed; stiff elements of a fine division round the frequencies of soft bearings
@@ -411,9 +342,8 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 p.value.im = 0.0;
             }
             // of a real function the upper half is enough
-            let same = |k: &Polished| (k.value - p.value).abs() <= 1e-9 * p.value.abs();
-            let inside = p.value.im.abs() <= frequency && p.value.re.abs() <= frequency && p.defect < 1e-9 && p.value.abs() >= double;
-            if inside && !(mirrored && p.value.im < 0.0) && !known.iter().any(same) {
+            let inside = p.value.im.abs() <= reach && p.value.re.abs() <= reach && p.defect < 1e-9 && p.value.abs() >= double;
+            if inside && !(mirrored && p.value.im < 0.0) && !known.iter().any(|k| same(k.value, p.value)) {
                 known.push(p);
             }
         };
@@ -426,7 +356,11 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         out.margin = out.margin.max(margin);
         let own = if sector == Some(Sector::Axial) { &[][..] } else { &domains[..] };
         let first_area = out.areas.len();
-        for Piece { growth, band, bare } in pieces {
+        for Piece { growth, band, bare } in pieces.into_iter().chain(rest) {
+            let highest = band.1.abs().max(band.0.abs());
+            if highest > frequency || growth.0 >= frequency {
+                f.scale_for(highest.max(growth.0));
+            }
             let reach = |s: C64| step_limit(own, speed, s, mirrored, bare);
             f.bare = bare;
             let region = Region { re: growth, im: band, mirrored: mirrored && band.0 == 0.0, reach: &reach, noise: SAME };
@@ -484,12 +418,22 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
                 let polished = t.polish(z, sector).filter(near);
                 if let Some(p) = polished.or_else(|| beside.find_map(|d| t.polish_beside_pole(z + d, sector).filter(near))) {
                     moved |= holds(&growth, &band, region.mirrored, z) != holds(&growth, &band, region.mirrored, p.value);
-                    keep(&mut t, p, &mut known);
+                    let alike = |k: &Polished| same(k.value, p.value);
+                    let again = known.iter().filter(|k| alike(k)).count();
+                    let first = known.iter().find(|k| alike(k));
+                    // what is missing at the place of a root that is known is another one there
+                    match first.and_then(|first| repeated(&mut t, first, again + 1, sector)) {
+                        Some(all) => {
+                            known.retain(|k| !alike(k));
+                            known.extend(all);
+                        }
+                        None => keep(&mut t, p, &mut known),
+                    }
                 }
             }
             // the proof is for the roots as they are handed on: the same where each is one that was found, on the same side of the edge
-            let same = !moved && known.len() == before + fresh.len();
-            if known.len() > before && left == Some(0) && !same {
+            let unmoved = !moved && known.len() == before + fresh.len();
+            if known.len() > before && left == Some(0) && !unmoved {
                 let again = missing(&mut f, &region, &all(&known), budget);
                 out.evaluations += again.1;
                 left = again.0;
