@@ -373,8 +373,22 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             let of_free = if zero_inside { 2 * free.len() } else { 0 };
             let mut still = of_free;
             let mut given: Vec<C64> = both(&known).into_iter().chain(vec![C64::zero(); still]).collect();
-            let (first, evaluations) = missing(&mut f, &region, &given, budget);
+            let (mut first, evaluations) = missing(&mut f, &region, &given, budget);
             out.evaluations += evaluations;
+            // several modes at a root that is known; a search about it sees little but rounding
+            if first.is_some_and(|n| n > 0) {
+                let simple = std::mem::take(&mut known);
+                known.extend(simple.iter().flat_map(|p| {
+                    let alone = simple.iter().filter(|k| same(k.value, p.value)).count() == 1;
+                    alone.then(|| repeated(&mut t, p, 2, sector)).flatten().unwrap_or_else(|| vec![p.clone()])
+                }));
+                if known.len() > simple.len() {
+                    given = both(&known).into_iter().chain(vec![C64::zero(); still]).collect();
+                    let again = missing(&mut f, &region, &given, budget);
+                    out.evaluations += again.1;
+                    first = again.0;
+                }
+            }
             // a search would divide the region about roots that lie in one place until nothing is left of it
             let mut at_once = None;
             if first != Some(0) && zero_inside {
