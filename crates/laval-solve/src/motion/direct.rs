@@ -43,8 +43,8 @@ pub(super) struct Direct {
     seeded: Seeded,
 }
 
-/// Inertia over the sum of its terms that is rounding.
-const ROUNDING: f64 = 1e-9;
+/// Inertia of that motion, over the sum of the sizes of its terms, that counts as none: an eccentric mass m e^2 turns with the spin and not with the twist.
+const NO_INERTIA: f64 = 1e-4;
 
 /// With a free spin, the twist of all that twists by one angle while the spin goes back by it moves nothing, unless something turns that does not twist.
 fn turns_without_inertia(system: &System, mass: &Mat, scale: &[f64]) -> bool {
@@ -54,12 +54,9 @@ fn turns_without_inertia(system: &System, mass: &Mat, scale: &[f64]) -> bool {
         _ => 0.0,
     };
     let turn: Vec<f64> = (0..=n).map(|i| scale[i] * if i < n { twist(i) } else { -1.0 }).collect();
-    turn[..n].iter().any(|x| *x != 0.0)
-        && (0..=n).all(|i| {
-            let terms = (0..=n).map(|j| mass[(i, j)] * turn[j]);
-            let (sum, size) = terms.fold((0.0f64, 0.0), |(sum, size), x| (sum + x, size + x.abs()));
-            sum.abs() <= ROUNDING * size
-        })
+    let terms = (0..=n).flat_map(|i| (0..=n).map(move |j| (i, j))).map(|(i, j)| turn[i] * mass[(i, j)] * turn[j]);
+    let (inertia, size) = terms.fold((0.0f64, 0.0), |(sum, size), x| (sum + x, size + x.abs()));
+    turn[..n].iter().any(|x| *x != 0.0) && inertia.abs() <= NO_INERTIA * size
 }
 
 pub(super) fn zeroed(x: &mut Vec<f64>, n: usize) {

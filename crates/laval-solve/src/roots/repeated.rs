@@ -4,7 +4,7 @@
 //! X, Y: bases of the null spaces of T(s) and of its adjoint,   Y^H dT/ds X = 1
 //! ```
 //!
-//! In X the modes that whirl forward most come first, so that a forward and a backward mode are told apart.
+//! In X the modes that whirl forward most come first, so that a forward and a backward mode differ.
 
 use crate::border::{Border, null_spaces};
 use crate::characteristic::{Characteristic, Polished};

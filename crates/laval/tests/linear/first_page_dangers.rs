@@ -225,11 +225,38 @@ fn a_range_is_stable_only_where_it_was_examined() {
 /// A search for critical speeds that ended before the operating speeds is no search: the response of a study that covers them has its resonance among them.
 #[test]
 fn a_search_that_ended_early_finds_nothing_out() {
-    let response = "[[study]]\nkind = \"forced_response\"\nspeed = { from = \"1000 rpm\", to = \"12000 rpm\", points = 20 }\n";
-    let operation = "[operation]\nspeed = { from = \"3000 rpm\", to = \"8500 rpm\" }\n";
-    let p = page(&long_shaft(operation, response));
-    let resonance = check(&p, "check-resonance");
-    assert!(resonance.margin == Some(0.0) || resonance.verdict == Verdict::NotComputed, "{resonance:?}");
-    assert!(p.over_speed.as_ref().is_none_or(|o| o.response_speed.is_empty() || !o.resonances.is_empty()), "{:?}", p.over_speed);
-    assert_ne!(p.verdict, Verdict::Passed);
+    let response = "[[study]]\nkind = \"forced_response\"\nspeed = { from = \"1000 rpm\", to = \"15000 rpm\", points = 20 }\n";
+    let map = "[[study]]\nkind = \"stability_map\"\nspeed = { from = \"1000 rpm\", to = \"15000 rpm\", points = 8 }\n";
+    for (to, studies) in [(11_000, map.to_string() + response), (8500, response.to_string())] {
+        let p = page(&long_shaft(&format!("[operation]\nspeed = {{ from = \"3000 rpm\", to = \"{to} rpm\" }}\n"), &studies));
+        let resonance = check(&p, "check-resonance");
+        assert_eq!((resonance.margin, resonance.verdict), (Some(0.0), Verdict::Attention), "{to}: {resonance:?}");
+        assert_ne!(p.verdict, Verdict::Passed);
+    }
+}
+
+/// Torsion without damping leaves the whirl stable: its rate is that of the machine without torsion. A whirl without damping is neither stable nor unstable.
+#[test]
+fn undamped_torsion_is_no_doubt_about_the_whirl() {
+    let text = |torsional: bool, damping: f64| {
+        let bearing = |name: &str, at: f64| {
+            format!(
+                "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"shaft\", at = {at:?} }}, \"ground\"]\nkxx = 5e7\nkyy = 7e7\ncxx = {damping:?}\ncyy = {damping:?}\n"
+            )
+        };
+        format!(
+            "[machine]\nname = \"pump\"\nspeed = \"3000 rpm\"\n\
+             [[part]]\nkind = \"shaft\"\nname = \"shaft\"\nelements = 8\ntorsional = {torsional}\nsection = [{{ length = 0.6, outer_diameter = 0.05 }}]\n\
+             [[part]]\nkind = \"disc\"\nname = \"wheel\"\non = {{ body = \"shaft\", at = 0.3 }}\nmass = 15.0\npolar_inertia = 0.12\ndiametral_inertia = 0.08\n{}{}",
+            bearing("left", 0.0),
+            bearing("right", 0.6)
+        )
+    };
+    let [plain, twisting] = [false, true].map(|t| page(&text(t, 5e3)));
+    let decay = |p: &Overview| number(&check(p, "check-stability").result, "decay");
+    assert_eq!(check(&twisting, "check-stability").result.key, "stability-across");
+    assert_eq!((twisting.verdict, check(&twisting, "check-stability").verdict), (plain.verdict, Verdict::Passed));
+    assert!((decay(&twisting) / decay(&plain) - 1.0).abs() < 1e-6, "{} {}", decay(&twisting), decay(&plain));
+    let still = page(&text(true, 0.0));
+    assert_eq!((check(&still, "check-stability").verdict, still.verdict), (Verdict::Attention, Verdict::Attention));
 }

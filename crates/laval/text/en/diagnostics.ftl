@@ -531,7 +531,7 @@ diag-attach-a-bearing-shaft-or-foundation-b11e = attach a bearing, shaft or foun
 diag-no-equilibrium-was-found-newton-s-d993 = no equilibrium was found (Newton's method stopped with a step of { $step } typical sizes)
 diag-check-the-load-and-the-characteristics-cdab = check the load and the characteristics of nonlinear parts, or start from another state
 
-## laval-solve/src/roots.rs
+## laval-solve/src/roots/mod.rs
 
 diag-a-part-without-time-form-is-6af5 = a part without time form is linearised about rest only
 diag-leave-about-out-067c = leave about out
@@ -663,8 +663,8 @@ diag-nothing-holds-in-it-can-move-41a0 = nothing holds "{ $name }" in { $names }
 diag-join-it-to-ground-or-to-f640 = join it to "ground" or to a foundation with a bearing or a shaft; a damper holds nothing in place
 diag-nothing-holds-along-the-axis-dda5 = nothing holds "{ $name }" along the axis
 diag-give-a-bearing-its-kzz-or-f5a6 = give a bearing its kzz, or a coupling its axial_stiffness
-diag-nothing-holds-the-rotation-of-about-4390 = nothing holds the rotation of "{ $name }" about the axis: it may turn faster or slower than the spin
-diag-a-coupling-with-torsional-stiffness-to-b911 = a coupling with torsional_stiffness to "ground" joins it to a drive at the spin speed; without one, modes show the free rotation at 0 Hz
+diag-nothing-holds-the-rotation-of-about-508e = nothing holds the rotation of "{ $name }" about the axis, alone or with what it is joined to or in mesh with: it may turn faster or slower than the spin
+diag-modes-show-this-rotation-at-0-d9cb = modes show this rotation at 0 Hz, which is no instability; a coupling with torsional_stiffness to "ground" joins it to a drive at the spin speed
 diag-of-has-no-effect-what-it-e0f8 = { $name } of "{ $slot }" has no effect: what it is joined to does not tilt
 diag-give-a-disc-its-diametral-inertia-7912 = give a disc its diametral_inertia to let it tilt
 diag-the-moment-of-has-no-effect-5998 = the moment of "{ $name }" has no effect: what it acts on does not tilt
@@ -1606,7 +1606,8 @@ diag-there-are-a-point-of-a-a331 = there are { $all }; a point of a body is writ
 diag-there-are-f68d = there are { $all }
 diag-names-which-is-no-body-of-c478 = { $field } names "{ $n }", which is no body of this machine
 diag-names-which-is-no-body-that-b6c8 = { $field } names "{ $n }", which is no body that tilts of this machine
-diag-names-which-is-no-part-of-7cd3 = { $field } names "{ $n }", which is no part of this machine
+diag-names-which-is-no-part-with-b98a = { $field } names "{ $n }", which is no part with a force
+diag-names-which-is-no-part-with-b270 = { $field } names "{ $n }", which is no part with a moment
 diag-rated-density-belongs-to-a-highest-83e1 = rated_density belongs to a highest speed, which is missing
 diag-add-speed-8e93 = add speed
 
@@ -1617,7 +1618,6 @@ diag-needs-an-operating-speed-which-neither-3164 = { $field } needs an operating
 diag-operating-speeds-begin-above-standstill-and-7f11 = operating speeds begin above standstill and have one direction of rotation
 diag-write-the-speed-at-which-the-49ba = write the speed at which the machine runs, as in speed = "3000 rpm"; leave speed out where [machine] gives it
 diag-write-the-lowest-speed-at-which-520c = write the lowest speed at which the machine runs in place of 0: the run-up from standstill is not part of this range
-diag-give-from-and-to-of-the-908c = give from and to of the same sign
 diag-the-operating-speeds-must-go-from-00fe = the operating speeds must go from a lower to a higher value
 diag-from-is-and-to-is-exchange-b990 = from is { $from } and to is { $to }: exchange them
 diag-the-speed-of-machine-is-not-8ca9 = the speed of [machine], { $w }, is not among the operating speeds, { $low } to { $high }

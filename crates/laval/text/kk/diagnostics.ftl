@@ -1285,7 +1285,8 @@ diag-there-are-a-point-of-a-a331 = бары: { $all }; дене нүктесі "
 diag-there-are-f68d = бары: { $all }
 diag-names-which-is-no-body-of-c478 = { $field }: бұл машинада «{ $n }» денесі жоқ
 diag-names-which-is-no-body-that-b6c8 = { $field }: бұл машинада көлбейтін «{ $n }» денесі жоқ
-diag-names-which-is-no-part-of-7cd3 = { $field }: бұл машинада «{ $n }» бөлшегі жоқ
+diag-names-which-is-no-part-with-b98a = { $field }: «{ $n }» күші бар бөлшек емес
+diag-names-which-is-no-part-with-b270 = { $field }: «{ $n }» моменті бар бөлшек емес
 diag-rated-density-belongs-to-a-highest-83e1 = rated_density ең үлкен айналу жиілігіне қатысты, ал ол берілмеген
 diag-add-speed-8e93 = speed қосыңыз
 
@@ -1295,7 +1296,6 @@ diag-run-up-time-needs-an-operating-a26f = run_up_time үшін жұмыстық
 diag-operating-speeds-begin-above-standstill-and-7f11 = жұмыстық айналу жиіліктері нөлден жоғары басталады, айналу бағыты бір болады
 diag-the-operating-speeds-must-go-from-00fe = жұмыстық айналу жиіліктері кіші мәннен үлкен мәнге қарай берілуі керек
 diag-from-is-and-to-is-exchange-b990 = from мәні { $from }, to мәні { $to }: орындарын ауыстырыңыз
-diag-give-from-and-to-of-the-908c = from мен to мәндерін бір таңбамен беріңіз
 diag-the-speed-of-machine-is-not-8ca9 = [machine] бөліміндегі айналу жиілігі { $w } жұмыстық айналу жиіліктерінің { $low } – { $high } аралығынан тыс
 diag-give-the-speed-in-one-of-bf60 = айналу жиілігін екі орынның бірінде беріңіз немесе бірін өзгертіңіз
 

@@ -1243,7 +1243,8 @@ diag-there-are-a-point-of-a-a331 = mavjudlari: { $all }; jism nuqtasi "drum at 1
 diag-there-are-f68d = mavjudlari: { $all }
 diag-names-which-is-no-body-of-c478 = { $field }: "{ $n }" bu mashinaning jismi emas
 diag-names-which-is-no-body-that-b6c8 = { $field }: "{ $n }" bu mashinaning og‘adigan jismi emas
-diag-names-which-is-no-part-of-7cd3 = { $field }: "{ $n }" bu mashinaning qismi emas
+diag-names-which-is-no-part-with-b98a = { $field }: "{ $n }" kuchi bo‘lgan qism emas
+diag-names-which-is-no-part-with-b270 = { $field }: "{ $n }" momenti bo‘lgan qism emas
 diag-rated-density-belongs-to-a-highest-83e1 = rated_density eng yuqori tezlikka tegishli, u esa berilmagan
 diag-add-speed-8e93 = speed qo‘shing
 
@@ -1253,7 +1254,6 @@ diag-run-up-time-needs-an-operating-a26f = run_up_time uchun ish tezligi kerak, 
 diag-operating-speeds-begin-above-standstill-and-7f11 = ish tezliklari noldan katta qiymatdan boshlanadi va aylanish yo‘nalishi bitta
 diag-the-operating-speeds-must-go-from-00fe = ish tezliklari kichik qiymatdan katta qiymatga qarab berilishi kerak
 diag-from-is-and-to-is-exchange-b990 = from qiymati { $from }, to qiymati { $to }: o‘rnini almashtiring
-diag-give-from-and-to-of-the-908c = from va to ishorasi bir xil bo‘lsin
 diag-the-speed-of-machine-is-not-8ca9 = [machine] blokidagi tezlik { $w } ish tezliklari oralig‘ida emas: { $low } – { $high }
 diag-give-the-speed-in-one-of-bf60 = tezlikni ikki joydan birida bering yoki ulardan birini o‘zgartiring
 
