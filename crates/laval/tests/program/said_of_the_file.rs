@@ -146,7 +146,7 @@ fn nothing_follows_from_a_modulus_out_of_bounds() {
         let text = said(Language::English, &SHAFT.replacen("name = \"shaft\"\n", &format!("name = \"shaft\"\n{key} = \"-210 GPa\"\n"), 1));
         assert!(text.matches("error[").count() == 1 && text.contains(key) && !text.contains("Poisson"), "{text}");
     }
-    // of two that are read and do not go together it is said
+    // two that were read and contradict each other give the message
     let apart = SHAFT.replacen("name = \"shaft\"\n", "name = \"shaft\"\nmodulus = \"10 GPa\"\n", 1);
     assert!(said(Language::English, &apart).contains("Poisson"));
 }
