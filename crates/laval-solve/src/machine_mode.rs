@@ -13,10 +13,11 @@ use serde::{Deserialize, Serialize};
 /// below a fortieth of its long one.
 pub const FLAT: f64 = 0.05;
 
-/// Direction a mode whirls in, or that it moves along or about the axis.
+/// Direction a mode whirls in, or that it moves along or about the axis. Every body is compared with its own spin: on a shaft that turns against the machine forward
+/// is against the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Whirl {
-    /// With the spin.
+    /// With the spin of what moves.
     Forward,
     /// Against it.
     Backward,
@@ -220,7 +221,8 @@ impl Unknowns {
             .into_iter()
             .map(|i| {
                 let (f, b) = circular(q[i], q[i + 1]);
-                (f.abs() / self.typical[i], b.abs() / self.typical[i])
+                let [f, b] = [f, b].map(|x| x.abs() / self.typical[i]);
+                if self.ratios[i] < 0.0 { (b, f) } else { (f, b) }
             })
             .collect();
         let (f2, b2) = circles.iter().fold((0.0, 0.0), |(f, b), c| (f + c.0 * c.0, b + c.1 * c.1));

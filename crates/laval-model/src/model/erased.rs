@@ -5,7 +5,7 @@ use super::blocks::Blocks;
 use super::capability::frequency::{Domain, Frozen};
 use super::capability::scope::Tabulated;
 use super::capability::time_form::{Fitted, Speeds, Untimed};
-use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
+use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity, Wheels};
 use super::field::Field;
 use super::lanes::InLanes;
 use super::params::{List, ParamSlot};
@@ -61,6 +61,7 @@ macro_rules! faces {
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
             fn check(&self, p: &[f64]) -> Vec<(&'static str, Text)>;
             fn warnings(&self, p: &[f64]) -> Vec<Text>;
+            fn wheels(&self, p: &[f64]) -> Option<Wheels>;
             fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64;
             fn spin_row_d8(&self, p: &[D8], at: &At<D8>) -> D8;
             fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>>;

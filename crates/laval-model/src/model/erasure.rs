@@ -7,7 +7,7 @@ use super::capability::{
     self,
     frequency::{Domain, Frozen},
 };
-use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
+use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity, Wheels};
 use super::erased::*;
 use super::field::Field;
 use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
@@ -63,6 +63,9 @@ macro_rules! parts {
             }
             fn warnings(&self, p: &[f64]) -> Vec<Text> {
                 Part::warnings(self, &self.given(p))
+            }
+            fn wheels(&self, p: &[f64]) -> Option<Wheels> {
+                Part::wheels(self, &self.given(p))
             }
             fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64 {
                 Part::spin_row(self, &self.given(p), at)

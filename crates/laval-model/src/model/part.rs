@@ -14,7 +14,7 @@ pub use super::capability::movable::{Correction, Outline};
 pub use super::capability::scope::{Beyond, Tabulated};
 pub use super::capability::time_form::Fitted;
 pub use super::context::{
-    At, COMPONENTS, Dof, DofKind, Energy, Layout, Link, Observed, Physics, Port, PortKind, Rows, TimeForm, Uses, Validity,
+    At, COMPONENTS, Dof, DofKind, Energy, Layout, Link, Observed, Physics, Port, PortKind, Rows, TimeForm, Uses, Validity, Wheels,
 };
 pub use super::params::{Parametric, Params};
 
@@ -75,6 +75,10 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn observe(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Observed>) {}
     /// Use of the model's validity.
     fn validity(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Validity>) {}
+    /// Of a part that joins two wheels in mesh on parallel axes, one at each of its ports.
+    fn wheels(&self, _p: &Params<Self, f64>) -> Option<Wheels> {
+        None
+    }
     /// Why the part does not serve its purpose although its model is right: sentences that begin with a small letter and end without a stop.
     fn warnings(&self, _p: &Params<Self, f64>) -> Vec<Text> {
         Vec::new()

@@ -26,7 +26,7 @@ use crate::model::blocks::Blocks;
 use crate::model::capability::Scope;
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Port, PortKind};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Port, PortKind, Wheels};
 use crate::model::spins::same_ratio;
 use crate::params;
 use crate::text;
@@ -149,6 +149,9 @@ stiffness = "2e8 N/m"
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let [d, rate] = Self::motion(p, at);
         out.push(Observed { name: "force", unit: "N", value: p.stiffness * d + p.damping * rate + Self::carried(p) });
+    }
+    fn wheels(&self, p: &Params<Self, f64>) -> Option<Wheels> {
+        Some(Wheels { radii: [p.first_radius, p.second_radius], azimuth: p.azimuth })
     }
     fn scope(&self) -> Option<&dyn erased::Scope> {
         Some(self)

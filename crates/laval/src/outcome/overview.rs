@@ -164,7 +164,8 @@ pub struct Mode {
     pub frequency: f64,
     /// `forward`, `backward`, `mixed` or `none`.
     pub whirl: &'static str,
-    /// Bodies with the semi-axes of their orbits, as shares of the largest; of those that hardly move none.
+    /// Bodies with the semi-axes of their orbits, as shares of the largest, the minor one negative where the body goes round against the machine; of those that hardly
+    /// move none.
     pub orbits: Vec<(String, f64, f64)>,
     /// The angle of each longer semi-axis from x, rad.
     pub angles: Vec<f64>,
@@ -191,6 +192,19 @@ pub enum Block {
         profile: Vec<[f64; 4]>,
         /// Place of its reference point along the axis, m; of a machine that gives no distances, in steps.
         place: f64,
+        /// From the axis of the first body to its own, across, m.
+        axis: [f64; 2],
+    },
+    /// Two wheels in mesh on parallel axes.
+    Wheels {
+        /// Name of the part.
+        name: String,
+        /// Bodies that carry them, and at which heights, m.
+        ends: [(String, f64); 2],
+        /// Pitch radii, m.
+        radii: [f64; 2],
+        /// Values of it.
+        labels: Vec<Arg>,
     },
     /// A part between two bodies, or a body and the ground (`None`).
     Link {

@@ -67,6 +67,8 @@ impl Tiles {
     pub const HEIGHT: &'static str = "height";
     /// Column of the place along the axis.
     pub const PLACE: &'static str = "place";
+    /// Columns of the distance of the axis of the body from that of the first, along x and y; absent where all bodies have one axis.
+    pub const AXIS: [&'static str; 2] = ["axis_x", "axis_y"];
     /// Column of the line that joins points.
     pub const LINE: &'static str = "line";
     /// Flag column of points that have an orbit to draw; others only guide the line.

@@ -244,28 +244,35 @@ fn shape(s: &mut String, t: &TileView, (x, y): (f64, f64), horizontal: bool, to_
     } else {
         (Camera::upright(-0.42, 0.36), 34.0, 118.0, (x + 62.0, y + 80.0))
     };
-    let space = |place: f64, p: [f64; 2]| {
-        let (u, v) = camera.project([radius * p[0] / most, radius * p[1] / most, length * place]);
+    let axes = axes(t);
+    let shift = shift(&axes, length / (high - low));
+    let space = |axis: [f64; 2], place: f64, p: [f64; 2]| {
+        let [sx, sy] = shift(axis);
+        let (u, v) = camera.project([radius * p[0] / most + sx, radius * p[1] / most + sy, length * place]);
         (centre.0 + u, centre.1 - v)
     };
     // axes through the lowest place, and the axis of the machine
     for (k, name) in ["x", "y"].into_iter().enumerate() {
-        let end = |r: f64| space(-0.5, if k == 0 { [r, 0.0] } else { [0.0, r] });
+        let end = |r: f64| space(axes[0], -0.5, if k == 0 { [r, 0.0] } else { [0.0, r] });
         grey(s, &[end(-1.15 * most), end(1.15 * most)], "");
         let at = end(1.38 * most);
         text_at(s, (at.0, at.1 + 3.0), name, Words { soft: true, ..Words::middle(9.0) });
     }
-    grey(s, &[space(-0.56, [0.0; 2]), space(0.56, [0.0; 2])], r#" stroke-dasharray="8 3 2 3""#);
+    for &axis in &axes {
+        grey(s, &[space(axis, -0.56, [0.0; 2]), space(axis, 0.56, [0.0; 2])], r#" stroke-dasharray="8 3 2 3""#);
+    }
+    // shafts beside each other differ by the colour of their body
+    let of = |own: &[&Point]| Colour::Slot(if axes.len() > 1 { own[0].body } else { 6 });
     let all = lines(t);
     for p in t.points.iter().filter(|p| p.named) {
-        let at = |q: [f64; 2]| space(unit(p), q);
+        let at = |q: [f64; 2]| space(p.axis, unit(p), q);
         orbit(s, &p.motion, &at, radius * p.motion.axes().0 / most, Colour::Slot(p.body));
     }
     for own in all.iter().filter(|o| o.len() > 1) {
-        let points: Vec<_> = own.iter().map(|p| space(unit(p), p.motion.at(0.0))).collect();
-        line(s, &points, Colour::Slot(6), 1.8, "");
+        let points: Vec<_> = own.iter().map(|p| space(p.axis, unit(p), p.motion.at(0.0))).collect();
+        line(s, &points, of(own), 1.8, "");
         for p in own.iter().filter(|p| p.named) {
-            dot(s, space(unit(p), p.motion.at(0.0)), Colour::Slot(p.body), 3.0);
+            dot(s, space(p.axis, unit(p), p.motion.at(0.0)), Colour::Slot(p.body), 3.0);
         }
     }
     // along the axis: how far out in the planes of x and y, between the semi-major axes
@@ -286,7 +293,7 @@ fn shape(s: &mut String, t: &TileView, (x, y): (f64, f64), horizontal: bool, to_
             let _ = write!(s, r##"<path class="env" fill="#0072b2" fill-opacity="0.13" d="{}z"/>"##, path(&edge));
             for (k, more) in [(1, r#" stroke-dasharray="4 3""#), (0, "")] {
                 let points: Vec<_> = fine.iter().map(|(z, m)| axis((z - low) / (high - low) - 0.5, m.at(0.0)[k])).collect();
-                line(s, &points, Colour::Slot(6), 1.6, more);
+                line(s, &points, of(own), 1.6, more);
             }
         } else {
             let p = own[0];
@@ -311,6 +318,27 @@ fn shape(s: &mut String, t: &TileView, (x, y): (f64, f64), horizontal: bool, to_
             before = along;
         }
     }
+}
+
+/// The axes on which bodies lie, m, from that of the first body; one at least.
+fn axes(t: &TileView) -> Vec<[f64; 2]> {
+    let mut out: Vec<[f64; 2]> = Vec::new();
+    for p in &t.points {
+        if !out.contains(&p.axis) {
+            out.push(p.axis);
+        }
+    }
+    if out.is_empty() { vec![[0.0; 2]] } else { out }
+}
+
+/// Where an axis is drawn, pixels from their middle: to the scale of the lengths, but no farther than is free.
+fn shift(axes: &[[f64; 2]], scale: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
+    const FREE: f64 = 22.0;
+    let range = |k: usize| axes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x[k]), b.max(x[k])));
+    let ranges = [range(0), range(1)];
+    let widest = ranges.iter().map(|(a, b)| 0.5 * (b - a)).fold(0.0, f64::max);
+    let scale = if widest > 0.0 { scale.min(FREE / widest) } else { scale };
+    move |axis| [0, 1].map(|k| scale * (axis[k] - 0.5 * (ranges[k].0 + ranges[k].1)))
 }
 
 /// The motions of a line at its points and between them: the points of a rigid body between two others lie on the straight line through these.

@@ -112,3 +112,20 @@ fn limits_are_not_passed_without_the_unbalance_of_every_spin() {
         }
     }
 }
+
+/// The whirl of a rotor is named by its own spin: forward modes of the mirror image are forward too, and gyroscopic moments raise them.
+#[test]
+fn modes_are_named_by_the_spin_of_what_moves() {
+    let lines = |ratio: f64| -> Vec<(f64, String)> {
+        let o = &outcomes(&overhung(ratio, 8000.0, "[[study]]\nkind = \"modes\"\n"))[0];
+        let table = o.find_table("modes").unwrap();
+        let (frequency, whirl) = (table.column("frequency").unwrap(), table.column("whirl").unwrap());
+        (0..4).map(|i| (frequency.number(i).unwrap(), match &whirl.data { laval::outcome::Data::Text(v) => v[i].clone(), other => panic!("{other:?}") })).collect()
+    };
+    let (along, against) = (lines(1.0), lines(-1.0));
+    assert!(along[0].1 == "backward" && along[1].1 == "forward", "{along:?}");
+    for (a, b) in along.iter().zip(&against) {
+        near(a.0, b.0, "frequency");
+        assert_eq!(a.1, b.1, "{along:?} {against:?}");
+    }
+}

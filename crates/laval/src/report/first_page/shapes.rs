@@ -60,7 +60,7 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
     );
     for ((name, a, b), angle) in m.orbits.iter().zip(&m.angles) {
         let k = bodies.iter().position(|n| n == name).unwrap_or(0) % 7;
-        let (rx, ry) = (LARGEST * a, LARGEST * b);
+        let (rx, ry) = (LARGEST * a, LARGEST * b.abs());
         let _ = write!(s, "<g transform=\"rotate({})\">", px(-angle.to_degrees()));
         let _ = write!(s, "<ellipse class=\"orb k{k}\" rx=\"{}\" ry=\"{}\"/>", px(rx.max(1.0)), px(ry.max(0.4)));
         let _ = write!(s, "<circle class=\"dotk k{k}\" cx=\"{}\" cy=\"0\" r=\"3\"/></g>", px(rx));
@@ -68,8 +68,8 @@ fn mode(s: &mut String, number: usize, m: &Mode, bodies: &[&str], style: &Style)
     // the direction, as an arrow on the outermost orbit
     let outermost = m.orbits.iter().zip(&m.angles).max_by(|x, y| x.0.1.total_cmp(&y.0.1));
     if let ("forward" | "backward", Some(((_, a, b), angle))) = (m.whirl, outermost) {
-        let up = if m.whirl == "forward" { -1.0 } else { 1.0 };
-        let (c, d) = (FRAC_1_SQRT_2 * LARGEST * a, FRAC_1_SQRT_2 * LARGEST * b);
+        let up = if *b < 0.0 { 1.0 } else { -1.0 };
+        let (c, d) = (FRAC_1_SQRT_2 * LARGEST * a, FRAC_1_SQRT_2 * LARGEST * b.abs());
         // the arrow points along the tangent at 45 degrees
         let (tx, ty) = (-c, up * d);
         let size = tx.hypot(ty).max(1e-9);

@@ -31,6 +31,8 @@ pub(in crate::report) struct Point {
     pub body: usize,
     pub line: i64,
     pub place: f64,
+    /// From the axis of the first body to its own, m.
+    pub axis: [f64; 2],
     /// Its height in the unit of the reader.
     pub height: String,
     pub named: bool,
@@ -112,6 +114,8 @@ impl TilesView {
         };
         let [height, place, line] = [Tiles::HEIGHT, Tiles::PLACE, Tiles::LINE].map(numbers);
         let [f, fp, b, bp] = [Tiles::FORWARD, Tiles::FORWARD_PHASE, Tiles::BACKWARD, Tiles::BACKWARD_PHASE].map(numbers);
+        // no columns: one axis
+        let axis = Tiles::AXIS.map(|name| numbers(name).into_iter().map(|a| if a.is_finite() { a } else { 0.0 }).collect::<Vec<f64>>());
         let picture = numbers(&tiles.picture);
         let named = match table.column(Tiles::NAMED).map(|c| &c.data) {
             Some(Data::Flag(v)) => v.clone(),
@@ -134,6 +138,7 @@ impl TilesView {
             body: bodies.iter().position(|n| *n == names[r]).unwrap_or_default(),
             line: line[r] as i64,
             place: place[r],
+            axis: axis.each_ref().map(|a| a[r]),
             height: shown(height[r]),
             named: named[r],
             motion: Whirl::new((f[r], fp[r]), (b[r], bp[r])),

@@ -1,10 +1,11 @@
 //! Bodies and what joins them, for the drawing of the machine.
 
+use crate::model::field::Attach;
 use crate::model::part::{At, Link, Physics};
 use crate::model::system::{Slot, System, Workspace};
 use crate::model::tangent::{SparseTangent, TangentScratch, Triplets};
 use crate::outcome::{Arg, Block, Joint};
-use crate::study::shared::stations::Stations;
+use crate::study::shared::stations::{Stations, carriers};
 
 /// Values shown of a part.
 const MOST_LABELS: usize = 2;
@@ -15,7 +16,7 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
     bodies.dedup();
     let stations = Stations::of(system);
     let is_body = |k: usize| bodies.contains(&k);
-    let place = |name: &str| stations.all.iter().find(|s| s.body == name).map_or(0.0, |s| s.place - s.height);
+    let of = |name: &str| stations.all.iter().find(|s| s.body == name);
     let body = |&k: &usize| {
         let slot = &system.slots()[k];
         let own = slot.part.body().is_some_and(|b| b.parameters().stiffness.is_some());
@@ -27,12 +28,13 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
             grounded: if own { joint(system, slot) } else { Joint::default() },
             cavity: cavity(system, &slot.name),
             profile: slot.part.body().map(|b| b.profile(&system.params()[slot.params.clone()])).unwrap_or_default(),
-            place: place(&slot.name),
+            place: of(&slot.name).map_or(0.0, |s| s.place - s.height),
+            axis: of(&slot.name).map_or([0.0; 2], |s| s.axis),
         }
     };
     let others = system.slots().iter().enumerate().filter(|(k, _)| !is_body(*k));
     let others: Vec<Block> =
-        others.filter_map(|(_, s)| balls(system, s).or_else(|| liquid(system, s)).or_else(|| link(system, s))).collect();
+        others.filter_map(|(_, s)| balls(system, s).or_else(|| liquid(system, s)).or_else(|| wheels(system, s)).or_else(|| link(system, s))).collect();
     bodies.iter().map(body).chain(others).collect()
 }
 
@@ -97,6 +99,14 @@ fn liquid(system: &System, slot: &Slot) -> Option<Block> {
     Some(Block::Liquid { name: slot.name.clone(), body, fill, density: value(filling.density())? })
 }
 
+/// Two wheels in mesh.
+fn wheels(system: &System, slot: &Slot) -> Option<Block> {
+    let wheels = slot.part.wheels(&system.params()[slot.params.clone()])?;
+    let [Some(a), Some(b)] = carriers(slot) else { return None };
+    let end = |a: &Attach| Some((a.body.clone()?, a.position));
+    Some(Block::Wheels { name: slot.name.clone(), ends: [end(a)?, end(b)?], radii: wheels.radii, labels: labels(system, slot) })
+}
+
 /// Radius, free surface and height of the cavity of a liquid in this body.
 fn cavity(system: &System, body: &str) -> Option<(f64, f64, f64)> {
     let on = |s: &&Slot| s.layout.ports.iter().any(|p| matches!(&p.link, Link::On(a) if a.body.as_deref() == Some(body)));
@@ -148,7 +158,7 @@ fn balls(system: &System, slot: &Slot) -> Option<Block> {
 }
 
 fn link(system: &System, slot: &Slot) -> Option<Block> {
-    let end = |a: &crate::model::field::Attach| a.body.clone().map(|b| (b, a.position));
+    let end = |a: &Attach| a.body.clone().map(|b| (b, a.position));
     let ends = slot.layout.ports.iter().find_map(|p| match &p.link {
         Link::Between(a, b) => Some([end(a), end(b)]),
         Link::On(_) => None,

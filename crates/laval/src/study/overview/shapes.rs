@@ -37,9 +37,9 @@ fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
         .map(|p| {
             let [x, y] = p.amplitudes(&m.q);
             let (f, b) = circular(x, y);
-            let (long, short) = (f.abs() + b.abs(), (f.abs() - b.abs()).abs());
+            let (long, short) = (f.abs() + b.abs(), f.abs() - b.abs());
             // a circle has no direction
-            let round = long - short <= ROUND * long;
+            let round = long - short.abs() <= ROUND * long;
             let angle = if round { 0.0 } else { 0.5 * (2.0 * (x * y.conj()).re).atan2(x.norm_sqr() - y.norm_sqr()) };
             (p.name.clone(), long, short, angle)
         })

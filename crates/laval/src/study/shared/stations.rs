@@ -2,9 +2,10 @@
 
 use crate::model::capability::scope::Axis;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::field::Attach;
 use crate::model::part::Link;
 use crate::model::probe::Sight;
-use crate::model::system::{Pair, System};
+use crate::model::system::{Pair, Slot, System};
 use crate::outcome::{TableBuilder, Tiles};
 use crate::solve::sectors::circular;
 use laval_num::complex::C64;
@@ -21,6 +22,9 @@ pub struct Point {
     pub place: f64,
     /// What the axis of a picture says there: the height, and along a shaft the position on it, m.
     pub mark: f64,
+    /// From the axis of the first body to its own, m.
+    #[serde(default)]
+    pub axis: [f64; 2],
     /// Stations of one line are joined: those of the shaft, and of every body beside it.
     pub line: usize,
     /// Something is attached there, or names it; else an end of a body, which shows its tilt, or a node of one that bends.
@@ -55,7 +59,10 @@ impl Stations {
         }
         let (lines, offsets) = (lines(system, &bodies), offsets(system, &bodies));
         let carried = carried(system, &bodies);
-        let placed = |(k, s): (usize, Point)| Point { line: lines[k], place: offsets[k] + s.height, mark: carried[k] + s.height, ..s };
+        let placed = |(k, s): (usize, Point)| {
+            let [x, y, z] = offsets[k];
+            Point { line: lines[k], place: z + s.height, axis: [x, y], mark: carried[k] + s.height, ..s }
+        };
         let mut out = Stations { all: all.into_iter().map(placed).collect(), to_scale: true };
         if out.coincide(&bodies, &lines) {
             out.stack(system, &bodies);
@@ -85,6 +92,7 @@ impl Stations {
     /// Bodies one below the other: what turns above what carries it.
     fn stack(&mut self, system: &System, bodies: &[Body]) {
         self.to_scale = false;
+        self.all.iter_mut().for_each(|s| s.axis = [0.0; 2]);
         let mut order: Vec<&Body> = bodies.iter().collect();
         order.sort_by_key(|b| !turns(system, b));
         let extent = |name: &str| {
@@ -118,6 +126,13 @@ impl Stations {
         let rows = || motions.iter().flat_map(|m| self.all.iter().zip(m.iter()));
         let number = |f: &dyn Fn(&Point, &[C64; 2]) -> f64| rows().map(|(s, m)| f(s, m)).collect::<Vec<f64>>();
         let size = |m: &[C64; 2], sign: f64| m[0].abs() + sign * m[1].abs();
+        let table = if self.all.iter().all(|s| s.axis == [0.0; 2]) {
+            table
+        } else {
+            table
+                .float(Tiles::AXIS[0], "m", "from the axis of the first body to that of this one, along x", number(&|s, _| s.axis[0]))
+                .float(Tiles::AXIS[1], "m", "from the axis of the first body to that of this one, along y", number(&|s, _| s.axis[1]))
+        };
         table
             .names(Tiles::BODY, "body", rows().map(|r| r.0.body.clone()).collect())
             .float(
@@ -135,6 +150,12 @@ impl Stations {
             .float(Tiles::FORWARD_PHASE, "rad", "angle of the forward amplitude", number(&|_, m| m[0].arg()))
             .float(Tiles::BACKWARD, unit, "backward amplitude", number(&|_, m| m[1].abs()))
             .float(Tiles::BACKWARD_PHASE, "rad", "angle of the backward amplitude", number(&|_, m| m[1].arg()))
+    }
+
+    /// The speed of the body of a station over that of the machine is negative: it whirls forward where it goes round backward.
+    pub fn reversed(&self, system: &System, station: usize) -> bool {
+        let slot = self.all.get(station).and_then(|s| system.slots().iter().find(|slot| slot.name == s.body));
+        slot.is_some_and(|s| s.speed(system.params(), 1.0) < 0.0)
     }
 
     /// Whether the axis lies.
@@ -165,7 +186,7 @@ fn bodies(system: &System) -> Vec<Body<'_>> {
 /// The station of a probe of a displacement.
 fn named(body: &Body, probe: &crate::model::probe::Probe) -> Option<Point> {
     let Sight::Displacement(height) = probe.sight else { return None };
-    Some(Point { body: body.name.to_string(), height, place: 0.0, mark: height, line: 0, named: true, rows: probe.rows.clone() })
+    Some(Point { body: body.name.to_string(), height, place: 0.0, axis: [0.0; 2], mark: height, line: 0, named: true, rows: probe.rows.clone() })
 }
 
 /// Nodes of a body that bends, beside those known.
@@ -175,7 +196,7 @@ fn nodes(system: &System, body: &Body, known: &[Point]) -> Vec<Point> {
     let beside = |z: &f64| known.iter().all(|s| (s.height - z).abs() > SAME * size);
     let one = |z: f64| {
         let rows = system.point(body.slot, z)?;
-        Some(Point { body: body.name.to_string(), height: z, place: 0.0, mark: z, line: 0, named: false, rows })
+        Some(Point { body: body.name.to_string(), height: z, place: 0.0, axis: [0.0; 2], mark: z, line: 0, named: false, rows })
     };
     nodes.into_iter().filter(beside).filter_map(one).collect()
 }
@@ -202,6 +223,7 @@ fn ends(system: &System, body: &Body, known: &[Point]) -> Vec<Point> {
         body: body.name.to_string(),
         height: z,
         place: 0.0,
+        axis: [0.0; 2],
         mark: z,
         line: 0,
         named: false,
@@ -215,15 +237,21 @@ fn turns(system: &System, body: &Body) -> bool {
     system.slots()[body.slot].part.body().is_some_and(|b| b.turns())
 }
 
-/// Pairs of bodies that a part joins, with the distance of the reference point of the second above that of the first.
-fn joints(system: &System, bodies: &[Body]) -> Vec<(usize, usize, f64)> {
+/// Pairs of bodies that a part joins, with the way from the reference point of the first to that of the second, m: across the axis (x, y), and along it.
+fn joints(system: &System, bodies: &[Body]) -> Vec<(usize, usize, [f64; 3])> {
     let number = |name: &Option<String>| bodies.iter().position(|b| Some(b.name) == name.as_deref());
     let mut out = Vec::new();
     for slot in system.slots() {
+        let wheels = slot.part.wheels(&system.params()[slot.params.clone()]);
+        if let (Some(wheels), [Some(a), Some(b)]) = (wheels, carriers(slot)) {
+            let [x, y] = wheels.centres();
+            out.extend(number(&a.body).zip(number(&b.body)).map(|(i, j)| (i, j, [x, y, a.position - b.position])));
+            continue;
+        }
         for port in &slot.layout.ports {
             out.extend(match &port.link {
-                Link::Between(a, b) => number(&a.body).zip(number(&b.body)).map(|(i, j)| (i, j, a.position - b.position)),
-                Link::On(a) => number(&a.body).zip(number(&Some(slot.name.clone()))).map(|(i, j)| (i, j, a.position)),
+                Link::Between(a, b) => number(&a.body).zip(number(&b.body)).map(|(i, j)| (i, j, [0.0, 0.0, a.position - b.position])),
+                Link::On(a) => number(&a.body).zip(number(&Some(slot.name.clone()))).map(|(i, j)| (i, j, [0.0, 0.0, a.position])),
             });
         }
     }
@@ -231,11 +259,19 @@ fn joints(system: &System, bodies: &[Body]) -> Vec<(usize, usize, f64)> {
     out
 }
 
+/// What the first two ports of a part are attached to.
+pub(in crate::study) fn carriers(slot: &Slot) -> [Option<&Attach>; 2] {
+    [0, 1].map(|k| match &slot.layout.ports.get(k)?.link {
+        Link::On(a) => Some(a),
+        Link::Between(..) => None,
+    })
+}
+
 /// The line of every body: bodies of a shaft, which turn and are joined, share one. What a body that bends carries is drawn beside it.
 fn lines(system: &System, bodies: &[Body]) -> Vec<usize> {
     let mut line: Vec<usize> = (0..bodies.len()).collect();
-    for (a, b, _) in joints(system, bodies) {
-        let rigid = !bodies[a].flexible && !bodies[b].flexible;
+    for (a, b, d) in joints(system, bodies) {
+        let rigid = d[..2] == [0.0; 2] && !bodies[a].flexible && !bodies[b].flexible;
         if rigid && turns(system, &bodies[a]) && turns(system, &bodies[b]) {
             let (keep, leave) = (line[a].min(line[b]), line[a].max(line[b]));
             line.iter_mut().filter(|l| **l == leave).for_each(|l| *l = keep);
@@ -255,20 +291,21 @@ fn carried(system: &System, bodies: &[Body]) -> Vec<f64> {
     bodies.iter().map(|b| position(b).unwrap_or_default()).collect()
 }
 
-/// Place of the reference point of every body, from the points that parts join.
-fn offsets(system: &System, bodies: &[Body]) -> Vec<f64> {
+/// Place of the reference point of every body across and along the axis, from the points that parts join.
+fn offsets(system: &System, bodies: &[Body]) -> Vec<[f64; 3]> {
     let joints = joints(system, bodies);
-    let mut out: Vec<Option<f64>> = vec![None; bodies.len()];
+    let mut out: Vec<Option<[f64; 3]>> = vec![None; bodies.len()];
+    let moved = |x: [f64; 3], d: [f64; 3], sign: f64| std::array::from_fn(|k| x[k] + sign * d[k]);
     for first in 0..bodies.len() {
         if out[first].is_none() {
-            out[first] = Some(0.0);
+            out[first] = Some([0.0; 3]);
         }
         // each pass reaches one body farther
         for _ in 0..bodies.len() {
             for &(a, b, d) in &joints {
                 match (out[a], out[b]) {
-                    (Some(x), None) => out[b] = Some(x + d),
-                    (None, Some(x)) => out[a] = Some(x - d),
+                    (Some(x), None) => out[b] = Some(moved(x, d, 1.0)),
+                    (None, Some(x)) => out[a] = Some(moved(x, d, -1.0)),
                     _ => {}
                 }
             }

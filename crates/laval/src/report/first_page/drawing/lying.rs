@@ -2,22 +2,25 @@
 
 use super::super::super::text::px;
 use super::glyphs::{ball, ground, joint, lines, reach, rect, text};
+use super::places::{Places, places};
+use super::rows::Rows;
 use super::{Body, Parts, WIDTH};
 use crate::outcome::Joint;
 use std::fmt::Write;
 
-const LEFT: f64 = 44.0;
-const RIGHT: f64 = WIDTH - 44.0;
-/// Half height and half length of a disc, most of a body with a cavity; least distance of two places.
+pub(super) const LEFT: f64 = 44.0;
+pub(super) const RIGHT: f64 = WIDTH - 44.0;
+/// Half height and half length of a disc, most of a body with a cavity.
 const DISC: (f64, f64) = (36.0, 11.0);
 const CAVITY: (f64, f64) = (44.0, 60.0);
-const APART: f64 = 46.0;
 /// Length of supports, height of what they stand on.
 const SUPPORT: f64 = 46.0;
 const BLOCK: f64 = 22.0;
 const SHAFT: f64 = 5.0;
+/// Half the width of a wheel on a shaft.
+const WHEEL: f64 = 6.0;
 /// Room beside the ends of a shaft.
-const BESIDE: f64 = 14.0;
+pub(super) const BESIDE: f64 = 14.0;
 const LINE: f64 = 15.0;
 
 /// Numbers at the parts, and their names.
@@ -38,43 +41,81 @@ impl Key {
 /// A joint at a place, downwards to a block or to the ground (`None`).
 struct Support<'a> {
     x: f64,
+    row: usize,
     /// Along the axis of the machine, m.
     place: f64,
     to: Option<usize>,
     joint: Joint,
     name: &'a str,
     text: &'a str,
-    upwards: bool,
+    stands: Stands,
+}
+
+/// Where a support ends.
+#[derive(Clone, Copy, PartialEq)]
+enum Stands {
+    /// On a block below, or on the floor.
+    Below,
+    /// On ground above the machine.
+    Above,
+    /// On ground beside the shaft, between two others.
+    Beside,
 }
 
 pub(super) fn lying(parts: &Parts) -> (String, String) {
     let rotors: Vec<usize> = (0..parts.bodies.len()).filter(|&k| parts.bodies[k].rotor).collect();
     let blocks: Vec<usize> = (0..parts.bodies.len()).filter(|&k| !parts.bodies[k].rotor).collect();
     let at = places(parts);
-    let half = |k: &usize| shape(&parts.bodies[*k], at.scale);
-    let tallest = rotors.iter().map(|k| half(k).0).fold(DISC.0, f64::max);
-    let mut supports = supports(parts, &rotors, &blocks, &at);
+    let heights: Vec<f64> = parts.bodies.iter().map(|b| shape(b, at.scale).0).collect();
+    let rows = Rows::of(parts, at.scale, &heights);
+    let half = |k: &usize| {
+        let (tall, long) = shape(&parts.bodies[*k], at.scale);
+        (rows.wheel(parts, *k).unwrap_or(tall), long)
+    };
+    let several = rows.up.len() > 1;
+    // of every row the half height of what it carries
+    let wheels = || parts.wheels.iter().zip(&rows.wheels).flat_map(|(w, r)| [0, 1].map(|k| (w.ends[k], r[k])));
+    let tallest: Vec<f64> = (0..rows.up.len())
+        .map(|row| {
+            let own = rotors.iter().filter(|k| rows.of[**k] == row).map(|k| half(k).0);
+            let own = own.chain(wheels().filter(|w| rows.of[w.0.0] == row).map(|w| w.1));
+            own.fold(if several { 0.0 } else { DISC.0 }, f64::max)
+        })
+        .collect();
+    let mut supports = supports(parts, &rotors, &blocks, &at, &rows);
     // what would cut the side of a body stands beside it
     for p in &mut supports {
-        let cut = |k: &&usize| (2.0..half(k).1 + reach(p.joint) + 2.0).contains(&(at.point(**k, 0.0) - p.x).abs());
+        let cut = |k: &&usize| {
+            rows.of[**k] == p.row && (2.0..half(k).1 + reach(p.joint) + 2.0).contains(&(at.point(**k, 0.0) - p.x).abs())
+        };
         if let Some(k) = rotors.iter().find(cut) {
             p.x = at.point(*k, 0.0) + (half(k).1 + reach(p.joint) + 3.0).copysign(p.x - at.point(*k, 0.0));
         }
     }
-    let above = supports.iter().any(|p| p.upwards);
-    let axis = if above { 60.0 } else { 20.0 } + tallest;
+    let above = supports.iter().any(|p| p.stands == Stands::Above);
+    let highest = (0..tallest.len()).map(|row| rows.up[row] + tallest[row]).fold(0.0, f64::max);
+    let lowest = (0..tallest.len()).map(|row| tallest[row] - rows.up[row]).fold(0.0, f64::max);
+    let base = if above { 60.0 } else { 20.0 } + highest;
+    let axis = |row: usize| base - rows.up[row];
     let mut s = String::new();
     let mut key = Key::default();
     // the rotor
-    let xs: Vec<f64> = rotors.iter().map(|&k| at.point(k, 0.0)).chain(supports.iter().map(|p| p.x)).collect();
-    let (first, last) = xs.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
-    let _ = write!(s, "<path class=\"axis\" d=\"M{} {y}H{}\"/>", px(first - 34.0), px(last + 34.0), y = px(axis));
     let outlined = rotors.iter().any(|k| !parts.bodies[*k].profile.is_empty());
-    if !rotors.is_empty() && !outlined {
-        rect(&mut s, "steel", (first - 16.0, axis - SHAFT), (last - first + 32.0, 2.0 * SHAFT));
+    let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
+    for row in 0..rows.up.len() {
+        let own = rotors.iter().filter(|k| rows.of[**k] == row).map(|&k| at.point(k, 0.0));
+        let xs = own.chain(supports.iter().filter(|p| p.row == row).map(|p| p.x));
+        let xs = xs.chain(wheels().filter(|w| rows.of[w.0.0] == row).map(|w| at.point(w.0.0, w.0.1)));
+        let (a, b) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let y = axis(row);
+        let _ = write!(s, "<path class=\"axis\" d=\"M{} {y}H{}\"/>", px(a - 34.0), px(b + 34.0), y = px(y));
+        if a <= b && !outlined {
+            rect(&mut s, "steel", (a - 16.0, y - SHAFT), (b - a + 32.0, 2.0 * SHAFT));
+        }
+        (first, last) = (first.min(a), last.max(b));
     }
     for &k in &rotors {
-        let (b, x, (tall, long)) = (&parts.bodies[k], at.point(k, 0.0), half(&k));
+        let (b, x, (tall, long), axis) = (&parts.bodies[k], at.point(k, 0.0), half(&k), axis(rows.of[k]));
         if b.flexible {
             outline(&mut s, &at, k, b, axis);
             key.mark(&mut s, (x + 24.0, axis - tall - 11.0), b.name, &b.text);
@@ -94,28 +135,42 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
             key.mark(&mut s, (x, axis - tall + 14.0), l.name, &l.text);
         }
     }
+    for (w, radii) in parts.wheels.iter().zip(&rows.wheels) {
+        for ((k, height), r) in w.ends.into_iter().zip(radii) {
+            if rows.wheel(parts, k).is_none() {
+                rect(&mut s, "steel", (at.point(k, height) - WHEEL, axis(rows.of[k]) - r), (2.0 * WHEEL, 2.0 * r));
+            }
+        }
+        // where the teeth meet
+        let ((a, height), (b, _)) = (w.ends[0], w.ends[1]);
+        let (from, to) = (axis(rows.of[a]), axis(rows.of[b]));
+        let mesh = from + radii[0].copysign(to - from);
+        key.mark(&mut s, (at.point(a, height) + DISC.1 + 12.0, mesh), w.name, &w.text);
+    }
     // shafts between bodies of the rotor
     for l in &parts.links {
         if let [Some(a), Some(b)] = l.ends
             && parts.bodies[a.0].rotor
             && parts.bodies[b.0].rotor
         {
-            key.mark(&mut s, (0.5 * (at.point(a.0, a.1) + at.point(b.0, b.1)), axis - 16.0), l.name, &l.text);
+            let y = axis(rows.of[a.0]) - 16.0;
+            key.mark(&mut s, (0.5 * (at.point(a.0, a.1) + at.point(b.0, b.1)), y), l.name, &l.text);
         }
     }
     // blocks below, each as wide as what stands on it
-    let top = |level: usize| axis + tallest + SUPPORT + (BLOCK + SUPPORT) * level as f64;
+    let mut below = String::new();
+    let top = |level: usize| base + lowest + SUPPORT + (BLOCK + SUPPORT) * level as f64;
     let floor = top(blocks.len());
     for (level, &k) in blocks.iter().enumerate() {
         let own: Vec<f64> = supports.iter().filter(|p| p.to == Some(level)).map(|p| p.x).collect();
         let (from, to) = own.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x - 30.0), b.max(x + 30.0)));
         let (from, to) = if from < to { (from, to) } else { (LEFT + 40.0, RIGHT - 40.0) };
-        rect(&mut s, "hous", (from, top(level)), (to - from, BLOCK));
+        rect(&mut below, "hous", (from, top(level)), (to - from, BLOCK));
         let b = &parts.bodies[k];
-        key.mark(&mut s, (0.5 * (from + to), top(level) + 0.5 * BLOCK), b.name, &b.text);
+        key.mark(&mut below, (0.5 * (from + to), top(level) + 0.5 * BLOCK), b.name, &b.text);
         if b.grounded.elastic || b.grounded.damped {
             for x in [from + 20.0, to - 20.0] {
-                joint(&mut s, x, top(level) + BLOCK, floor, b.grounded);
+                joint(&mut below, x, top(level) + BLOCK, floor, b.grounded);
             }
         }
         // what joins it with blocks further down, and with the ground
@@ -131,29 +186,43 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
             };
             if let Some(to_y) = target.filter(|_| a == Some(k) || b == Some(k)) {
                 let x = 0.5 * (from + to) + beside;
-                joint(&mut s, x, top(level) + BLOCK, to_y, l.joint);
-                key.mark(&mut s, (x + reach(l.joint) + 10.0, top(level) + BLOCK + 0.5 * SUPPORT), l.name, &l.text);
+                joint(&mut below, x, top(level) + BLOCK, to_y, l.joint);
+                key.mark(&mut below, (x + reach(l.joint) + 10.0, top(level) + BLOCK + 0.5 * SUPPORT), l.name, &l.text);
                 beside += 44.0;
             }
         }
     }
     for p in &supports {
-        let foot = p.to.map_or(floor, top);
+        let (axis, tallest) = (axis(p.row), tallest[p.row]);
         // on a body it ends at its edge
-        let on = rotors.iter().find(|k| (at.point(**k, 0.0) - p.x).abs() < half(k).1);
-        let edge = on.map_or_else(|| surface(parts, &at, &rotors, p.place), |k| half(k).0);
-        if p.upwards {
-            let end = axis - edge;
-            let from = axis - tallest - 40.0;
-            joint(&mut s, p.x, from, end, p.joint);
-            ground(&mut s, p.x - 16.0, p.x + 16.0, from, true);
-            key.mark(&mut s, (p.x - reach(p.joint) - 10.0, 0.5 * (from + end)), p.name, p.text);
-        } else {
-            joint(&mut s, p.x, axis + edge, foot, p.joint);
-            key.mark(&mut s, (p.x + reach(p.joint) + 10.0, 0.5 * (axis + tallest.max(edge) + foot)), p.name, p.text);
+        let own: Vec<usize> = rotors.iter().copied().filter(|k| rows.of[*k] == p.row).collect();
+        let on = own.iter().find(|k| (at.point(**k, 0.0) - p.x).abs() < half(k).1);
+        let edge = on.map_or_else(|| surface(parts, &at, &own, p.place), |k| half(k).0);
+        let beside = reach(p.joint) + 10.0;
+        match p.stands {
+            Stands::Above => {
+                let (end, from) = (axis - edge, base - highest - 40.0);
+                joint(&mut below, p.x, from, end, p.joint);
+                ground(&mut below, p.x - 16.0, p.x + 16.0, from, true);
+                key.mark(&mut below, (p.x - beside, 0.5 * (from + end)), p.name, p.text);
+            }
+            Stands::Below => {
+                let foot = p.to.map_or(floor, top);
+                joint(&mut below, p.x, axis + edge, foot, p.joint);
+                let from = if several { base + lowest } else { axis + tallest.max(edge) };
+                key.mark(&mut below, (p.x + beside, 0.5 * (from + foot)), p.name, p.text);
+            }
+            Stands::Beside => {
+                let foot = axis + edge + 0.7 * SUPPORT;
+                joint(&mut below, p.x, axis + edge, foot, p.joint);
+                ground(&mut below, p.x - 16.0, p.x + 16.0, foot, false);
+                key.mark(&mut below, (p.x + beside, 0.5 * (axis + edge + foot)), p.name, p.text);
+            }
         }
     }
-    ground(&mut s, first.min(LEFT) - 20.0, last.max(RIGHT) + 20.0, floor, false);
+    ground(&mut below, first.min(LEFT) - 20.0, last.max(RIGHT) + 20.0, floor, false);
+    // what passes a shaft lies behind it
+    let mut s = if several { below + &s } else { s + &below };
     let mut y = floor + 28.0;
     for (k, (name, values)) in key.entries.iter().enumerate() {
         text(&mut s, "dl b", (6.0, y), &(k + 1).to_string());
@@ -166,8 +235,8 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     (s, px(y - 6.0))
 }
 
-/// What carries the rotor. Parts at one place stand beside each other; what would pass a block leads upwards.
-fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &Places) -> Vec<Support<'a>> {
+/// What carries the rotor. Parts at one place stand beside each other; what would pass a block, or another shaft, leads upwards or ends beside it.
+fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &Places, rows: &Rows) -> Vec<Support<'a>> {
     let mut out: Vec<Support> = Vec::new();
     for l in &parts.links {
         let on = |e: Option<(usize, f64)>| e.filter(|e| rotors.contains(&e.0));
@@ -177,20 +246,29 @@ fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &Place
             _ => continue,
         };
         let to = other.and_then(|o| blocks.iter().position(|b| *b == o.0));
-        let upwards = to.is_none() && !blocks.is_empty();
+        let row = rows.of[rotor.0];
+        let passes = |way: f64| rows.up.iter().any(|up| way * (up - rows.up[row]) > 0.0);
+        let stands = match to {
+            Some(_) => Stands::Below,
+            None if blocks.is_empty() && !passes(-1.0) => Stands::Below,
+            None if !passes(1.0) => Stands::Above,
+            None => Stands::Beside,
+        };
         out.push(Support {
             x: at.point(rotor.0, rotor.1),
+            row,
             place: parts.bodies[rotor.0].place + rotor.1,
             to,
             joint: l.joint,
             name: l.name,
             text: &l.text,
-            upwards,
+            stands,
         });
     }
     let mut k = 0;
     while k < out.len() {
-        let same: Vec<usize> = (0..out.len()).filter(|&j| (out[j].x - out[k].x).abs() < 1.0 && out[j].upwards == out[k].upwards).collect();
+        let beside = |j: &usize| (out[*j].x - out[k].x).abs() < 1.0 && (out[*j].row, out[*j].stands) == (out[k].row, out[k].stands);
+        let same: Vec<usize> = (0..out.len()).filter(beside).collect();
         if same.len() > 1 && same[0] == k {
             let (middle, step) = (out[k].x, 36.0);
             for (i, &j) in same.iter().enumerate() {
@@ -200,65 +278,6 @@ fn supports<'a>(parts: &'a Parts, rotors: &[usize], blocks: &[usize], at: &Place
         k += 1;
     }
     out
-}
-
-/// Where points of the rotor are drawn: along the axis, but none nearer to another than [`APART`].
-struct Places {
-    /// Places of the bodies.
-    bodies: Vec<f64>,
-    /// Places along the axis of the machine, m, and of the drawing.
-    known: Vec<(f64, f64)>,
-    /// Of the drawing over the machine, 1/m; 0 where all places are one.
-    scale: f64,
-}
-
-fn places(parts: &Parts) -> Places {
-    let place: Vec<f64> = parts.bodies.iter().map(|b| b.place).collect();
-    let rotor = |k: usize| parts.bodies[k].rotor;
-    let on = parts.links.iter().flat_map(|l| l.ends.into_iter().flatten()).filter(|e| rotor(e.0)).map(|e| place[e.0] + e.1);
-    let own = (0..place.len()).filter(|&k| rotor(k)).map(|k| place[k]);
-    let mut all: Vec<f64> = on.chain(own).collect();
-    all.sort_by(f64::total_cmp);
-    let size = all.last().zip(all.first()).map_or(0.0, |(b, a)| b - a);
-    all.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * size);
-    let count = all.len();
-    let apart = if count > 1 { APART.min((RIGHT - LEFT) / (count - 1) as f64) } else { 0.0 };
-    let scale = if size > 0.0 { (RIGHT - LEFT) / size } else { 0.0 };
-    let even = |z: f64| if size > 0.0 { LEFT + scale * (z - all[0]) } else { 0.5 * (LEFT + RIGHT) };
-    let mut xs: Vec<f64> = all.iter().map(|z| even(*z)).collect();
-    for k in 1..count {
-        xs[k] = xs[k].max(xs[k - 1] + apart);
-    }
-    for k in (0..count.saturating_sub(1)).rev() {
-        xs[k] = xs[k].min(xs[k + 1] - apart);
-    }
-    // the last may have left the drawing
-    let over = xs.last().map_or(0.0, |x| (x - RIGHT).max(0.0));
-    let known: Vec<(f64, f64)> = all.into_iter().zip(xs.into_iter().map(move |x| x - over)).collect();
-    Places { bodies: place, known, scale }
-}
-
-impl Places {
-    /// A point of a body.
-    fn point(&self, body: usize, height: f64) -> f64 {
-        let z = self.bodies[body] + height;
-        let near = self.known.iter().min_by(|a, b| (a.0 - z).abs().total_cmp(&(b.0 - z).abs()));
-        near.map_or(0.5 * (LEFT + RIGHT), |n| n.1)
-    }
-
-    /// Any place along the axis, between those known in proportion.
-    fn along(&self, z: f64) -> f64 {
-        let (Some(first), Some(last)) = (self.known.first(), self.known.last()) else { return 0.5 * (LEFT + RIGHT) };
-        if z <= first.0 {
-            return (first.1 + self.scale * (z - first.0)).max(BESIDE);
-        }
-        if z >= last.0 {
-            return (last.1 + self.scale * (z - last.0)).min(WIDTH - BESIDE);
-        }
-        let k = self.known.partition_point(|p| p.0 <= z).clamp(1, self.known.len() - 1);
-        let (a, b) = (self.known[k - 1], self.known[k]);
-        a.1 + (b.1 - a.1) * (z - a.0) / (b.0 - a.0)
-    }
 }
 
 /// The drawing of a shaft over its diameters: the scale of the lengths, but for very thin and very thick shafts.

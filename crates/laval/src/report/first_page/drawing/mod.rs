@@ -2,6 +2,8 @@
 
 mod glyphs;
 mod lying;
+mod places;
+mod rows;
 mod upright;
 
 use super::super::text::escape;
@@ -14,7 +16,7 @@ const WIDTH: f64 = 372.0;
 pub(super) fn drawing(page: &Overview, style: &Style) -> String {
     let parts = Parts::of(page, style);
     // along a shaft there is more to show than above each other
-    let along = page.horizontal || parts.bodies.iter().any(|b| b.flexible);
+    let along = page.horizontal || !parts.wheels.is_empty() || parts.bodies.iter().any(|b| b.flexible);
     let (content, height) = if along { lying::lying(&parts) } else { upright::upright(&parts) };
     let names: Vec<&str> = parts.bodies.iter().map(|b| b.name).collect();
     format!("<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-label=\"{}\">{content}</svg>\n", escape(&names.join(", ")))
@@ -26,6 +28,7 @@ struct Parts<'a> {
     bodies: Vec<Body<'a>>,
     links: Vec<Joined<'a>>,
     balls: Vec<Balls<'a>>,
+    wheels: Vec<Wheels<'a>>,
     liquids: Vec<Liquid<'a>>,
 }
 
@@ -40,6 +43,8 @@ struct Body<'a> {
     /// First and last position of each piece of a shaft and the outer diameters there, m.
     profile: &'a [[f64; 4]],
     place: f64,
+    /// From the axis of the first body to its own, m.
+    axis: [f64; 2],
 }
 
 /// A part between two bodies, by their numbers; `None` is the ground.
@@ -48,6 +53,14 @@ struct Joined<'a> {
     text: String,
     ends: [Option<(usize, f64)>; 2],
     joint: Joint,
+}
+
+/// Two wheels in mesh on parallel axes: the body and the height of each, pitch radii, m.
+struct Wheels<'a> {
+    name: &'a str,
+    text: String,
+    ends: [(usize, f64); 2],
+    radii: [f64; 2],
 }
 
 struct Liquid<'a> {
@@ -67,16 +80,17 @@ impl<'a> Parts<'a> {
     fn of(page: &'a Overview, style: &Style) -> Parts<'a> {
         let words = |labels: &[Arg]| labels.iter().map(|l| style.arg(l)).collect::<Vec<_>>().join(", ");
         let body = |b: &'a Block| match b {
-            Block::Body { name, rotor, flexible, labels, grounded, cavity, profile, place } => {
+            Block::Body { name, rotor, flexible, labels, grounded, cavity, profile, place, axis } => {
                 let text = words(labels);
-                Some(Body { name, text, rotor: *rotor, flexible: *flexible, grounded: *grounded, cavity: *cavity, profile, place: *place })
+                let (rotor, flexible, grounded) = (*rotor, *flexible, *grounded);
+                Some(Body { name, text, rotor, flexible, grounded, cavity: *cavity, profile, place: *place, axis: *axis })
             }
             _ => None,
         };
         let mut bodies: Vec<Body> = page.machine.iter().filter_map(body).collect();
         bodies.sort_by_key(|b| !b.rotor);
         let number = |name: &str| bodies.iter().position(|b| b.name == name);
-        let (mut links, mut balls, mut liquids) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut links, mut balls, mut liquids, mut wheels) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for block in &page.machine {
             match block {
                 Block::Link { name, ends, labels, joint, .. } => {
@@ -102,10 +116,15 @@ impl<'a> Parts<'a> {
                     let fill = Message::new("page-fill").arg("fill", Arg::percent(*fill).digits(3));
                     liquids.push(Liquid { name, text: words(&[fill.into(), Arg::quantity(*density, "kg/m^3")]), body });
                 }
+                Block::Wheels { name, ends, radii, labels } => {
+                    let end = |e: &(String, f64)| Some((number(&e.0)?, e.1));
+                    let (Some(a), Some(b)) = (end(&ends[0]), end(&ends[1])) else { continue };
+                    wheels.push(Wheels { name, text: words(labels), ends: [a, b], radii: *radii });
+                }
                 Block::Body { .. } => {}
             }
         }
-        Parts { bodies, links, balls, liquids }
+        Parts { bodies, links, balls, wheels, liquids }
     }
 }
 

@@ -10,6 +10,7 @@ fn body(name: &str, rotor: bool, place: f64) -> Block {
         cavity: None,
         profile: Vec::new(),
         place,
+        axis: [0.0; 2],
     }
 }
 
@@ -196,6 +197,7 @@ fn a_liquid_has_its_label() {
         cavity: Some((0.07, 0.0467, 0.06)),
         profile: Vec::new(),
         place: 0.0,
+        axis: [0.0; 2],
     };
     let oil = Block::Liquid { name: "oil <1>".into(), body: "drum".into(), fill: 0.555, density: 880.0 };
     for horizontal in [false, true] {
@@ -208,8 +210,8 @@ fn a_liquid_has_its_label() {
 
 fn shaft(profile: Vec<[f64; 4]>) -> Block {
     match body("shaft", true, 0.0) {
-        Block::Body { name, rotor, labels, cavity, place, .. } => {
-            Block::Body { name, rotor, flexible: true, labels, grounded: Joint::default(), cavity, profile, place }
+        Block::Body { name, rotor, labels, cavity, place, axis, .. } => {
+            Block::Body { name, rotor, flexible: true, labels, grounded: Joint::default(), cavity, profile, place, axis }
         }
         other => other,
     }
@@ -262,4 +264,59 @@ fn a_shaft_is_a_line() {
     assert_eq!(lying, standing);
     // the line of the rotor and the wheel
     assert_eq!(lying.matches("class=\"steel\"").count(), 2, "{lying}");
+}
+
+/// Shafts side by side: as far apart as their wheels say, which touch; the upper one is held from above, one between two others beside itself.
+#[test]
+fn parallel_shafts_are_as_far_apart_as_their_wheels() {
+    let shaft = |name: &str, axis: [f64; 2]| Block::Body {
+        name: name.into(),
+        rotor: true,
+        flexible: true,
+        labels: Vec::new(),
+        grounded: Joint::default(),
+        cavity: None,
+        profile: vec![[0.0, 1.0, 0.05, 0.05]],
+        place: 0.0,
+        axis,
+    };
+    let wheels = |a: &str, b: &str, radii: [f64; 2]| Block::Wheels {
+        name: format!("mesh {b}"),
+        ends: [(a.into(), 0.5), (b.into(), 0.5)],
+        radii,
+        labels: vec![Arg::quantity(2e8, "N/m")],
+    };
+    let mut machine = vec![shaft("slow", [0.0; 2]), shaft("fast", [0.18, 0.24]), shaft("third", [0.0, -0.3])];
+    for k in ["slow", "fast", "third"] {
+        machine.push(link(&format!("{k} left"), [Some((k, 0.05)), None], SPRING));
+        machine.push(link(&format!("{k} right"), [Some((k, 0.95)), None], SPRING));
+    }
+    machine.push(wheels("slow", "fast", [0.2, 0.1]));
+    machine.push(wheels("slow", "third", [0.2, 0.1]));
+    let svg = page(machine, true);
+    let number = |tag: &str, name: &str| -> f64 { tag.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap() };
+    let rects: Vec<[f64; 2]> =
+        svg.split("<rect class=\"steel\"").skip(1).map(|r| [number(r, "y"), number(r, "y") + number(r, "height")]).collect();
+    // two wheels on the slow shaft, one on top of each other, and one on each of the others
+    assert_eq!(rects.len(), 4, "{svg}");
+    let middle = |r: &[f64; 2]| 0.5 * (r[0] + r[1]);
+    let scale = (middle(&rects[0]) - middle(&rects[1])) / 0.3;
+    assert!(scale > 200.0 && (middle(&rects[3]) - middle(&rects[2]) - 0.3 * scale).abs() < 0.2, "{rects:?}");
+    // they touch, with the radii of the file
+    assert!((rects[0][0] - rects[1][1]).abs() < 0.2 && (rects[2][1] - rects[3][0]).abs() < 0.2, "{rects:?}");
+    assert!((rects[0][1] - rects[0][0] - 0.4 * scale).abs() < 0.2, "{rects:?}");
+    // six supports, none of which begins or ends on an axis of another shaft
+    let spans: Vec<(f64, f64)> = svg
+        .split("<path class=\"spr\" d=\"")
+        .skip(1)
+        .map(|p| {
+            let d = p.split('"').next().unwrap();
+            let from = d[1..].split('V').next().unwrap().split(' ').nth(1).unwrap().parse().unwrap();
+            (from, d.rsplit('V').next().unwrap().parse().unwrap())
+        })
+        .collect();
+    assert_eq!(spans.len(), 6);
+    for row in [middle(&rects[0]), middle(&rects[1]), middle(&rects[3])] {
+        assert!(spans.iter().all(|(a, b)| !(a.min(*b)..a.max(*b)).contains(&row)), "{spans:?} {row}");
+    }
 }

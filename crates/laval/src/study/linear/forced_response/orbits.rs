@@ -183,6 +183,7 @@ impl Orbits {
             body: g.part.clone(),
             height: 0.0,
             place: 0.0,
+            axis: [0.0; 2],
             mark: 0.0,
             line: n,
             named: true,
@@ -216,7 +217,7 @@ impl Orbits {
             let picture = |k: usize, title: Arg, motion: &[C64; 2], circle: Option<Limit>| {
                 let [f, b] = [motion[0].abs(), motion[1].abs()];
                 let straight = (f - b).abs() <= FLAT * f.max(b);
-                let whirl = match (straight, f > b) {
+                let whirl = match (straight, (f > b) != self.stations.reversed(system, k)) {
                     (true, _) => Message::new("tiles-straight"),
                     (false, true) => Message::new("page-whirl").arg("whirl", Arg::word("forward")),
                     (false, false) => Message::new("page-whirl").arg("whirl", Arg::word("backward")),

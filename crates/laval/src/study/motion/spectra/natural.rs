@@ -3,14 +3,18 @@
 use super::analyse::Window;
 use crate::model::system::System;
 use crate::outcome::{Arg, Line, Table, TableBuilder};
-use crate::solve::pencil::{Whirl, modes_about};
+use crate::solve::pencil::{FLAT, modes_about};
 use crate::solve::rest::rest;
 use crate::solve::roots::transcendental;
+use crate::study::shared::stations::Stations;
+use laval_num::complex::C64;
 use serde::{Deserialize, Serialize};
 
 /// Instants at which modes are computed, at most, and lines on each side of zero.
 const INSTANTS: usize = 24;
 const LINES: usize = 8;
+/// Displacement over the largest of all points above which a point moves.
+const MOVES: f64 = 1e-3;
 /// Name of the table.
 const NAME: &str = "natural_frequencies";
 
@@ -21,9 +25,9 @@ pub struct NaturalFrequency {
     pub t: f64,
     /// Spin speed there, rad/s.
     pub speed: f64,
-    /// Number in order of size, negative for a backward whirl.
+    /// Number in order of size, negative where it turns against the machine.
     pub line: i64,
-    /// rad/s; negative turns against the rotor.
+    /// rad/s; negative turns against the machine.
     pub frequency: f64,
 }
 
@@ -38,7 +42,7 @@ impl NaturalFrequency {
     }
 }
 
-/// Lines over the instants of these windows, one after the other; empty where the machine cannot be linearised at rest. A mode without direction of whirl is
+/// Lines over the instants of these windows, one after the other; empty where the machine cannot be linearised at rest. A mode in which points go round both ways is
 /// on both sides of zero.
 pub(in crate::study) fn natural(system: &System, windows: &[Window]) -> Vec<NaturalFrequency> {
     let mut out = Vec::new();
@@ -46,12 +50,13 @@ pub(in crate::study) fn natural(system: &System, windows: &[Window]) -> Vec<Natu
     if transcendental(system) {
         return out;
     }
-    let count = windows.len().min(INSTANTS);
+    let (stations, count) = (Stations::of(system), windows.len().min(INSTANTS));
     for k in 0..count {
         let w = &windows[if count > 1 { k * (windows.len() - 1) / (count - 1) } else { 0 }];
         let Ok(spectrum) = rest(system, w.speed).and_then(|about| modes_about(system, &about, false)) else { continue };
-        for (side, not) in [(1, Whirl::Backward), (-1, Whirl::Forward)] {
-            let own = spectrum.modes.iter().filter(|m| m.whirl.is_lateral() && m.whirl != not && m.frequency() > 0.0);
+        for side in [1, -1] {
+            let lateral = spectrum.modes.iter().filter(|m| m.whirl.is_lateral() && m.frequency() > 0.0);
+            let own = lateral.filter(|m| goes_round(&stations.motion(&m.q), side));
             let mut all: Vec<f64> = own.map(|m| m.frequency()).collect();
             all.sort_by(f64::total_cmp);
             let line =
@@ -61,6 +66,13 @@ pub(in crate::study) fn natural(system: &System, windows: &[Window]) -> Vec<Natu
     }
     out.sort_by_key(|r| r.line);
     out
+}
+
+/// Of points that move, some go round with the machine (`side` 1) or against it (-1), or along a line. Shafts that turn against the machine whirl forward on side -1.
+fn goes_round(motion: &[[C64; 2]], side: i64) -> bool {
+    let circles = || motion.iter().map(|m| if side > 0 { [m[0].abs(), m[1].abs()] } else { [m[1].abs(), m[0].abs()] });
+    let largest = circles().map(|[own, other]| own + other).fold(0.0, f64::max);
+    circles().any(|[own, other]| own + other > MOVES * largest && other <= own * (1.0 + FLAT))
 }
 
 pub(super) fn table(rows: &[NaturalFrequency]) -> TableBuilder {
