@@ -325,21 +325,3 @@ pub struct Validity {
     /// Value over limit.
     pub ratio: f64,
 }
-
-/// Two wheels in mesh on parallel axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wheels {
-    /// Pitch radius of each, m.
-    pub radii: [f64; 2],
-    /// Direction from the axis of the first to that of the second, rad from x.
-    pub azimuth: f64,
-}
-
-impl Wheels {
-    /// From the axis of the first to that of the second, m.
-    pub fn centres(&self) -> [f64; 2] {
-        let (sin, cos) = self.azimuth.sin_cos();
-        let distance = self.radii[0] + self.radii[1];
-        [distance * cos, distance * sin]
-    }
-}

@@ -5,7 +5,7 @@ use super::blocks::Blocks;
 use super::capability::frequency::{Domain, Frozen};
 use super::capability::scope::Tabulated;
 use super::capability::time_form::{Fitted, Speeds, Untimed};
-use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity, Wheels};
+use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
 use super::field::Field;
 use super::lanes::InLanes;
 use super::params::{List, ParamSlot};
@@ -21,6 +21,7 @@ pub use super::capability::contact::erased::Contacts;
 pub use super::capability::drive::erased::SpinDrive;
 pub use super::capability::extent::erased::Extent;
 pub use super::capability::filling::erased::Filling;
+pub use super::capability::mesh::erased::Mesh;
 pub use super::capability::movable::erased::MovableMasses;
 pub use super::capability::scope::erased::Scope;
 pub use super::capability::varying::erased::VaryingInertia;
@@ -61,7 +62,6 @@ macro_rules! faces {
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
             fn check(&self, p: &[f64]) -> Vec<(&'static str, Text)>;
             fn warnings(&self, p: &[f64]) -> Vec<Text>;
-            fn wheels(&self, p: &[f64]) -> Option<Wheels>;
             fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64;
             fn spin_row_d8(&self, p: &[D8], at: &At<D8>) -> D8;
             fn prepared(&self, p: &[f64]) -> Option<Arc<dyn Erased>>;
@@ -74,6 +74,7 @@ macro_rules! faces {
             fn replaced_in_time(&self) -> Option<&dyn ReplacedInTime>;
             fn spin_drive(&self) -> Option<&dyn SpinDrive>;
             fn filling(&self) -> Option<&dyn Filling>;
+            fn mesh(&self) -> Option<&dyn Mesh>;
             fn scope(&self) -> Option<&dyn Scope>;
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>);

@@ -7,7 +7,7 @@ use super::capability::{
     self,
     frequency::{Domain, Frozen},
 };
-use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity, Wheels};
+use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
 use super::erased::*;
 use super::field::Field;
 use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
@@ -64,9 +64,6 @@ macro_rules! parts {
             fn warnings(&self, p: &[f64]) -> Vec<Text> {
                 Part::warnings(self, &self.given(p))
             }
-            fn wheels(&self, p: &[f64]) -> Option<Wheels> {
-                Part::wheels(self, &self.given(p))
-            }
             fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64 {
                 Part::spin_row(self, &self.given(p), at)
             }
@@ -102,6 +99,9 @@ macro_rules! parts {
             }
             fn filling(&self) -> Option<&dyn Filling> {
                 Part::filling(self)
+            }
+            fn mesh(&self) -> Option<&dyn Mesh> {
+                Part::mesh(self)
             }
             fn scope(&self) -> Option<&dyn Scope> {
                 Part::scope(self)

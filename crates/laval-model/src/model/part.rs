@@ -14,7 +14,7 @@ pub use super::capability::movable::{Correction, Outline};
 pub use super::capability::scope::{Beyond, Tabulated};
 pub use super::capability::time_form::Fitted;
 pub use super::context::{
-    At, COMPONENTS, Dof, DofKind, Energy, Layout, Link, Observed, Physics, Port, PortKind, Rows, TimeForm, Uses, Validity, Wheels,
+    At, COMPONENTS, Dof, DofKind, Energy, Layout, Link, Observed, Physics, Port, PortKind, Rows, TimeForm, Uses, Validity,
 };
 pub use super::params::{Parametric, Params};
 
@@ -75,10 +75,6 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn observe(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Observed>) {}
     /// Use of the model's validity.
     fn validity(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Validity>) {}
-    /// Of a part that joins two wheels in mesh on parallel axes, one at each of its ports.
-    fn wheels(&self, _p: &Params<Self, f64>) -> Option<Wheels> {
-        None
-    }
     /// Why the part does not serve its purpose although its model is right: sentences that begin with a small letter and end without a stop.
     fn warnings(&self, _p: &Params<Self, f64>) -> Vec<Text> {
         Vec::new()
@@ -128,6 +124,10 @@ pub trait Part: Send + Sync + Sized + 'static {
     }
     /// It is a liquid in a cavity: [`Filling`](super::capability::Filling).
     fn filling(&self) -> Option<&dyn erased::Filling> {
+        None
+    }
+    /// It joins two wheels on parallel axes: [`Mesh`](super::capability::Mesh).
+    fn mesh(&self) -> Option<&dyn erased::Mesh> {
         None
     }
     /// It does not serve every machine or every speed: [`Scope`](super::capability::Scope).

@@ -4,7 +4,7 @@ use super::blocks::{Blocks, Grid};
 use super::erased::*;
 use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
 use super::params::{List, NoParams, ParamSlot};
-use super::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Part, Physics, Rows, Uses, Validity, Wheels};
+use super::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Part, Physics, Rows, Uses, Validity};
 use super::slot::{GlobalDof, Slot};
 use super::station::{Pair, Row};
 use super::system::System;
@@ -156,9 +156,6 @@ macro_rules! absorbed {
             fn warnings(&self, p: &[f64]) -> Vec<Text> {
                 self.0.warnings(p)
             }
-            fn wheels(&self, p: &[f64]) -> Option<Wheels> {
-                self.0.wheels(p)
-            }
             fn spin_row_f64(&self, p: &[f64], at: &At<f64>) -> f64 {
                 self.0.spin_row_f64(p, at)
             }
@@ -194,6 +191,9 @@ macro_rules! absorbed {
             }
             fn filling(&self) -> Option<&dyn Filling> {
                 None
+            }
+            fn mesh(&self) -> Option<&dyn Mesh> {
+                self.0.mesh()
             }
             fn scope(&self) -> Option<&dyn Scope> {
                 None

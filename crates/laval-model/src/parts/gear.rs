@@ -24,9 +24,10 @@
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
 use crate::model::capability::Scope;
+use crate::model::capability::mesh::{Mesh, Wheels};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Port, PortKind, Wheels};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Port, PortKind};
 use crate::model::spins::same_ratio;
 use crate::params;
 use crate::text;
@@ -150,11 +151,17 @@ stiffness = "2e8 N/m"
         let [d, rate] = Self::motion(p, at);
         out.push(Observed { name: "force", unit: "N", value: p.stiffness * d + p.damping * rate + Self::carried(p) });
     }
-    fn wheels(&self, p: &Params<Self, f64>) -> Option<Wheels> {
-        Some(Wheels { radii: [p.first_radius, p.second_radius], azimuth: p.azimuth })
+    fn mesh(&self) -> Option<&dyn erased::Mesh> {
+        Some(self)
     }
     fn scope(&self) -> Option<&dyn erased::Scope> {
         Some(self)
+    }
+}
+
+impl Mesh for Gear {
+    fn wheels(&self, p: &Params<Self, f64>) -> Wheels {
+        Wheels { radii: [p.first_radius, p.second_radius], azimuth: p.azimuth }
     }
 }
 

@@ -120,7 +120,17 @@ fn modes_are_named_by_the_spin_of_what_moves() {
         let o = &outcomes(&overhung(ratio, 8000.0, "[[study]]\nkind = \"modes\"\n"))[0];
         let table = o.find_table("modes").unwrap();
         let (frequency, whirl) = (table.column("frequency").unwrap(), table.column("whirl").unwrap());
-        (0..4).map(|i| (frequency.number(i).unwrap(), match &whirl.data { laval::outcome::Data::Text(v) => v[i].clone(), other => panic!("{other:?}") })).collect()
+        (0..4)
+            .map(|i| {
+                (
+                    frequency.number(i).unwrap(),
+                    match &whirl.data {
+                        laval::outcome::Data::Text(v) => v[i].clone(),
+                        other => panic!("{other:?}"),
+                    },
+                )
+            })
+            .collect()
     };
     let (along, against) = (lines(1.0), lines(-1.0));
     assert!(along[0].1 == "backward" && along[1].1 == "forward", "{along:?}");

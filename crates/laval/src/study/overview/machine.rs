@@ -33,8 +33,9 @@ pub(super) fn blocks(system: &System) -> Vec<Block> {
         }
     };
     let others = system.slots().iter().enumerate().filter(|(k, _)| !is_body(*k));
-    let others: Vec<Block> =
-        others.filter_map(|(_, s)| balls(system, s).or_else(|| liquid(system, s)).or_else(|| wheels(system, s)).or_else(|| link(system, s))).collect();
+    let others: Vec<Block> = others
+        .filter_map(|(_, s)| balls(system, s).or_else(|| liquid(system, s)).or_else(|| wheels(system, s)).or_else(|| link(system, s)))
+        .collect();
     bodies.iter().map(body).chain(others).collect()
 }
 
@@ -101,7 +102,7 @@ fn liquid(system: &System, slot: &Slot) -> Option<Block> {
 
 /// Two wheels in mesh.
 fn wheels(system: &System, slot: &Slot) -> Option<Block> {
-    let wheels = slot.part.wheels(&system.params()[slot.params.clone()])?;
+    let wheels = slot.part.mesh()?.wheels(&system.params()[slot.params.clone()]);
     let [Some(a), Some(b)] = carriers(slot) else { return None };
     let end = |a: &Attach| Some((a.body.clone()?, a.position));
     Some(Block::Wheels { name: slot.name.clone(), ends: [end(a)?, end(b)?], radii: wheels.radii, labels: labels(system, slot) })

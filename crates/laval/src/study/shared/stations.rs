@@ -1,8 +1,8 @@
 //! Stations of a machine along its axis: every point of a body whose displacement is known, with its place, for pictures of shapes and orbits.
 
 use crate::model::capability::scope::Axis;
-use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::field::Attach;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::Link;
 use crate::model::probe::Sight;
 use crate::model::system::{Pair, Slot, System};
@@ -186,7 +186,16 @@ fn bodies(system: &System) -> Vec<Body<'_>> {
 /// The station of a probe of a displacement.
 fn named(body: &Body, probe: &crate::model::probe::Probe) -> Option<Point> {
     let Sight::Displacement(height) = probe.sight else { return None };
-    Some(Point { body: body.name.to_string(), height, place: 0.0, axis: [0.0; 2], mark: height, line: 0, named: true, rows: probe.rows.clone() })
+    Some(Point {
+        body: body.name.to_string(),
+        height,
+        place: 0.0,
+        axis: [0.0; 2],
+        mark: height,
+        line: 0,
+        named: true,
+        rows: probe.rows.clone(),
+    })
 }
 
 /// Nodes of a body that bends, beside those known.
@@ -242,7 +251,7 @@ fn joints(system: &System, bodies: &[Body]) -> Vec<(usize, usize, [f64; 3])> {
     let number = |name: &Option<String>| bodies.iter().position(|b| Some(b.name) == name.as_deref());
     let mut out = Vec::new();
     for slot in system.slots() {
-        let wheels = slot.part.wheels(&system.params()[slot.params.clone()]);
+        let wheels = slot.part.mesh().map(|m| m.wheels(&system.params()[slot.params.clone()]));
         if let (Some(wheels), [Some(a), Some(b)]) = (wheels, carriers(slot)) {
             let [x, y] = wheels.centres();
             out.extend(number(&a.body).zip(number(&b.body)).map(|(i, j)| (i, j, [x, y, a.position - b.position])));

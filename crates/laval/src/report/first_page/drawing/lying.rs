@@ -85,9 +85,7 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
     let mut supports = supports(parts, &rotors, &blocks, &at, &rows);
     // what would cut the side of a body stands beside it
     for p in &mut supports {
-        let cut = |k: &&usize| {
-            rows.of[**k] == p.row && (2.0..half(k).1 + reach(p.joint) + 2.0).contains(&(at.point(**k, 0.0) - p.x).abs())
-        };
+        let cut = |k: &&usize| rows.of[**k] == p.row && (2.0..half(k).1 + reach(p.joint) + 2.0).contains(&(at.point(**k, 0.0) - p.x).abs());
         if let Some(k) = rotors.iter().find(cut) {
             p.x = at.point(*k, 0.0) + (half(k).1 + reach(p.joint) + 3.0).copysign(p.x - at.point(*k, 0.0));
         }

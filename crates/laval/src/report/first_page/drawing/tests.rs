@@ -294,7 +294,8 @@ fn parallel_shafts_are_as_far_apart_as_their_wheels() {
     machine.push(wheels("slow", "fast", [0.2, 0.1]));
     machine.push(wheels("slow", "third", [0.2, 0.1]));
     let svg = page(machine, true);
-    let number = |tag: &str, name: &str| -> f64 { tag.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap() };
+    let number =
+        |tag: &str, name: &str| -> f64 { tag.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap() };
     let rects: Vec<[f64; 2]> =
         svg.split("<rect class=\"steel\"").skip(1).map(|r| [number(r, "y"), number(r, "y") + number(r, "height")]).collect();
     // two wheels on the slow shaft, one on top of each other, and one on each of the others
