@@ -175,6 +175,10 @@ impl Knots {
     pub fn straight_outside(self) -> Self {
         Knots { straight: true, ..self }
     }
+    /// All of them.
+    pub fn all(&self) -> &[f64] {
+        &self.x
+    }
     /// First and last argument.
     pub fn range(&self) -> (f64, f64) {
         (self.x[0], self.x[self.x.len() - 1])

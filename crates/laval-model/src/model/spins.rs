@@ -34,6 +34,19 @@ impl System {
         all.into_iter().map(|r| self.other_spin(r)).collect()
     }
 
+    /// Speeds of the machine between two others at which a part has a row of a table over its own speed, ascending.
+    pub fn table_speeds(&self, from: f64, to: f64) -> Vec<f64> {
+        let own = |s: &Slot| {
+            let ratio = s.speed(self.params(), 1.0);
+            let rows = s.part.scope().map(|scope| scope.table_speeds()).unwrap_or_default();
+            rows.into_iter().map(move |w| w / ratio).filter(|w| from < *w && *w < to).collect::<Vec<f64>>()
+        };
+        let mut out: Vec<f64> = self.slots.iter().flat_map(own).collect();
+        out.sort_by(f64::total_cmp);
+        out.dedup();
+        out
+    }
+
     /// A spin by its ratio to that of the machine.
     pub fn other_spin(&self, ratio: Ratio) -> OtherSpin {
         let named = |i: usize| self.slots.iter().find(|s| s.params.contains(&i)).map(|s| s.name.clone());

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 const CRITICAL: f64 = 100.0;
 
 /// The page that computes nothing itself.
-fn of_studies(text: &str) -> Overview {
+pub fn of_studies(text: &str) -> Overview {
     let loaded = load(text);
     let run = |s: &laval::file::NamedStudy| s.study.run(&loaded.system, &Context::quiet("own")).unwrap_or_else(|d| panic!("{d:?}"));
     let outcomes: Vec<Outcome> = loaded.studies.iter().map(run).collect();

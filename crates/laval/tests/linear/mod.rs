@@ -5,6 +5,7 @@ mod criticals;
 mod finite_film;
 mod first_page;
 mod first_page_dangers;
+mod first_page_limits;
 mod first_page_shafts;
 mod harmonic_force;
 mod liquid_force;

@@ -99,7 +99,8 @@ fn a_margin_that_is_required_and_not_computed_is_not_green() {
         )
     };
     let study = |kind: &str| format!("[[study]]\nkind = \"{kind}\"\nspeed = {{ from = 50.0, to = 200.0 }}\n");
-    let open = page(&text("resonance_margin = 0.15\ninstability_margin = 0.1\n", ""));
+    // the table does not reach as far as the distance either
+    let open = page(&text("resonance_margin = 0.15\ninstability_margin = 0.1\n", "").replace("[50.0, 200.0]", "[103.0, 200.0]"));
     assert_eq!(
         (check(&open, "check-resonance").verdict, check(&open, "check-instability").verdict),
         (Verdict::NotComputed, Verdict::NotComputed)
@@ -107,7 +108,9 @@ fn a_margin_that_is_required_and_not_computed_is_not_green() {
     let said = open.headline.iter().find(|m| m.key == "headline-not-checked").unwrap_or_else(|| panic!("{:?}", open.headline));
     assert!(open.verdict == Verdict::Attention && matches!(said.arg_named("checks"), Some(Arg::List(l)) if l.len() == 2), "{said:?}");
     // nothing is required
-    assert_eq!(page(&text("", "")).verdict, Verdict::Passed);
+    assert_eq!(page(&text("", "").replace("[50.0, 200.0]", "[103.0, 200.0]")).verdict, Verdict::Passed);
+    // where the table reaches, the page finds the resonance at 100 rad/s itself
+    assert_eq!(check(&page(&text("", "")), "check-resonance").verdict, Verdict::Attention);
     for kind in ["critical_speeds", "campbell"] {
         let p = page(&text("resonance_margin = 0.15\n", &(study(kind) + &study("forced_response"))));
         let near = check(&p, "check-resonance");
@@ -210,9 +213,9 @@ fn a_narrow_unstable_range_beside_the_operating_speed_is_found() {
     };
     let p = page(&text(150.35));
     let over = p.over_speed.as_ref().unwrap();
+    // narrower than the steps: the row of the table in it is computed as well
     let step = over.growth_speed[1] - over.growth_speed[0];
-    let around = over.growth_speed.iter().filter(|w| (**w - 150.35).abs() < 0.85).count();
-    assert!(step > 1.7 && around == 0, "the steps over all speeds see it: {step}");
+    assert!(step > 1.7, "{step}");
     let near = check(&p, "check-instability");
     assert!((near.margin.unwrap() - (160.0 - 150.35) / 160.0).abs() < 0.006, "{near:?}");
     assert_eq!(near.verdict, Verdict::Attention);

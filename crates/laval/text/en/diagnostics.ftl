@@ -1602,6 +1602,8 @@ diag-give-mode-or-other-ends-6d7c = give mode, or other ends
 
 ## laval/src/study/shared/limits.rs
 
+diag-names-a-point-that-does-not-8b5a = { $field } names "{ $n }", a point that "{ $body }" does not have
+diag-it-reaches-from-to-517d = it reaches from { $from } to { $to }
 diag-there-are-a-point-of-a-a331 = there are { $all }; a point of a body is written as "drum at 100 mm"
 diag-there-are-f68d = there are { $all }
 diag-names-which-is-no-body-of-c478 = { $field } names "{ $n }", which is no body of this machine

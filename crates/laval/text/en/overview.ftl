@@ -10,13 +10,14 @@ verdict-failed = not met
 # The same, short, for the terminal.
 short-passed = ok
 short-no_limit = no limit
-short-not_computed = not run
+short-not_computed = not known
 short-attention = attention
 short-failed = NOT MET
 short-near = near
 
 # Headline.
 headline-stable = Stable at { $speed }.
+headline-stable-below = Stable at { $speed }, as far as modes below { $limit } show.
 headline-unstable = Unstable at { $speed }. Do not run the machine at this speed.
 headline-not-proven = Stability at { $speed } is not proven.
 headline-unknown = Stability at { $speed } was not computed.
@@ -24,6 +25,7 @@ headline-unknown-table = Stability at { $speed } was not computed: the coefficie
 headline-no-speed = No operating speed is set.
 headline-limit = Not met: { $checks }.
 headline-not-checked = Required and not checked: { $checks }.
+headline-attention = Needs attention: { $checks }.
 headline-several = Which of several steady responses occurs depends on the run-up.
 headline-validity = Not all results are within validity.
 headline-buckled = At rest the machine does not hold its position (buckling): a displacement grows by the factor e in { $time }.
@@ -88,6 +90,7 @@ check-run-up = Run-up
 check-window = Operating window
 check-speed = Highest speed
 check-others = Other limits
+check-studies = Requirements of studies
 check-damping = Damping
 
 required-decay = { $margin ->
@@ -128,6 +131,7 @@ stability-no-state = no stable synchronous state at this speed
 stability-needs-stationary = balls move in the rotor: needs a study "stationary"
 stability-no-steady = no steady response is stable at this speed (nonlinear response)
 stability-several = { $count } stable steady responses at this speed (nonlinear response)
+stability-beside = stable at rest, but so is a whirl of { $value }: a disturbance may lead to it
 stability-outside-study = the study "stationary" does not cover this speed
 stability-unstable-range = unstable at operating speeds: { $range }
 damping-no-oscillation = no mode oscillates
@@ -157,6 +161,9 @@ distance-no-other-resonance = { $from ->
        *[other] no other found from { $from } to { $to }
     }
 distance-critically-damped = critically damped at { $speeds }: amplification factor below 2.5, API 684 requires no separation margin
+distance-not-examined = the distance required needs all speeds from { $from } to { $to }
+distance-coarse = too few speeds computed: a narrow range may lie between two of them
+distance-orders-open = resonances with excitation at { $orders } times the speed were not searched: add a study critical_speeds
 distance-no-resonance = { $from ->
         [none] none found up to { $to }
        *[other] none found from { $from } to { $to }
@@ -196,6 +203,7 @@ window-none = no speed keeps all requirements
 window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = not assessed on this page: { $names }
+studies-requirements = not met, or not known to be, in { $studies }
 balls-no-study = needs a study "stationary" or "transient"
 balls-left = { $left } left of { $without }
 run-up-computed = largest displacement { $value } ("{ $body }")

@@ -4,8 +4,8 @@ support-map-intersection = Critical speed { $mode } is { $value } with all suppo
         [rotor] {" "}Only another rotor moves it.
        *[both] {" "}Bearings and rotor both move it.
     }
-support-map-rigid = On rigid supports the lowest critical speed is { $value }. No bearing raises it beyond that.
-support-map-free = Without supports the lowest critical speed is { $value }. Motions of the free rotor at zero speed are left out.
+support-map-rigid = On rigid supports the lowest critical speed with forward whirl is { $value }. No bearing raises it beyond that.
+support-map-free = Without supports the lowest critical speed with forward whirl is { $value }. Motions of the free rotor at zero speed are left out.
 support-map-fewer = { $modes ->
         [0] The rotor has no forward critical speed: its polar moment of inertia exceeds the diametral one
         [one] The rotor has one critical speed

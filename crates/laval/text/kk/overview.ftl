@@ -17,6 +17,7 @@ short-near = аз
 
 # Headline.
 headline-stable = { $speed } кезінде орнықты.
+headline-stable-below = { $speed } кезінде { $limit } жиілігінен төмен модалар бойынша орнықты.
 headline-unstable = { $speed } кезінде орнықсыз. Машинаны бұл айналу жиілігінде пайдаланбаңыз.
 headline-not-proven = { $speed } кезінде орнықтылық дәлелденген жоқ.
 headline-unknown = { $speed } кезінде орнықтылық есептелмеген.
@@ -24,6 +25,7 @@ headline-unknown-table = { $speed } кезінде орнықтылық есеп
 headline-no-speed = Жұмыстық айналу жиілігі берілмеген.
 headline-limit = Орындалмаған талаптар: { $checks }.
 headline-not-checked = Талап етілген, бірақ тексерілмеген: { $checks }.
+headline-attention = Назар аудару керек: { $checks }.
 headline-buckled = Тыныштықта машина орнын сақтамайды (статикалық орнықсыздық): ығысудың e есе өсу уақыты { $time }.
 headline-jump = { $kind ->
         [jump] Жауап { $speed } кезінде секіреді
@@ -136,6 +138,9 @@ distance-no-other-resonance = { $from ->
        *[other] { $from } – { $to } аралығында басқасы табылмады
     }
 distance-critically-damped = { $speeds } кезінде критикалық демпферленген: күшейту коэффициенті 2,5-тен төмен, API 684 жиілік қорын талап етпейді
+distance-not-examined = талап етілген қорға { $from } пен { $to } арасындағы барлық айналу жиілігі керек
+distance-coarse = есептелген айналу жиіліктері тым аз: олардың арасында тар аймақ болуы мүмкін
+distance-orders-open = { $orders } еселік қоздыру кезіндегі резонанстар ізделген жоқ: critical_speeds зерттеуін қосыңыз
 distance-no-resonance = { $from ->
         [none] { $to } мәніне дейін табылмады
        *[other] { $from } – { $to } аралығында табылмады
@@ -277,10 +282,12 @@ headline-validity = Барлық нәтиже жарамдылық шегінд�
 check-window = Жұмыс аралығы
 check-speed = Ең жоғары айналу жиілігі
 check-others = Басқа шектер
+check-studies = Зерттеулердің талаптары
 check-damping = Демпферлеу
 required-above = ≥ { $limit }
 stability-no-steady = бұл айналу жиілігінде ешбір орныққан тербеліс орнықты емес (бейсызық тербеліс)
 stability-several = бұл айналу жиілігінде { $count } орнықты орныққан тербеліс бар (бейсызық тербеліс)
+stability-beside = тыныштық күйі орнықты, бірақ { $value } дейінгі прецессия да орнықты: ұйытқу соған апаруы мүмкін
 stability-outside-study = «stationary» зерттеуі бұл айналу жиілігін қамтымайды
 stability-unstable-range = жұмыстық айналу жиіліктерінде орнықсыз: { $range }
 damping-no-oscillation = тербелмелі мода жоқ
@@ -296,6 +303,7 @@ window-none = ешбір айналу жиілігі барлық талапты
 window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = бұл бетте бағаланбаған: { $names }
+studies-requirements = { $studies } ішінде орындалмаған немесе расталмаған
 run-up-grows = орнықсыз аралықтарда ауытқу { $factor } есеге дейін өседі
 run-up-diverges = қозғалыс шексіз өседі
 axis-operating-range = жұмыстық айналу жиіліктері

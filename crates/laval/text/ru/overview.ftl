@@ -17,6 +17,7 @@ short-near = мало
 
 # Headline.
 headline-stable = Устойчиво при { $speed }.
+headline-stable-below = Устойчиво при { $speed }, насколько показывают моды ниже { $limit }.
 headline-unstable = Неустойчиво при { $speed }. Не эксплуатируйте машину при этой частоте вращения.
 headline-not-proven = Устойчивость при { $speed } не доказана.
 headline-unknown = Устойчивость при { $speed } не рассчитана.
@@ -24,6 +25,7 @@ headline-unknown-table = Устойчивость при { $speed } не рас�
 headline-no-speed = Рабочая частота вращения не задана.
 headline-limit = Не выполнено: { $checks }.
 headline-not-checked = Требуется, но не проверено: { $checks }.
+headline-attention = Требует внимания: { $checks }.
 headline-several = Какой из нескольких установившихся откликов возникнет, зависит от разгона.
 headline-validity = Не все результаты лежат в области применимости.
 headline-buckled = В покое машина не удерживает положение (потеря статической устойчивости): перемещение растёт в e раз за { $time }.
@@ -87,6 +89,7 @@ check-run-up = Разгон
 check-window = Рабочее окно
 check-speed = Наибольшая частота вращения
 check-others = Остальные пределы
+check-studies = Требования расчётов
 check-damping = Демпфирование
 
 required-decay = { $margin ->
@@ -128,6 +131,7 @@ stability-no-state = устойчивого синхронного состоя�
 stability-needs-stationary = в роторе движутся шарики: нужен расчёт «stationary»
 stability-no-steady = ни один установившийся отклик при этой частоте вращения не устойчив (нелинейный отклик)
 stability-several = устойчивых установившихся откликов при этой частоте вращения: { $count } (нелинейный отклик)
+stability-beside = покой устойчив, но устойчива и прецессия до { $value }: к ней может привести возмущение
 stability-outside-study = расчёт «stationary» не охватывает эту частоту вращения
 stability-unstable-range = неустойчиво при рабочих частотах вращения: { $range }
 damping-no-oscillation = колебательных мод нет
@@ -157,6 +161,9 @@ distance-no-other-resonance = { $from ->
        *[other] других нет в диапазоне от { $from } до { $to }
     }
 distance-critically-damped = критически демпфирован при { $speeds }: коэффициент усиления ниже 2,5, API 684 не требует запаса по частоте
+distance-not-examined = для требуемого запаса нужны все частоты вращения от { $from } до { $to }
+distance-coarse = рассчитано слишком мало частот вращения: между ними может лежать узкая область
+distance-orders-open = резонансы при возбуждении с кратностью { $orders } не искались: добавьте расчёт critical_speeds
 distance-no-resonance = { $from ->
         [none] нет до { $to }
        *[other] нет в диапазоне от { $from } до { $to }
@@ -197,6 +204,7 @@ window-none = ни одна частота вращения не удовлет�
 window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = на этой странице не оценены: { $names }
+studies-requirements = не выполнены или не подтверждены в { $studies }
 balls-no-study = нужен расчёт «stationary» или «transient»
 balls-left = осталось { $left } из { $without }
 run-up-computed = наибольшее перемещение { $value } («{ $body }»)

@@ -17,6 +17,7 @@ short-near = kam
 
 # Sarlavha.
 headline-stable = { $speed } tezlikda turg‘un.
+headline-stable-below = { $limit } dan past modalar bo‘yicha { $speed } tezlikda turg‘un.
 headline-unstable = { $speed } tezlikda noturg‘un. Mashinani bu tezlikda ishlatmang.
 headline-not-proven = { $speed } tezlikda turg‘unlik isbotlanmagan.
 headline-unknown = { $speed } tezlikda turg‘unlik hisoblanmagan.
@@ -24,6 +25,7 @@ headline-unknown-table = { $speed } tezlikda turg‘unlik hisoblanmagan: "{ $par
 headline-no-speed = Ish tezligi berilmagan.
 headline-limit = Bajarilmagan talablar: { $checks }.
 headline-not-checked = Talab qilingan, lekin tekshirilmagan: { $checks }.
+headline-attention = E’tibor talab qiladi: { $checks }.
 headline-buckled = Tinch holatda mashina o‘z o‘rnini saqlamaydi (statik noturg‘unlik): siljish { $time } ichida e marta o‘sadi.
 headline-jump = { $kind ->
         [jump] Javob { $speed } tezlikda sakraydi
@@ -136,6 +138,9 @@ distance-no-other-resonance = { $from ->
        *[other] { $from } – { $to } oralig‘ida boshqasi topilmadi
     }
 distance-critically-damped = { $speeds } da kritik so‘ndirilgan: kuchaytirish koeffitsienti 2,5 dan past, API 684 chastota zaxirasini talab qilmaydi
+distance-not-examined = talab qilingan zaxira uchun { $from } dan { $to } gacha barcha tezliklar kerak
+distance-coarse = hisoblangan tezliklar juda kam: ular orasida tor soha bo‘lishi mumkin
+distance-orders-open = { $orders } karra qo‘zg‘atishdagi rezonanslar izlanmadi: critical_speeds hisobini qo‘shing
 distance-no-resonance = { $from ->
         [none] { $to } tezlikkacha topilmadi
        *[other] { $from } – { $to } oralig‘ida topilmadi
@@ -277,10 +282,12 @@ headline-validity = Natijalarning hammasi ham qo‘llanish sohasi ichida emas.
 check-window = Ish oynasi
 check-speed = Eng yuqori tezlik
 check-others = Boshqa chegaralar
+check-studies = Hisoblarning talablari
 check-damping = So‘ndirish
 required-above = ≥ { $limit }
 stability-no-steady = bu tezlikda birorta ham barqaror javob turg‘un emas (chiziqsiz javob)
 stability-several = bu tezlikda { $count } ta turg‘un barqaror javob bor (chiziqsiz javob)
+stability-beside = tinch holat turg‘un, lekin { $value } gacha pretsessiya ham turg‘un: turtki unga olib kelishi mumkin
 stability-outside-study = "stationary" hisobi bu tezlikni qamrab olmaydi
 stability-unstable-range = ish tezliklarida noturg‘un: { $range }
 damping-no-oscillation = tebranuvchi moda yo‘q
@@ -296,6 +303,7 @@ window-none = birorta tezlik ham barcha talablarni bajarmaydi
 window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = bu sahifada baholanmagan: { $names }
+studies-requirements = { $studies } hisobida bajarilmagan yoki tasdiqlanmagan
 run-up-grows = noturg‘un oraliqlarda g‘alayon { $factor } martagacha o‘sadi
 run-up-diverges = harakat cheksiz uzoqlashadi
 axis-operating-range = ish tezliklari

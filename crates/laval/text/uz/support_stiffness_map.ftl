@@ -4,8 +4,8 @@ support-map-intersection = Barcha tayanchlar { $bearing } kabi bikr bo‘lsa, { 
         [rotor] {" "}Uni faqat boshqa rotor siljitadi.
        *[both] {" "}Uni podshipniklar ham, rotor ham siljitadi.
     }
-support-map-rigid = Qattiq tayanchlarda eng past kritik aylanish chastotasi { $value }. Hech bir podshipnik uni bundan yuqori ko‘tarmaydi.
-support-map-free = Tayanchlarsiz eng past kritik aylanish chastotasi { $value }. Erkin rotorning nol chastotadagi harakatlari hisobga olinmaydi.
+support-map-rigid = Qattiq tayanchlarda to‘g‘ri pretsessiyaning eng past kritik aylanish chastotasi { $value }. Hech bir podshipnik uni bundan yuqori ko‘tarmaydi.
+support-map-free = Tayanchlarsiz to‘g‘ri pretsessiyaning eng past kritik aylanish chastotasi { $value }. Erkin rotorning nol chastotadagi harakatlari hisobga olinmaydi.
 support-map-fewer = { $modes ->
         [0] Rotorning to‘g‘ri kritik aylanish chastotasi yo‘q: qutbiy inersiya momenti ekvatorialdan katta
        *[other] Xaritada rotorning { $modes } ta kritik aylanish chastotasi bor

@@ -43,6 +43,10 @@ pub trait Scope: Parametric {
     fn tabulated(&self) -> Option<Tabulated> {
         None
     }
+    /// The spin speeds of the rows of that table, rad/s: its coefficients may bend there, and have their largest values.
+    fn table_speeds(&self) -> Vec<f64> {
+        Vec::new()
+    }
     /// Why it does not fit a machine with this axis, and what to change.
     fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<Text> {
         None
@@ -70,6 +74,7 @@ pub mod erased {
     #[allow(missing_docs)]
     pub trait Scope {
         fn tabulated(&self) -> Option<Tabulated>;
+        fn table_speeds(&self) -> Vec<f64>;
         fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text>;
         fn spin_ratio(&self) -> Option<usize>;
         fn refuses_untwisted(&self, p: &[f64]) -> Option<Text>;
@@ -79,6 +84,9 @@ pub mod erased {
     impl<T: super::Scope> Scope for T {
         fn tabulated(&self) -> Option<Tabulated> {
             super::Scope::tabulated(self)
+        }
+        fn table_speeds(&self) -> Vec<f64> {
+            super::Scope::table_speeds(self)
         }
         fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<Text> {
             super::Scope::refuses_axis(self, &self.given(p), axis)

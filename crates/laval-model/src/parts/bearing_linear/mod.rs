@@ -390,6 +390,9 @@ impl Scope for BearingLinear {
         let (from, to) = table.range();
         Some(Tabulated { from, to, beyond: table.rule(), statement: RANGE })
     }
+    fn table_speeds(&self) -> Vec<f64> {
+        self.table.as_ref().map_or_else(Vec::new, |t| t.speeds().to_vec())
+    }
 }
 
 impl FrequencyDomain for BearingLinear {

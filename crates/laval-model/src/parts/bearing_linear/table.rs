@@ -145,6 +145,11 @@ impl Table {
         self.speeds.range()
     }
 
+    /// Speeds of the rows, rad/s.
+    pub fn speeds(&self) -> &[f64] {
+        self.speeds.all()
+    }
+
     /// First and last frequency of vibration, rad/s, of a table over it.
     pub fn frequencies(&self) -> Option<(f64, f64)> {
         self.grid.as_ref().map(Grid::range)

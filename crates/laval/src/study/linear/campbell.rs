@@ -30,7 +30,7 @@ use crate::solve::roots::{LEAST, has_more_modes, in_region, transcendental};
 use crate::solve::sweep::{Branch, Count, Strongest, Sweep, sweep};
 use crate::study::shared::region;
 use crate::study::shared::size;
-use crate::study::shared::speed_range::SpinSpeeds;
+use crate::study::shared::speed_range::{SpinSpeeds, with_table_speeds};
 use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, held, inconsistent, range_or};
 use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
@@ -169,7 +169,7 @@ impl Campbell {
     /// Modes with the coefficients of their own frequency, and critical speeds with those of the order.
     fn own(&self, system: &System, context: &Context) -> Result<CampbellResult, Diagnostic> {
         let state = over_speed(system);
-        let speeds = self.speed.linspace(120);
+        let speeds = with_table_speeds(&self.speed, 120, system);
         let total = speeds.len() as u64;
         context.announce(total as f64, COUNTS, text!("speeds at which modes are counted, one after another"));
         let mut found = own_follow(system, &state, &speeds, self.frequency, |k, solved| {
@@ -236,7 +236,7 @@ const WAVES: &str = "waves of the liquid";
 /// Spread of frequency over speed, and of the speeds, up to which, and from which on, a mode follows the speed as a wave does.
 const FOLLOWS: f64 = 0.05;
 const SPREAD: f64 = 1.3;
-/// Orders that are drawn whether or not critical speeds are sought on them.
+/// Orders that are drawn where the file names none.
 const GUIDES: [f64; 2] = [1.0, 2.0];
 
 impl Study for Campbell {
@@ -293,7 +293,7 @@ orders = [1, 2]
             return self.own(system, context);
         }
         let limit = self.limit(system)?;
-        let (mut found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
+        let (mut found, end) = follow(system, context, &with_table_speeds(&self.speed, 120, system), limit)?;
         numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
         let locate = || criticals(system, &over_speed(system), &found, &self.orders);
         // of a study that has to end those that there is no time for are left out
@@ -511,9 +511,12 @@ impl<'a> Shown<'a> {
         lines.build().map_err(inconsistent)
     }
 
-    /// Those on which critical speeds are sought, and once and twice the speed.
+    /// Those on which critical speeds are sought; of a file that names none, once and twice the speed beside them.
     fn drawn_orders(&self) -> Vec<f64> {
         let mut orders = self.study.orders.clone();
+        if orders != spin_orders(self.system) {
+            return orders;
+        }
         orders.extend(GUIDES.into_iter().filter(|g| !self.study.orders.contains(g)));
         ascending(&mut orders);
         orders

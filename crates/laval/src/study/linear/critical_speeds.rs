@@ -30,7 +30,7 @@ use crate::study::shared::operation;
 use crate::study::shared::probes;
 use crate::study::shared::region;
 use crate::study::shared::size;
-use crate::study::shared::speed_range::SpinSpeeds;
+use crate::study::shared::speed_range::{SpinSpeeds, with_table_speeds};
 use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, held, inconsistent, probe_name, range};
 use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
@@ -96,7 +96,7 @@ margin = "20 %"
             (crossings(system, context, &self.speed, &self.orders)?, Vec::new())
         } else {
             let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
-            let (mut found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
+            let (mut found, end) = follow(system, context, &with_table_speeds(&self.speed, 120, system), limit)?;
             numbering::in_order(&mut found.branches, numbering::reference(system, &self.speed));
             let crossings = criticals(system, &state, &found, &self.orders);
             (Crossings { crossings, spectra: found.points.len() as u64, counts: found.counts, end }, found.strongest)

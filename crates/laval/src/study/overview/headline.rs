@@ -34,7 +34,11 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
     let near = |name: &str| check(name).filter(|c| c.verdict == Verdict::Attention).and_then(|c| c.margin);
     let (mut verdict, mut headline) = match stability {
         Verdict::Failed => (Verdict::Failed, vec![at("headline-unstable")]),
-        Verdict::Passed => (Verdict::Passed, vec![at("headline-stable")]),
+        Verdict::Passed => {
+            let below =
+                check("check-stability").filter(|c| c.result.key == "stability-stable-below").and_then(|c| c.result.arg_named("limit"));
+            (Verdict::Passed, vec![below.map_or_else(|| at("headline-stable"), |l| at("headline-stable-below").arg("limit", l.clone()))])
+        }
         Verdict::Attention if check("check-stability").is_some_and(|c| c.result.key == "stability-several") => {
             (Verdict::Attention, vec![at("headline-stable")])
         }
@@ -96,6 +100,12 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
         verdict = verdict.max(Verdict::Attention);
         headline.push(Message::new("headline-not-checked").arg("checks", Arg::List(open)));
     }
+    // no answer is better than its checks
+    let watched: Vec<Arg> = page.checks.iter().filter(|c| c.verdict == Verdict::Attention).map(|c| c.what.clone().into()).collect();
+    if verdict == Verdict::Passed && !watched.is_empty() {
+        verdict = Verdict::Attention;
+        headline.push(Message::new("headline-attention").arg("checks", Arg::List(watched)));
+    }
     if let Some(buckled) = buckled {
         verdict = verdict.max(Verdict::Attention);
         headline.insert(if verdict == Verdict::Failed { 0 } else { headline.len() }, buckled);
@@ -119,6 +129,9 @@ fn is_open(facts: &Facts, check: &Check) -> bool {
         "check-shaft-vibration" => operation.shaft_vibration.is_some(),
         "check-housing-vibration" => operation.housing_vibration.is_some(),
         "check-balance" => operation.balance_grade.is_some(),
+        "check-run-up" => operation.run_up_time.is_some() || !limits.passage.is_empty(),
+        // limits that the page does not assess
+        "check-others" => true,
         _ => false,
     };
     required && check.verdict == Verdict::NotComputed

@@ -23,6 +23,7 @@ mod worst;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::part::Domain;
+use crate::model::spins::same_ratio;
 use crate::model::system::System;
 use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
 use crate::solve::rest::over_speed;
@@ -37,7 +38,7 @@ use crate::study::linear::stability_map::StabilityMap;
 use crate::study::shared::limits::{self, Limits};
 pub(super) use crate::study::shared::operation::MARGIN;
 use crate::study::shared::operation::{self, Operation};
-use crate::study::shared::speed_range::{self, SpinSpeeds};
+use crate::study::shared::speed_range::{self, SpinSpeeds, with_table_speeds};
 use crate::study::shared::stations::Stations;
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
@@ -47,8 +48,8 @@ use operating::Operating;
 use studied::{Found, Needed};
 use worst::Worst;
 
-/// Most units of work of one check, about a second.
-const SECOND: u64 = 1_000_000_000;
+/// Most units of work of one check, about a second: the factorisations of which most of it is made do several of them in a nanosecond.
+const SECOND: u64 = 4_000_000_000;
 /// Speeds of the range at which growth and response are computed.
 const POINTS: usize = 120;
 /// The lowest speed computed, over the highest of the page.
@@ -57,8 +58,11 @@ const SLOWEST: f64 = 1e-3;
 const FASTEST: f64 = 20.0;
 /// Speeds computed about the operating speeds, where a narrow unstable range matters most.
 const NEAR: usize = 60;
-/// Width of that on both sides, over the speed.
+/// Width of that on both sides, over the speed, at least, and over the distance required.
 const ABOUT: f64 = 0.2;
+const BEYOND: f64 = 1.02;
+/// Speeds at which critical ones are searched about the operating speeds.
+const NARROW: usize = 24;
 /// Speeds of a range of operating speeds, at least.
 const OPERATING: usize = 40;
 
@@ -176,6 +180,8 @@ pub(super) struct Facts<'a> {
     /// Steady responses of the nonlinear machine at the operating speed.
     steady: Option<nonlinear::Steady>,
     criticals: Known<CriticalSpeedsResult>,
+    /// Those about the operating speeds, where neither the page nor a study of the file knows them as far as the distance required.
+    narrow: Option<CriticalSpeedsResult>,
     /// Where critical speeds are not known: the response over the range.
     forced: Option<ForcedResponseResult>,
     /// Study of the file whose response over the range is shown; none where the page computed it.
@@ -192,6 +198,23 @@ impl Facts<'_> {
     /// The distance from resonances that the file requires.
     fn resonance_margin(&self) -> Option<f64> {
         operation::required_margin(self.system)
+    }
+
+    /// The speeds that the distance required reaches from the operating ones, amounts.
+    fn reach(&self, operating: Operating, margin: Option<f64>) -> (f64, f64) {
+        let margin = margin.unwrap_or(MARGIN);
+        ((1.0 - margin) * operating.low, (1.0 + margin) * operating.high)
+    }
+
+    /// Multiples of the speed at which neither the page nor a study of the file searched for resonances.
+    fn orders_open(&self) -> Vec<f64> {
+        if self.criticals.get().is_some() || self.narrow.is_some() {
+            return Vec::new();
+        }
+        let Some(o) = self.operating else { return Vec::new() };
+        let reach = self.reach(o, self.resonance_margin());
+        let open = |k: &&f64| !same_ratio(**k, 1.0) && !studied::spin_searched(self.system, self.outcomes, **k, reach);
+        self.limits.orders.iter().filter(open).copied().collect()
     }
 
     /// Range of speeds searched for resonances; none where nothing was.
@@ -236,13 +259,17 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         speed_range::able(&map(ordered(o.low, o.high, 2)), system).ok()?;
         worst::worst(system, o, sign, context)
     });
-    let near = operating.filter(|_| matches!(stability, Known::Yes(_))).and_then(|o| {
-        let about = ordered((1.0 - ABOUT) * o.low, (1.0 + ABOUT) * o.high, NEAR);
+    let resonance_margin = operation::required_margin(system).unwrap_or(MARGIN);
+    let wide = |margin: f64| (BEYOND * margin).clamp(ABOUT, 0.99);
+    // also beside a study of the file: it may have fewer speeds, and not all of those that matter
+    let near = operating.and_then(|o| {
+        let wide = wide(operation.instability_margin.unwrap_or(MARGIN));
+        let about = ordered((1.0 - wide) * o.low, (1.0 + wide) * o.high, NEAR);
         let known = match &worst {
             // the boundaries of what is unstable between two of the speeds as well
             Some(worst) if !in_region(system) => limited(context, || {
                 speed_range::able(&map(about), system)?;
-                let mut speeds = about.linspace(NEAR);
+                let mut speeds = with_table_speeds(&about, NEAR, system);
                 speeds.extend(&worst.peaks);
                 ascending(&mut speeds);
                 speeds.dedup();
@@ -267,6 +294,22 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         Known::Yes(r) if !reaches(&r) => Known::TooLong,
         known => known,
     };
+    let narrow = operating.filter(|o| !o.is_one() || o.high > 0.0).and_then(|o| {
+        let reach = ((1.0 - resonance_margin) * o.low, (1.0 + resonance_margin) * o.high);
+        let known = |r: &CriticalSpeedsResult| {
+            let along: Vec<f64> = r.strongest.iter().map(|s| sign * s.speed).collect();
+            r.end.is_complete() && self::ends(&along).is_none_or(|e| e.0 <= reach.0 * (1.0 + 1e-9) && reach.1 <= e.1 * (1.0 + 1e-9))
+        };
+        if criticals.get().is_some_and(known) {
+            return None;
+        }
+        let wide = wide(resonance_margin);
+        let speed = ordered((1.0 - wide) * o.low, (1.0 + wide) * o.high, NARROW);
+        match within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context) {
+            Known::Yes(r) if r.end.is_complete() => Some(r),
+            _ => None,
+        }
+    });
     let mut response_study = match &criticals {
         Known::Studied(_, name) => studied::response_beside(outcomes, needed, name),
         _ => None,
@@ -312,6 +355,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         threshold,
         steady: None,
         criticals,
+        narrow,
         forced,
         response_study,
         run_up,

@@ -31,18 +31,20 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         bifurcations: places(facts, ["stability_lost", "stability_gained"]),
         ..OverSpeed::default()
     };
-    if let Some(row) = facts.stability.get() {
+    let rows = [facts.stability.get(), facts.near.as_ref()];
+    if rows.iter().any(Option::is_some) {
         out.threshold = facts.threshold;
         // about the operating speeds also ranges narrower than the steps over the whole range
-        let all = [Some(row), facts.near.as_ref()].into_iter().flatten().flat_map(|row| unstable(row, facts));
+        let all = rows.into_iter().flatten().flat_map(|row| unstable(row, facts));
         out.unstable = united(all.collect());
-        (out.growth_speed, out.growth) = growth(row, facts).into_iter().unzip();
+        (out.growth_speed, out.growth) = growth(facts).into_iter().unzip();
         out.examined = ends(&out.growth_speed);
     }
     out.unstable_response = unstable_responses(facts, &out.unstable);
     let forced = facts.forced.as_ref().map(|f| &f.curve);
     let response = facts.criticals.get().map_or(forced, |found| found.response.as_ref());
-    if facts.criticals.get().is_some() || forced.is_some() {
+    let found = || facts.criticals.get().into_iter().chain(&facts.narrow).flat_map(|found| &found.crossings);
+    if facts.criticals.get().is_some() || facts.narrow.is_some() || forced.is_some() {
         match response {
             Some(curve) => {
                 out.response_speed = curve.points.iter().map(|p| facts.sign * p.speed).collect();
@@ -51,7 +53,7 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
                 out.resonances = peaks(facts, curve);
             }
             None => {
-                let light = facts.criticals.get().into_iter().flat_map(|found| &found.crossings).filter(|c| {
+                let light = found().filter(|c| {
                     // unbalance does not excite what whirls against the spin of a machine without preferred direction
                     turns(facts) && c.driven_by_unbalance() && c.located() && resonant(damping(c))
                 });
@@ -61,9 +63,17 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
         // what excites at other multiples of the speed meets the modes elsewhere; a spin against that of the machine excites at its speed, too
         let spins = facts.system.spins();
         let excited = |c: &Critical| c.order != 1.0 || spins.iter().any(|s| c.driven_by(s.ratio));
-        let other = facts.criticals.get().into_iter().flat_map(|found| &found.crossings);
-        let other = other.filter(|c| excited(c) && c.located() && resonant(damping(c)));
+        let other = found().filter(|c| excited(c) && c.located() && resonant(damping(c)));
         out.resonances.extend(other.map(|c| Resonance { speed: facts.sign * c.speed, amplitude: None }));
+        // beside a response over other speeds
+        let driven = |c: &Critical| turns(facts) && c.driven_by_unbalance() && c.located() && resonant(damping(c));
+        let beside = facts.narrow.iter().flat_map(|n| &n.crossings).filter(|c| driven(c)).map(|c| facts.sign * c.speed);
+        let beside = beside.map(|speed| Resonance { speed, amplitude: None });
+        for r in beside.chain(studied::spin_peaks(facts.system, facts.outcomes)) {
+            if !out.resonances.iter().any(|known| (known.speed - r.speed).abs() < SAME * r.speed.abs()) {
+                out.resonances.push(r);
+            }
+        }
         out.resonances.sort_by_number(|a| a.speed);
         // a margin that the file requires holds for every resonance
         if facts.resonance_margin().is_none() {
@@ -179,16 +189,19 @@ fn peaks(facts: &Facts, curve: &Curve) -> Vec<Resonance> {
     out
 }
 
-/// Growth along the speed, with that about the operating speeds where it goes on from there: the whole range may have ended early.
-fn growth(row: &Row, facts: &Facts) -> Vec<(f64, f64)> {
+/// Growth along the speed, with that about the operating speeds where it goes on from there: the whole range may have ended early, or is not known.
+fn growth(facts: &Facts) -> Vec<(f64, f64)> {
     let of = |row: &Row| row.samples.iter().map(|s| (facts.sign * s.speed, s.value.re)).collect::<Vec<_>>();
-    let mut out = of(row);
+    let mut out = facts.stability.get().map(of).unwrap_or_default();
     out.sort_by_number(|p| p.0);
-    let last = out.last().map_or(0.0, |p| p.0);
     let mut near = facts.near.as_ref().map(of).unwrap_or_default();
     near.sort_by_number(|p| p.0);
-    if near.first().is_some_and(|p| p.0 <= last) {
-        out.extend(near.into_iter().filter(|p| p.0 > last));
+    let Some((first, last)) = out.first().zip(out.last()).map(|(a, b)| (a.0, b.0)) else { return near };
+    // speeds between them would not be examined
+    let (a, b) = near.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.0), b.max(p.0)));
+    if a <= last && first <= b {
+        let (below, above): (Vec<_>, Vec<_>) = near.into_iter().filter(|p| p.0 < first || p.0 > last).partition(|p| p.0 < first);
+        out = below.into_iter().chain(out).chain(above).collect();
     }
     out
 }

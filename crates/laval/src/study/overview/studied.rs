@@ -3,8 +3,10 @@
 use super::operating::Operating;
 use crate::model::field::RangeValue;
 use crate::model::probe::Probe;
-use crate::outcome::Outcome;
-use crate::solve::extrema::Curve;
+use crate::model::spins::same_ratio;
+use crate::model::system::System;
+use crate::outcome::{Arg, Finding, Outcome, Resonance};
+use crate::solve::extrema::{Curve, Extremum};
 use crate::solve::linear_response::Response;
 use crate::solve::stability::{Edge, Row, Sample};
 use crate::solve::sweep::Strongest;
@@ -15,9 +17,13 @@ use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult
 use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult};
 use crate::study::linear::modes::{Modes, ModesResult};
 use crate::study::linear::stability_map::{StabilityMap, StabilityMapResult};
+use crate::study::shared::probes;
 use crate::study::shared::support::About;
 use laval_num::complex::{C64, c};
+use laval_num::order::SortByNumber;
 
+/// Peaks smaller than this share of the largest are no resonances of the page.
+const SMALL: f64 = 0.02;
 /// Two speeds that differ by less than this share are one.
 const SAME: f64 = 1e-9;
 
@@ -59,6 +65,45 @@ fn responses(outcomes: &[Outcome]) -> impl Iterator<Item = (&ForcedResponse, &Fo
     complete::<ForcedResponse, ForcedResponseResult>(outcomes).filter(|(s, ..)| s.spin.is_none())
 }
 
+/// Responses to the unbalance of a spin of another ratio to the machine, with that ratio.
+fn of_spins<'o>(system: &'o System, outcomes: &'o [Outcome]) -> impl Iterator<Item = (f64, &'o ForcedResponse, &'o ForcedResponseResult)> {
+    let spins = system.spins();
+    complete::<ForcedResponse, ForcedResponseResult>(outcomes).filter_map(move |(s, r, _)| {
+        let name = s.spin.as_ref()?;
+        let spin = spins.iter().find(|x| x.name.as_ref() == Some(name))?;
+        Some((spin.ratio, s, r))
+    })
+}
+
+/// A response to the unbalance of a spin of this ratio, either way round, covers these speeds of the machine.
+pub(super) fn spin_searched(system: &System, outcomes: &[Outcome], ratio: f64, (low, high): (f64, f64)) -> bool {
+    of_spins(system, outcomes).any(|(own, s, _)| {
+        let ends = [s.speed.from / own, s.speed.to / own].map(f64::abs);
+        let slack = 1.0 + SAME;
+        same_ratio(own.abs(), ratio) && ends[0].min(ends[1]) <= low * slack && high <= ends[0].max(ends[1]) * slack
+    })
+}
+
+/// Peaks of the displacements in the responses to the unbalance of other spins, at amounts of the speed of the machine.
+pub(super) fn spin_peaks(system: &System, outcomes: &[Outcome]) -> Vec<Resonance> {
+    let probes = system.probes();
+    let mut out: Vec<Resonance> = Vec::new();
+    for (ratio, _, r) in of_spins(system, outcomes) {
+        let maxima: Vec<_> = r.curve.extrema.iter().filter(|e| e.maximum && !probes[e.probe].is_tilt()).collect();
+        let size = |e: &Extremum| if e.unbounded { f64::INFINITY } else { e.value };
+        let largest = maxima.iter().filter(|e| !e.unbounded).map(|e| e.value).fold(0.0, f64::max);
+        let mut sorted: Vec<_> = maxima.into_iter().filter(|e| size(e) >= SMALL * largest).collect();
+        sorted.sort_by_number_down(|e| size(e));
+        for e in sorted {
+            let speed = (e.speed / ratio).abs();
+            if !out.iter().any(|known| (known.speed - speed).abs() < 0.02 * speed) {
+                out.push(Resonance { speed, amplitude: Some((probes::named(&probes[e.probe]), size(e))) });
+            }
+        }
+    }
+    out
+}
+
 /// Modes about the equilibrium at this speed.
 pub(super) fn modes(outcomes: &[Outcome], speed: f64) -> Found<ModesResult> {
     let fits = |s: &Modes| s.about == About::Rest && s.threshold == 0.0 && (s.speed - speed).abs() <= SAME * speed.abs();
@@ -75,6 +120,18 @@ pub(super) fn unstable(outcomes: &[Outcome], needed: Needed) -> Option<(C64, &st
     grows.filter(|(value, _)| value.re > 0.0).max_by(|a, b| a.0.re.total_cmp(&b.0.re))
 }
 
+/// The largest stable whirl that a study of limit cycles found beside the state at rest at one of the operating speeds, and the study's name.
+pub(super) fn whirl_beside(outcomes: &[Outcome], sign: f64, operating: Operating) -> Option<(Arg, &str)> {
+    let all =
+        outcomes.iter().flat_map(|o| o.findings.iter().map(move |f| (f, o.name.as_str()))).filter(|(f, _)| f.id == "whirl_beside_rest");
+    let holds = |f: &Finding| {
+        let ends = f.number("from").zip(f.number("to")).map(|(a, b)| (sign * a, sign * b));
+        ends.is_some_and(|(a, b)| a.min(b) <= operating.high && operating.low <= a.max(b))
+    };
+    let (f, name) = all.filter(|(f, _)| holds(f)).max_by(|a, b| a.0.value.unwrap_or(0.0).total_cmp(&b.0.value.unwrap_or(0.0)))?;
+    Some((Arg::quantity(f.value?, &f.unit), name))
+}
+
 /// Growth over the speed: of a stability map, else the mode that grows most along another study.
 pub(super) fn growth(outcomes: &[Outcome], needed: Needed) -> Found<Row> {
     let fits = |s: &StabilityMap| {
@@ -84,7 +141,7 @@ pub(super) fn growth(outcomes: &[Outcome], needed: Needed) -> Found<Row> {
     let map = complete::<StabilityMap, StabilityMapResult>(outcomes).filter(|(s, ..)| fits(s));
     let mut map = map.filter_map(|(_, r, name)| Some((r.rows.first()?.clone(), name.to_string())));
     let campbell = || {
-        let all = complete::<Campbell, CampbellResult>(outcomes).filter(|(s, ..)| needed.within(&s.speed));
+        let all = complete::<Campbell, CampbellResult>(outcomes).filter(|(s, ..)| needed.within(&s.speed) && reaches(s, &[1.0]));
         all.map(|(_, r, name)| (&r.strongest, name)).find(|(s, _)| !s.is_empty())
     };
     let criticals = || {
@@ -135,6 +192,12 @@ fn row(strongest: &[Strongest]) -> Row {
     Row { samples, ..out }
 }
 
+/// The frequencies to which modes were followed hold all that these orders excite.
+fn reaches(study: &Campbell, orders: &[f64]) -> bool {
+    let highest = orders.iter().fold(0.0f64, |m, k| m.max(k.abs())) * study.speed.to.abs().max(study.speed.from.abs());
+    study.frequency.is_none_or(|limit| limit >= highest)
+}
+
 /// Critical speeds of these orders, with the response beside them where a study of the file computed it.
 pub(super) fn criticals(outcomes: &[Outcome], needed: Needed, orders: &[f64]) -> Found<CriticalSpeedsResult> {
     let all = |have: &[f64]| orders.iter().all(|k| have.contains(k));
@@ -142,7 +205,7 @@ pub(super) fn criticals(outcomes: &[Outcome], needed: Needed, orders: &[f64]) ->
     let own = own.map(|(_, r, name)| (r.clone(), name.to_string()));
     let campbell = || {
         let mut fits = complete::<Campbell, CampbellResult>(outcomes);
-        let (_, r, name) = fits.find(|(s, ..)| needed.within(&s.speed) && all(&s.orders))?;
+        let (_, r, name) = fits.find(|(s, ..)| needed.within(&s.speed) && all(&s.orders) && reaches(s, orders))?;
         let found = CriticalSpeedsResult {
             crossings: r.crossings.clone(),
             strongest: r.strongest.clone(),

@@ -8,6 +8,7 @@ use crate::solve::rest::over_speed;
 use crate::solve::roots::transcendental;
 use crate::solve::sweep::spectrum;
 use crate::study::Context;
+use crate::study::linear::whirl::far;
 use laval_num::complex::C64;
 use laval_num::univariate::maximum;
 use std::f64::consts::TAU;
@@ -37,8 +38,9 @@ pub(super) fn decrement(m: &MachineMode) -> f64 {
     -TAU * m.growth() / m.frequency()
 }
 
-fn least(s: &Spectrum) -> Option<(f64, f64)> {
-    let oscillating = s.modes.iter().filter(|m| m.frequency() > 0.0);
+/// Of modes that are not far above these speeds: higher ones are those of a division.
+fn least(s: &Spectrum, fastest: f64) -> Option<(f64, f64)> {
+    let oscillating = s.modes.iter().filter(|m| m.frequency() > 0.0 && !far(m, fastest));
     oscillating.map(|m| (decrement(m), m.frequency())).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
@@ -81,8 +83,8 @@ fn search(system: &System, operating: Operating, sign: f64) -> Result<Option<Wor
             found = Some(Worst { speed: w, value: m.value, modes: s.held().count(), decrement: None, peaks: Vec::new() });
         }
     }
-    let damped = tops(&|s| least(s).map(|d| -d.0));
-    let decrements = all.iter().cloned().chain(located(&damped, &at).map(|p| p.1)).filter_map(|s| least(&s));
+    let damped = tops(&|s| least(s, operating.high).map(|d| -d.0));
+    let decrements = all.iter().cloned().chain(located(&damped, &at).map(|p| p.1)).filter_map(|s| least(&s, operating.high));
     let decrement = decrements.min_by(|a, b| a.0.total_cmp(&b.0));
     let peaks = peaks.into_iter().map(|w| sign * w).collect();
     Ok(found.map(|f| Worst { decrement, peaks, ..f }))

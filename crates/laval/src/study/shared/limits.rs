@@ -72,7 +72,12 @@ pub const FIELDS: &[Field] = &[
         "",
         "largest distance of a rotor's centre of mass from the spin axis over its eccentricity, c0: 0.5 is usual above the critical speed",
     ),
-    Field::optional("speed", FieldKind::Quantity { unit: "rad/s", bounds: Bounds::positive(1e6) }, "", "highest speed, for strength"),
+    Field::optional(
+        "speed",
+        FieldKind::Quantity { unit: "rad/s", bounds: Bounds::positive(1e6) },
+        "",
+        "highest speed of any shaft, for strength",
+    ),
     Field::optional(
         "rated_density",
         FieldKind::Quantity { unit: "kg/m^3", bounds: Bounds::positive(1e5) },
@@ -112,6 +117,15 @@ fn point(name: &str) -> Option<(&str, f64)> {
 
 /// Height of a point, m, at most.
 const FARTHEST: f64 = 100.0;
+
+/// Share of the length of a body by which a point may lie beyond its end: rounding.
+const SAME: f64 = 1e-9;
+
+/// First and last position on a body that bends.
+fn extent(system: &System, body: &str) -> Option<(f64, f64)> {
+    let nodes = system.slots().iter().find(|s| s.name == body)?.part.body()?.nodes()?;
+    Some(nodes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(*z), b.max(*z))))
+}
 
 /// Names of the bodies that have such stations.
 fn names(system: &System, such: impl Fn(&Station) -> bool) -> Vec<String> {
@@ -203,7 +217,16 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
             match (name, point) {
                 (None, _) => found.extend(known.iter().map(|n| limit(n, n, None, value))),
                 (Some(n), _) if known.iter().any(|k| k == n) => found.push(limit(n, n, None, value)),
-                (Some(n), Some((body, at))) => found.push(limit(n, body, Some(at), value)),
+                (Some(n), Some((body, at))) => {
+                    let off = |(from, to): &(f64, f64)| !(*from - SAME * (to - from) <= at && at <= *to + SAME * (to - from));
+                    if let Some((from, to)) = extent(system, body).filter(off) {
+                        let place = |x: f64| text::quantity(x, "m");
+                        let message = text!("{field} names \"{n}\", a point that \"{body}\" does not have", field, n, body);
+                        let help = text!("it reaches from {from} to {to}", from = place(from), to = place(to));
+                        out.push(Diagnostic::error("limits.place", message).at(v.span_of(field)).about(n).help(help));
+                    }
+                    found.push(limit(n, body, Some(at), value));
+                }
                 (Some(n), None) => {
                     let all = known.join(", ");
                     let there = match ON_POINTS.contains(&field) {

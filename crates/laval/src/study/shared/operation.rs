@@ -37,7 +37,7 @@ pub const FIELDS: &[Field] = &[
         "resonance_margin",
         FieldKind::Quantity { unit: "", bounds: Bounds::closed(0.0, 1.0) },
         "",
-        "least distance of resonances from the operating speeds, over the speed; clearance of [limits], or 15 %, where absent",
+        "least distance of resonances from the operating speeds, over the speed; the larger one of this and the clearance of [limits] counts, 15 % where both are absent",
     ),
     Field::optional(
         "instability_margin",
@@ -49,7 +49,7 @@ pub const FIELDS: &[Field] = &[
         "decrement",
         FieldKind::Quantity { unit: "", bounds: Bounds::positive(100.0) },
         "",
-        "least logarithmic decrement of every natural mode at the operating speed",
+        "least logarithmic decrement of every natural mode at the operating speed, of frequencies up to ten times that speed",
     ),
     standards::BALANCE_GRADE,
     standards::SHAFT_VIBRATION,
@@ -96,10 +96,11 @@ pub fn among(extras: &[Extra]) -> Operation {
     extras.iter().find(|e| e.word == "operation").map(read).unwrap_or_default()
 }
 
-/// Least distance of resonances that the file requires, over the speed: that of `[operation]`, else the clearance of `[limits]`.
+/// Least distance of resonances that the file requires, over the speed: that of `[operation]` or the clearance of `[limits]`, the larger one.
 pub fn required_margin(system: &System) -> Option<f64> {
     let clearance = || system.machine.extras.iter().find(|e| e.word == "limits").and_then(|e| e.values.number("clearance"));
-    among(&system.machine.extras).resonance_margin.or_else(clearance)
+    // of two requirements the stricter one
+    among(&system.machine.extras).resonance_margin.into_iter().chain(clearance()).reduce(f64::max)
 }
 
 /// Says what is wrong with the block.

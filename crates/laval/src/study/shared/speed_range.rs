@@ -3,12 +3,13 @@
 
 use super::vibration;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::model::field::Values;
+use crate::model::field::{RangeValue, Values};
 use crate::model::part::{Beyond, Tabulated};
 use crate::model::system::{Slot, System};
 use crate::outcome::{Arg, Finding, Level, Message, Outcome};
 use crate::study::Study;
 use crate::text;
+use laval_num::order::ascending;
 
 /// Fields of studies that are spin speeds.
 const FIELDS: [&str; 5] = ["speed", "from", "to", "programme", "stabilise_at"];
@@ -111,6 +112,16 @@ pub(in crate::study) fn mark_beyond<T: Study>(study: &T, system: &System, outcom
         }
     }
     vibration::mark_beyond(study, system, outcome);
+}
+
+/// Speeds of a range at which modes are followed: those requested, and the rows of tables between them, where coefficients have their largest values.
+pub(in crate::study) fn with_table_speeds(range: &RangeValue, points: usize, system: &System) -> Vec<f64> {
+    let mut out = range.linspace(points);
+    let near = |w: f64, all: &[f64]| all.iter().any(|s| (s - w).abs() <= 1e-9 * w.abs());
+    let rows: Vec<f64> = system.table_speeds(range.from, range.to).into_iter().filter(|w| !near(*w, &out)).collect();
+    out.extend(rows);
+    ascending(&mut out);
+    out
 }
 
 fn tabulated(system: &System) -> impl Iterator<Item = (&str, Tabulated)> {

@@ -242,7 +242,8 @@ impl Evaluator<'_> {
                 (Some(rated), Some(density)) => derated(highest, rated, density),
                 _ => highest,
             };
-            margins.push(margin(6, 1.0 - speed.abs() / allowed, Detail::Speed));
+            let fastest = system.spins().iter().map(|s| s.ratio.abs()).fold(1.0, f64::max) * speed.abs();
+            margins.push(margin(6, 1.0 - fastest / allowed, Detail::Speed));
         }
         let outside = met.iter().filter_map(|s| s.validity.clone()).map(|(ratio, part)| (1.0 - ratio, part));
         if !nonlinear && states.is_empty() && states_validity(system, speed) {

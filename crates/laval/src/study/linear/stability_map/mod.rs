@@ -26,7 +26,7 @@ use crate::solve::roots::{LEAST, has_more_modes, in_region};
 use crate::solve::stability::{Row, row};
 use crate::study::shared::region;
 use crate::study::shared::size::Size;
-use crate::study::shared::speed_range::SpinSpeeds;
+use crate::study::shared::speed_range::{SpinSpeeds, with_table_speeds};
 use crate::study::shared::support::{ABOUT, About, COUNTS, EndStates, SPEED_RANGE, admit_roots, admit_threshold, one_or_range, range};
 use crate::study::{Context, Study};
 use crate::text;
@@ -133,7 +133,8 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
 
     fn compute(&self, system: &System, context: &Context) -> Result<StabilityMapResult, Diagnostic> {
         self.admit(system)?;
-        let speeds = self.speed.linspace(200);
+        // a map over a parameter is a grid
+        let speeds = if self.parameter.is_some() { self.speed.linspace(200) } else { with_table_speeds(&self.speed, 200, system) };
         let values = self.values();
         let total = (values.len() * speeds.len()) as u64;
         if in_region(system) {

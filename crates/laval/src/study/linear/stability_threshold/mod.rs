@@ -203,12 +203,12 @@ anticipated = "1e6 N/m"
     }
 }
 
-/// The first forward mode, whose decrement the criteria of level 1 assess: the lowest of those that move at the place, that the stiffness drives and that are less than half critically
-/// damped.
+/// The first forward mode, whose decrement the criteria of level 1 assess: the lowest of those that move at the place, that whirl forward for the larger part or that the stiffness drives,
+/// and that are less than half critically damped.
 fn first_forward(all: &[Start]) -> Option<usize> {
     let driven = all.iter().enumerate().filter(|(_, s)| {
         let Point { value, slope, .. } = s.at;
-        s.moves() && slope.re > 0.0 && -value.re < 0.5 * value.abs()
+        s.moves() && (slope.re > 0.0 || s.mode.forward_share > 0.5) && -value.re < 0.5 * value.abs()
     });
     driven.min_by(|a, b| a.1.at.value.im.total_cmp(&b.1.at.value.im)).map(|x| x.0)
 }

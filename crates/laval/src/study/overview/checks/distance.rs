@@ -54,29 +54,53 @@ pub(super) fn distance(what: &str, none: &str, nearest: &Nearest, speed: Operati
     Check { required: Some(Arg::percent(required)), margin, ..Check::new(what, result, verdict) }
 }
 
+/// Where nothing was found as far as it was examined, which is not as far as the distance required: that is no margin.
+fn as_far_as_examined(check: &mut Check, nearest: &Nearest, reach: (f64, f64), examined: (f64, f64)) {
+    const SLACK: f64 = 1e-9;
+    let below = nearest.below.is_some() || examined.0 <= reach.0 * (1.0 + SLACK);
+    let above = nearest.above.is_some() || examined.1 >= reach.1 * (1.0 - SLACK);
+    if check.verdict == Verdict::Passed && !(below && above) {
+        check.verdict = Verdict::Attention;
+        check.margin = None;
+        check.detail = Some(Message::new("distance-not-examined").arg("from", Arg::speed(reach.0)).arg("to", Arg::speed(reach.1)));
+    }
+}
+
+/// Largest step between speeds at which growth was computed among the operating speeds, over the speed, with which a range of them counts as examined.
+const COARSE: f64 = 0.1;
+
+/// Too few speeds were computed between these two.
+fn coarse(over: &OverSpeed, (low, high): (f64, f64)) -> bool {
+    let inside = over.growth_speed.windows(2).filter(|w| w[1] > low && w[0] < high);
+    inside.into_iter().any(|w| w[1] - w[0] > COARSE * w[1])
+}
+
 pub(super) fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, unstable: bool) -> Option<Check> {
     // what ended early below the operating speeds tells nothing of them
-    let covered = |o: &&OverSpeed| ends(&o.growth_speed).is_some_and(|(_, high)| high >= speed.high * (1.0 - 1e-9));
+    let covered = |o: &&OverSpeed| {
+        ends(&o.growth_speed).is_some_and(|(low, high)| low <= speed.low * (1.0 + 1e-9) && high >= speed.high * (1.0 - 1e-9))
+    };
     let Some(over) = over.filter(|o| unstable || covered(o)) else {
         return Some(Check::new("check-instability", facts.stability.why(), Verdict::NotComputed));
     };
     let required = facts.operation.instability_margin.unwrap_or(MARGIN);
     let nearest = margins::instability(over, speed);
-    let mut check = distance(
-        "check-instability",
-        "distance-stable-throughout",
-        &nearest,
-        speed,
-        required,
-        ends(&over.growth_speed).unwrap_or(over.range),
-    );
+    let examined = ends(&over.growth_speed).unwrap_or(over.range);
+    let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, required, examined);
     check.detail = facts.stability.source();
+    let reach = facts.reach(speed, facts.operation.instability_margin);
+    as_far_as_examined(&mut check, &nearest, reach, examined);
+    if check.verdict == Verdict::Passed && facts.near.is_none() && coarse(over, reach) {
+        check.verdict = Verdict::Attention;
+        check.margin = None;
+        check.detail = Some(Message::new("distance-coarse"));
+    }
     // a band may be narrower than the steps over the range
     if unstable || nearest.margin(speed) == Some(0.0) {
         check.verdict = Verdict::Failed;
         check.margin = None;
         check.result = inside(over, speed);
-    } else if check.verdict == Verdict::Attention && facts.operation.instability_margin.is_some() {
+    } else if check.verdict == Verdict::Attention && check.margin.is_some() && facts.operation.instability_margin.is_some() {
         check.verdict = Verdict::Failed;
     }
     Some(check)
@@ -112,8 +136,15 @@ fn exempt(over: &OverSpeed) -> Option<Message> {
 
 pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
     let set = facts.resonance_margin();
-    let over = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some());
-    let searched = over.and_then(|o| facts.searched(o)).filter(|s| s.1 >= speed.high * (1.0 - 1e-9));
+    let reach = facts.reach(speed, set);
+    let over = over.filter(|o| !o.response_speed.is_empty() || facts.criticals.get().is_some() || facts.narrow.is_some());
+    let own = over.and_then(|o| facts.searched(o)).filter(|s| s.1 >= speed.high * (1.0 - 1e-9));
+    // the search about the operating speeds reaches as far as required
+    let searched = match (own, &facts.narrow) {
+        (Some(own), Some(_)) => Some((own.0.min(reach.0), own.1.max(reach.1))),
+        (None, Some(_)) => Some(reach),
+        (own, None) => own,
+    };
     let Some((over, searched)) = over.zip(searched) else {
         return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
     };
@@ -121,8 +152,15 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     let none = if over.critically_damped.is_empty() { "distance-no-resonance" } else { "distance-no-other-resonance" };
     let mut check = distance("check-resonance", none, &nearest, speed, set.unwrap_or(MARGIN), searched);
     check.detail = exempt(over).or_else(|| source(facts, over, &nearest, speed));
-    if check.verdict == Verdict::Attention && set.is_some() {
+    as_far_as_examined(&mut check, &nearest, reach, searched);
+    let open = facts.orders_open();
+    if check.verdict == Verdict::Attention && check.margin.is_some() && set.is_some() {
         check.verdict = Verdict::Failed;
+    } else if check.verdict == Verdict::Passed && !open.is_empty() {
+        check.verdict = Verdict::Attention;
+        check.margin = None;
+        let orders = Arg::List(open.iter().map(|k| Arg::number(*k)).collect());
+        check.detail = Some(Message::new("distance-orders-open").arg("orders", orders));
     }
     Some(check)
 }

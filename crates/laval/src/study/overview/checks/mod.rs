@@ -14,7 +14,7 @@ pub(super) use stability::grows;
 
 use super::Facts;
 use super::operating::{Operating, span};
-use crate::outcome::{Arg, Check, Data, Message, Outcome, OverSpeed, Verdict};
+use crate::outcome::{Arg, Check, Data, Level, Message, Outcome, OverSpeed, Verdict};
 use crate::study::Study;
 use crate::study::centrifuge::operating_window::OperatingWindow;
 use distance::{instability, resonance};
@@ -42,6 +42,7 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
         out.extend(window(facts, speed));
         out.extend(highest(facts, speed));
         out.extend(left_out(facts, true, assessed));
+        out.extend(requirements(facts));
         return out;
     }
     let mut out = vec![stability(facts, over, speed)];
@@ -77,6 +78,7 @@ pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
     out.extend(window(facts, speed));
     out.extend(highest(facts, speed));
     out.extend(left_out(facts, false, true));
+    out.extend(requirements(facts));
     // a reason that holds for several stands once
     let mut reasons: Vec<Message> = Vec::new();
     for c in out.iter_mut().filter(|c| c.result.key == "why-refused") {
@@ -108,13 +110,30 @@ fn window(facts: &Facts, speed: Operating) -> Option<Check> {
 /// The highest speed allowed.
 fn highest(facts: &Facts, speed: Operating) -> Option<Check> {
     let limit = facts.limits.speed?;
-    let (required, verdict) = against(Some(((limit, speed.high), "rad/s")));
-    Some(Check { required, ..Check::new("check-speed", Message::new("speed-is").arg("speed", Arg::speed(speed.high)), verdict) })
+    // the limit is one of strength: it holds for the fastest shaft
+    let fastest = facts.system.spins().iter().map(|s| s.ratio.abs()).fold(1.0, f64::max) * speed.high;
+    let (required, verdict) = against(Some(((limit, fastest), "rad/s")));
+    Some(Check { required, ..Check::new("check-speed", Message::new("speed-is").arg("speed", Arg::speed(fastest)), verdict) })
+}
+
+/// Warnings of studies that a requirement of theirs is not kept, or not known to be.
+const REQUIREMENTS: [&str; 4] = ["separation_margin", "margin", "level_1", "shaft_vibration"];
+
+/// Requirements that studies of the file assess, such as those of API 684: none where all of them are kept.
+fn requirements(facts: &Facts) -> Option<Check> {
+    let broken = |o: &&Outcome| o.findings.iter().any(|f| f.level == Level::Warning && REQUIREMENTS.contains(&f.id.as_str()));
+    let names: Vec<&str> = facts.outcomes.iter().filter(broken).map(|o| o.name.as_str()).collect();
+    let result = Message::new("studies-requirements").arg("studies", Arg::names(names.iter().copied()));
+    (!names.is_empty()).then(|| Check::new("check-studies", result, Verdict::Attention))
 }
 
 /// Limits that this page does not assess.
 fn left_out(facts: &Facts, balls: bool, vibration: bool) -> Option<Check> {
-    let l = &facts.limits;
+    // an operating window assesses them all
+    if window(facts, facts.operating?).is_some() {
+        return None;
+    }
+    let (l, o) = (&facts.limits, &facts.operation);
     let mut names = Vec::new();
     let mut add = |given: bool, name: &'static str| names.extend(given.then_some(name));
     add(!l.tilt.is_empty(), "tilt");
@@ -126,6 +145,9 @@ fn left_out(facts: &Facts, balls: bool, vibration: bool) -> Option<Check> {
     add(balls && !l.force.is_empty(), "force");
     add(balls && l.clearance.is_some(), "clearance");
     add(balls && l.growth > 0.0, "growth_margin");
+    add(balls && o.resonance_margin.is_some(), "resonance_margin");
+    add(balls && o.instability_margin.is_some(), "instability_margin");
+    add(balls && o.decrement.is_some(), "decrement");
     let result = Message::new("limits-left-out").arg("names", Arg::names(names.iter().copied()));
     (!names.is_empty()).then(|| Check::new("check-others", result, Verdict::NotComputed))
 }

@@ -107,15 +107,17 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let detail = named
         .first()
         .map(|(p, _)| Message::new("vibration-velocity").arg("name", probes::named(p)).arg("peak", Arg::quantity(velocity(p), "m/s")));
+    // the limit of a body holds at its reference point, wherever something is attached and along a shaft
+    let held = |l: &Limit, p: &Probe| !p.is_tilt() && if l.at.is_some() { l.is_at(p) } else { p.name == l.body };
     let kept = |limits: &[Limit], size: &dyn Fn(&Probe) -> f64| {
-        // the limit of a body holds at its reference point, wherever something is attached and along a shaft
-        let held = |l: &Limit, p: &Probe| !p.is_tilt() && if l.at.is_some() { l.is_at(p) } else { p.name == l.body };
         let one = |l: &Limit| Some((l.name.clone(), all.iter().chain(&between).filter(|p| held(l, p)).map(size).reduce(larger)?, l.value));
         used(limits.iter().filter_map(one).collect())
     };
     let limited = kept(&facts.limits.displacement, &size);
     let (required, verdict) = against(limited.first().map(|w| ((w.2, w.1), "m")));
-    let (result, required) = match each(&limited, "m") {
+    // what moves most may have no limit
+    let free = named.first().is_some_and(|(p, _)| !limited.is_empty() && !facts.limits.displacement.iter().any(|l| held(l, p)));
+    let (result, required) = match each(&limited, "m", free) {
         Some((sizes, each)) => (Message::new("vibration-sizes").arg("sizes", sizes), Some(each)),
         None => (result, required),
     };
@@ -137,7 +139,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     if let Some((_, worst, limit)) = limited.first() {
         let (required, verdict) = against(Some(((*limit, *worst), "m/s")));
         let verdict = if closes.is_empty() || nonlinear.is_some() || verdict == Verdict::Failed { verdict } else { Verdict::Attention };
-        let (result, required) = match each(&limited, "m/s") {
+        let (result, required) = match each(&limited, "m/s", false) {
             Some((sizes, each)) => (Message::new("velocity-sizes").arg("sizes", sizes), Some(each)),
             None => (Message::new("velocity-is").arg("value", Arg::quantity(*worst, "m/s")), required),
         };
@@ -213,7 +215,8 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         true => Message::new("forces-none"),
         false => Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect())),
     };
-    let (result, required) = match each(&limited, "N") {
+    let free = all.first().is_some_and(|a| !limited.is_empty() && limit(a.0).is_none());
+    let (result, required) = match each(&limited, "N", free) {
         Some((sizes, each)) => (Message::new("forces-sizes").arg("sizes", sizes), Some(each)),
         None => (result, required),
     };
@@ -251,9 +254,9 @@ fn used(mut all: Vec<(String, f64, f64)>) -> Vec<(String, f64, f64)> {
     all
 }
 
-/// Where limits differ: each value beside its own, and the requirement.
-fn each(limited: &[(String, f64, f64)], unit: &'static str) -> Option<(Arg, Arg)> {
-    limited.windows(2).any(|w| w[0].2 != w[1].2).then_some(())?;
+/// Where limits differ, or are not on the values that would be shown (`free`): each value beside its own, and the requirement.
+fn each(limited: &[(String, f64, f64)], unit: &'static str, free: bool) -> Option<(Arg, Arg)> {
+    (free || limited.windows(2).any(|w| w[0].2 != w[1].2)).then_some(())?;
     let item = |(name, x, limit): &(String, f64, f64)| {
         let item = Message::new("item-of").arg("name", Arg::name(name)).arg("value", Arg::quantity(*x, unit));
         Arg::from(item.arg("limit", Arg::quantity(*limit, unit)))

@@ -10,7 +10,7 @@ use crate::solve::machine_mode::{MachineMode, Whirl};
 use crate::solve::pencil::Spectrum;
 use crate::solve::roots::has_more_modes;
 use crate::study::Study;
-use crate::study::linear::whirl::aperiodic;
+use crate::study::linear::whirl::{aperiodic, far};
 use crate::study::shared::support::{growth_rounding, larger};
 use std::f64::consts::TAU;
 
@@ -110,6 +110,11 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         let below = |limit: f64| named("stability-stable-below").arg("limit", Arg::frequency(limit));
         (limit.map_or_else(|| named("stability-stable"), below), Verdict::Passed)
     };
+    // a whirl beside the state at rest
+    if let (Some((value, name)), Verdict::Passed) = (studied::whirl_beside(facts.outcomes, facts.sign, speed), verdict) {
+        let source = Message::new("from-study").arg("study", Arg::name(name));
+        return Check { detail: Some(source), ..of(Message::new("stability-beside").arg("value", value), Verdict::Attention) };
+    }
     // the response that unbalance drives may be unstable where the machine at rest is stable
     if let (Some(s), Verdict::Passed | Verdict::Attention) = (&facts.steady, verdict) {
         match s.stable {
@@ -193,7 +198,9 @@ pub(super) fn damping(facts: &Facts) -> Option<Check> {
     };
     let (_, known) = facts.modes.as_ref()?;
     let Some(result) = known.get() else { return of(known.why(), Verdict::NotComputed) };
-    let oscillating = result.spectrum.modes.iter().filter(|m| !aperiodic(m.value)).map(|m| (decrement(m), m.frequency()));
+    let fastest = facts.operating.map_or(0.0, |o| o.high);
+    let oscillating =
+        result.spectrum.modes.iter().filter(|m| !aperiodic(m.value) && !far(m, fastest)).map(|m| (decrement(m), m.frequency()));
     // of a range of speeds the least counts
     let all = oscillating.chain(facts.worst.as_ref().and_then(|w| w.decrement));
     let Some((least, frequency)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else {

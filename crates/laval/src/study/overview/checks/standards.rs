@@ -3,6 +3,7 @@
 use super::super::operating::Operating;
 use super::super::{Facts, Known};
 use super::MOST_NAMED;
+use super::response::{kept_without, spins_left_out, without_spins};
 use crate::outcome::{Arg, Check, Message, Verdict};
 use crate::solve::statics::supports::supports;
 use crate::solve::statics::unbalance::{Rotor, rotors};
@@ -123,10 +124,14 @@ fn one_standard(facts: &Facts, speed: Operating, what: &str, standard: Vibration
     // the linear response passes through a part that would hold it
     let closes = steady.is_none() && facts.response.as_ref().and_then(Known::get).is_some_and(|r| !r.observed.closed.is_empty());
     let verdict = if closes && verdict == Verdict::Passed { Verdict::Attention } else { verdict };
+    // their own unbalance is left out
+    let spins = spins_left_out(facts);
+    let verdict = kept_without(&spins, verdict);
     let detail = Message::new(if of_housings { "housing-vibration-detail" } else { "shaft-vibration-detail" })
         .arg("standard", Arg::word(standard.word()))
         .arg("speed", Arg::speed(worst.speed))
         .arg("nonlinear", Arg::word(if steady.is_some() { "yes" } else { "no" }));
     let required = Some(Arg::from(Message::new("required-below").arg("limit", size(worst.speed, standard.limit(worst.speed)))));
+    let detail = without_spins(&spins).unwrap_or(detail);
     Check { detail: Some(detail), required, ..Check::new(what, Message::new("shaft-vibration-sizes").arg("sizes", sizes), verdict) }
 }
