@@ -54,7 +54,8 @@ pub(super) fn write(model: &Model, name: &str) -> Result<Imported, Diagnostics> 
     }
     notes.say(text!("lateral motion alone is carried over; axial = true and torsional = true of the shaft add the others"));
     notes.say(text!("ROSS takes g = 9.8065 m/s^2 in run_static, laval 9.80665 m/s^2"));
-    let mut text = format!("# From a model of ROSS {}.\n#\n", plain(&model.version));
+    let version = if model.version.is_empty() { String::new() } else { format!(" {}", plain(&model.version)) };
+    let mut text = format!("# From a model of ROSS{version}.\n#\n");
     let notes = notes.texts();
     for note in &notes {
         let _ = writeln!(text, "# - {}", plain(&note.to_string()));

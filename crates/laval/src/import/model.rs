@@ -5,6 +5,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::file::tree::{Data, Entry, Node, get};
 use crate::text;
 use crate::text::Text;
+use std::cell::RefCell;
 
 /// Largest number of a node; more nodes than any rotor has would only take memory.
 const MOST_NODES: i64 = 10_000;
@@ -123,7 +124,10 @@ pub(super) struct Bearing {
 
 pub(super) const COEFFICIENTS: [&str; 8] = ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"];
 /// Of a bearing, without a place here.
-const LEFT_OUT: [&str; 7] = ["kzz", "czz", "mxx", "mxy", "myx", "myy", "mzz"];
+const LEFT_OUT: [&str; 8] = ["kzz", "czz", "mxx", "mxy", "myx", "myy", "mzz", "radial_clearance"];
+
+/// Keys of elements that say how ROSS draws them, that follow from others, or that a remark on the whole model covers.
+const IGNORED: [&str; 9] = ["color", "scale_factor", "n_l", "n_r", "tag", "odr", "idr", "shear_method_calc", "interpolation"];
 
 /// A saved model.
 #[derive(Clone, Debug, Default)]
@@ -145,11 +149,24 @@ pub(super) struct Read<'r, 'n> {
     pub table: &'r [Entry<'n>],
     pub span: Option<Span>,
     pub out: &'r mut Diagnostics,
+    /// Keys that were looked up.
+    seen: RefCell<Vec<String>>,
 }
 
 impl<'r, 'n> Read<'r, 'n> {
+    pub fn new(name: &'r str, table: &'r [Entry<'n>], span: Option<Span>, out: &'r mut Diagnostics) -> Self {
+        Read { name, table, span, out, seen: RefCell::default() }
+    }
+    /// Keys that mean something to nothing here.
+    fn unread(&self) -> Vec<String> {
+        let seen = self.seen.borrow();
+        let known = |key: &str| seen.iter().any(|s| s == key) || IGNORED.contains(&key);
+        let given = self.table.iter().filter(|e| !matches!(e.node.data, Data::Other(_)));
+        given.map(|e| e.key.to_string()).filter(|k| !known(k)).collect()
+    }
     /// The value of a key; null of JSON is none.
     fn get(&self, key: &str) -> Option<&'r Node<'n>> {
+        self.seen.borrow_mut().push(key.to_string());
         get(self.table, key).map(|e| &e.node).filter(|n| !matches!(n.data, Data::Other(_)))
     }
     fn missing(&mut self, key: &str) {
@@ -250,6 +267,9 @@ impl Model {
     /// `[parameters]`.
     pub fn settings(&mut self, r: &mut Read) {
         self.rated = Some(r.number_or("rated_w", 0.0)).filter(|w| *w > 0.0);
+        if self.rated.is_none() {
+            self.left_out(r, &["rated_w"]);
+        }
         self.damping = r.rayleigh();
         self.left_out(r, &["modal_damping_ratio", "default_damping_ratio"]);
     }
@@ -276,6 +296,8 @@ impl Model {
             Kind::Mass => {
                 let (name, tag, span) = (r.name.to_string(), r.tag(), r.span.clone());
                 let all = if r.get("mx").is_none() { r.number("m") } else { 0.0 };
+                // of motion across the axis alone
+                let _ = [r.get("m"), r.get("mz")];
                 let (node, mx, my) = (r.own_node(), r.number_or("mx", all), r.number_or("my", all));
                 if mx != my {
                     self.notes.add(Note::MeanMass, r.name);
@@ -284,12 +306,19 @@ impl Model {
             }
             Kind::Bearing | Kind::Seal | Kind::Computed => self.bearing(kind, r),
         }
+        // the geometry of what ROSS computes coefficients from has a remark of its own, and so have teeth
+        if matches!(class, "ShaftElement" | "DiskElement" | "PointMass" | "BearingElement") {
+            let keys = r.unread();
+            if !keys.is_empty() {
+                self.notes.add(Note::NotRead(keys), r.name);
+            }
+        }
     }
 
     fn shaft(&mut self, r: &mut Read) {
         let material = match r.get("material").map(|n| (n.table(), n)) {
             Some((Some(table), _)) => {
-                let mut m = Read { name: r.name, table, span: r.span.clone(), out: r.out };
+                let mut m = Read::new(r.name, table, r.span.clone(), r.out);
                 Material {
                     name: m.get("name").and_then(Node::text).unwrap_or_default().to_string(),
                     modulus: m.number("E"),

@@ -11,6 +11,8 @@ const NAMED: usize = 3;
 pub(super) enum Note {
     /// Keys without a place here.
     LeftOut(Vec<&'static str>),
+    /// Keys that no element of this kind has.
+    NotRead(Vec<String>),
     NoTeeth,
     MeanMass,
     /// A table over speed and frequency.
@@ -62,6 +64,10 @@ fn said(note: &Note, elements: Arg) -> Text {
         Note::LeftOut(keys) => {
             let keys = text::list(keys.iter().map(|k| Arg::Plain((*k).into())), Joint::Comma);
             text!("{elements}: {keys} left out", elements, keys)
+        }
+        Note::NotRead(keys) => {
+            let keys = text::list(keys.iter().map(text::quoted), Joint::Comma);
+            text!("{elements}: not read, as no element of this kind has such a key: {keys}", elements, keys)
         }
         Note::NoTeeth => text!("{elements}: a disc without teeth", elements),
         Note::MeanMass => text!("{elements}: the mean of mx and my is taken", elements),

@@ -78,10 +78,10 @@ fn read(root: &[Entry], find: impl Fn(&str) -> Option<Span>) -> Result<Model, Di
         let span = e.span.clone().or_else(|| find(&e.key));
         match (&*e.key, e.node.table()) {
             ("ross_version", _) => model.version = e.node.text().unwrap_or_default().to_string(),
-            ("parameters", Some(table)) => model.settings(&mut Read { name: "parameters", table, span, out: &mut out }),
+            ("parameters", Some(table)) => model.settings(&mut Read::new("parameters", table, span, &mut out)),
             (_, Some(table)) => {
                 let class = e.key.split('_').next().unwrap_or_default();
-                let mut element = Read { name: &e.key, table, span, out: &mut out };
+                let mut element = Read::new(&e.key, table, span, &mut out);
                 match Kind::of(class) {
                     Some(kind) => model.element(kind, class, &mut element),
                     None => {

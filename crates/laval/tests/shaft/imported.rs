@@ -288,3 +288,21 @@ fn damaged_files_are_read_or_refused() {
         }
     }
 }
+
+/// A key that no element of its kind has is a mistake of whoever wrote the file by hand: it is listed. What ROSS writes has none.
+#[test]
+fn keys_that_are_not_read_are_listed() {
+    let unread = |i: &Imported| i.notes.iter().map(ToString::to_string).filter(|n| n.contains("not read")).collect::<Vec<_>>();
+    for file in ["compressor.toml", "cones.toml", "damped.toml", "layers.toml", "pedestals.json", "sleeves.toml"] {
+        assert_eq!(unread(&imported(file)), Vec::<String>::new(), "{file}");
+    }
+    let material = "material = { name = \"steel\", rho = 7810.0, E = 2.11e11, G_s = 8.12e10 }";
+    let text = format!(
+        "[parameters]\nrated_w = -500.0\n[ShaftElement_0]\nL = 0.5\nn = 0\nidl = 0.0\nodl = 0.05\n{material}\n\
+         [DiskElement_d]\nn = 1\nm = 8.0\nId = 0.1\nIp = 0.2\nmass = 9.0\n[BearingElement_a]\nn = 0\nkxx = 1e7\ncxx = 1e3\nkxxx = 2.0\n"
+    );
+    let found = import(text.as_bytes(), "rotor").unwrap_or_else(|d| panic!("{d}"));
+    let said = unread(&found);
+    assert!(said.len() == 2 && said[0].contains("\"mass\"") && said[1].contains("\"kxxx\""), "{said:?}");
+    assert!(found.notes.iter().any(|n| n.contains("rated_w left out")) && found.text.starts_with("# From a model of ROSS.\n"));
+}

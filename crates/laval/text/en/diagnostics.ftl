@@ -964,6 +964,7 @@ diag-has-values-of-for-speeds-0087 = { $element } has { $n } values of { $key } 
 
 diag-and-more-1d3b = { $names } and { $n } more
 diag-left-out-5499 = { $elements }: { $keys } left out
+diag-not-read-as-no-element-of-a77e = { $elements }: not read, as no element of this kind has such a key: { $keys }
 diag-a-disc-without-teeth-e596 = { $elements }: a disc without teeth
 diag-the-mean-of-mx-and-my-8318 = { $elements }: the mean of mx and my is taken
 diag-of-the-coefficients-over-speed-and-9cb9 = { $elements }: of the coefficients over speed and frequency those at frequency = speed are taken
@@ -1640,6 +1641,7 @@ diag-this-study-knows-one-spin-and-77ac = this study knows one spin, and the mac
 diag-modes-campbell-critical-speeds-stability-map-4ae2 = modes, campbell, critical_speeds, stability_map, forced_response, harmonic_force, static, transient and run_up take several spins
 diag-the-study-needs-the-coefficients-of-46db = the study needs the coefficients of "{ $name }" at { $from }; its table goes from { $low } to { $high }
 diag-the-study-needs-the-coefficients-of-bb45 = the study needs the coefficients of "{ $name }" from { $from } to { $to }; its table goes from { $low } to { $high }
+diag-turns-times-as-fast-as-the-880f = "{ $name }" turns { $ratio } times as fast as the machine, and its table is over that speed: write negative speeds, and cross-coupled coefficients for that direction
 diag-keep-to-speeds-of-the-table-c95a = keep to speeds of the table, add rows to it, or write beyond = "hold" or beyond = "linear" in "{ $name }": results beyond are then marked
 
 ## laval/src/study/shared/support.rs

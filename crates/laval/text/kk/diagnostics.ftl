@@ -1651,3 +1651,7 @@ diag-joins-two-points-of-one-body-7eda = «{ $name }» бір дененің е�
 diag-a-bearing-or-shaft-joins-a-78c9 = мойынтірек не білік денені басқа денемен немесе "ground"-пен қосады
 diag-a-transmitted-torque-needs-two-bodies-84a3 = берілетін моментке бұралатын екі дене керек: екеуіне де torsional = true беріңіз
 diag-layers-and-are-in-the-same-4df9 = { $first } және { $second } қабаттары { $position } орнында бір жерде жатыр
+diag-names-a-point-that-does-not-8b5a = { $field } «{ $n }» нүктесін атайды, «{ $body }» денесінде ондай нүкте жоқ
+diag-it-reaches-from-to-517d = ол { $from } мен { $to } аралығында
+diag-not-read-as-no-element-of-a77e = { $elements }: оқылмады, мұндай түрдегі элементтерде ондай кілт жоқ: { $keys }
+diag-turns-times-as-fast-as-the-880f = «{ $name }» машинадан { $ratio } есе жылдам айналады, кестесі сол жиілік бойынша беріледі: теріс айналу жиіліктерін және сол бағыттың айқас коэффициенттерін жазыңыз

@@ -1341,3 +1341,7 @@ diag-joins-two-points-of-one-body-7eda = «{ $name }» соединяет две
 diag-a-bearing-or-shaft-joins-a-78c9 = опора или вал соединяет тело с другим телом или с "ground"
 diag-a-transmitted-torque-needs-two-bodies-84a3 = передаваемому моменту нужны два тела, которые скручиваются: задайте torsional = true для обоих
 diag-layers-and-are-in-the-same-4df9 = слои { $first } и { $second } занимают одно место в { $position }
+diag-names-a-point-that-does-not-8b5a = { $field } называет «{ $n }» – точку, которой у «{ $body }» нет
+diag-it-reaches-from-to-517d = тело простирается от { $from } до { $to }
+diag-not-read-as-no-element-of-a77e = { $elements }: не прочитано, у элементов этого вида нет таких ключей: { $keys }
+diag-turns-times-as-fast-as-the-880f = «{ $name }» вращается в { $ratio } раза быстрее машины, и его таблица задаётся по этой частоте: запишите отрицательные частоты вращения и перекрёстные коэффициенты для этого направления

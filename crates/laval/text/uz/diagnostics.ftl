@@ -1649,3 +1649,7 @@ diag-joins-two-points-of-one-body-7eda = "{ $name }" bitta jismning ikki nuqtasi
 diag-a-bearing-or-shaft-joins-a-78c9 = podshipnik yoki val jismni boshqa jism yoki "ground" bilan bog‘laydi
 diag-a-transmitted-torque-needs-two-bodies-84a3 = uzatiladigan momentga buraladigan ikki jism kerak: ikkalasiga ham torsional = true bering
 diag-layers-and-are-in-the-same-4df9 = { $first } va { $second } qatlamlar { $position } da bir joyda yotadi
+diag-names-a-point-that-does-not-8b5a = { $field } "{ $n }" nuqtani ko‘rsatadi, "{ $body }" jismida bunday nuqta yo‘q
+diag-it-reaches-from-to-517d = u { $from } dan { $to } gacha cho‘zilgan
+diag-not-read-as-no-element-of-a77e = { $elements }: o‘qilmadi, bunday turdagi elementlarda bunday kalit yo‘q: { $keys }
+diag-turns-times-as-fast-as-the-880f = "{ $name }" mashinadan { $ratio } marta tez aylanadi, jadvali shu tezlik bo‘yicha beriladi: manfiy tezliklar va shu yo‘nalishdagi kesishma koeffitsientlarni yozing

@@ -1,6 +1,6 @@
 //! Whether the machine holds its position at rest: real positive roots at standstill are a static instability (divergence), for instance a buckled shaft.
 
-use super::{Known, limited, within};
+use super::{Known, SECOND, limited, within};
 use crate::model::part::{At, Physics};
 use crate::model::system::System;
 use crate::model::tangent::{SparseTangent, TangentScratch};
@@ -42,7 +42,7 @@ pub(super) fn buckling(system: &System, context: &Context) -> Option<Buckling> {
             return None;
         }
         let growth = || Ok(divergence(system, &rest(system, 0.0)?));
-        let Known::Yes(Some(growth)) = limited(context, growth) else { return None };
+        let Known::Yes(Some(growth)) = limited(context, SECOND, growth) else { return None };
         return Some(Buckling { growth, parts: Vec::new() });
     }
     let study = Modes { speed: 0.0, about: About::Rest, threshold: 0.0, frequency: None };

@@ -48,8 +48,10 @@ use operating::Operating;
 use studied::{Found, Needed};
 use worst::Worst;
 
-/// Most units of work of one check, about a second: the factorisations of which most of it is made do several of them in a nanosecond.
-const SECOND: u64 = 4_000_000_000;
+/// Most units of work of one check, about a second.
+const SECOND: u64 = 1_000_000_000;
+/// The same of what the margins of the operating speeds rest on, which no study of the file replaces.
+const MARGINS: u64 = 4 * SECOND;
 /// Speeds of the range at which growth and response are computed.
 const POINTS: usize = 120;
 /// The lowest speed computed, over the highest of the page.
@@ -133,21 +135,25 @@ fn ends(speeds: &[f64]) -> Option<(f64, f64)> {
 }
 
 fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::Result> {
+    within_work(study, system, context, SECOND)
+}
+
+fn within_work<T: Study>(study: &T, system: &System, context: &Context, units: u64) -> Known<T::Result> {
     let run = || {
         // coefficients beyond a table that refuses them are not known
         speed_range::able(study, system)?;
         study.admit(system)?;
         study.compute(system, context)
     };
-    limited(context, run)
+    limited(context, units, run)
 }
 
-/// A computation of about a second; none under a work limit of 0, with which the page rests on the studies of the file alone.
-fn limited<R>(context: &Context, run: impl FnOnce() -> Result<R, Diagnostic>) -> Known<R> {
+/// A computation of so many units of work; none under a work limit of 0, with which the page rests on the studies of the file alone.
+fn limited<R>(context: &Context, units: u64, run: impl FnOnce() -> Result<R, Diagnostic>) -> Known<R> {
     if context.work_limit == 0 {
         return Known::TooLong;
     }
-    match watched(Some(context.cancel), SECOND, run) {
+    match watched(Some(context.cancel), units, run) {
         Ok(Ok(result)) => Known::Yes(result),
         Ok(Err(d)) => Known::Refused(d),
         Err(_) => Known::TooLong,
@@ -261,13 +267,17 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     });
     let resonance_margin = operation::required_margin(system).unwrap_or(MARGIN);
     let wide = |margin: f64| (BEYOND * margin).clamp(ABOUT, 0.99);
-    // also beside a study of the file: it may have fewer speeds, and not all of those that matter
+    // also beside a study of the file that has few speeds, or none as far as the distance required
     let near = operating.and_then(|o| {
         let wide = wide(operation.instability_margin.unwrap_or(MARGIN));
+        let ends = ((1.0 - wide) * o.low, (1.0 + wide) * o.high);
+        if matches!(&stability, Known::Studied(row, _) if fine(row, ends)) {
+            return None;
+        }
         let about = ordered((1.0 - wide) * o.low, (1.0 + wide) * o.high, NEAR);
         let known = match &worst {
             // the boundaries of what is unstable between two of the speeds as well
-            Some(worst) if !in_region(system) => limited(context, || {
+            Some(worst) if !in_region(system) => limited(context, MARGINS, || {
                 speed_range::able(&map(about), system)?;
                 let mut speeds = with_table_speeds(&about, NEAR, system);
                 speeds.extend(&worst.peaks);
@@ -275,7 +285,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
                 speeds.dedup();
                 row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
             }),
-            _ => within(&map(about), system, context).and_then(|r| r.rows.into_iter().next()),
+            _ => within_work(&map(about), system, context, MARGINS).and_then(|r| r.rows.into_iter().next()),
         };
         match known {
             Known::Yes(r) => Some(r),
@@ -305,7 +315,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         }
         let wide = wide(resonance_margin);
         let speed = ordered((1.0 - wide) * o.low, (1.0 + wide) * o.high, NARROW);
-        match within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context) {
+        match within_work(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context, MARGINS) {
             Known::Yes(r) if r.end.is_complete() => Some(r),
             _ => None,
         }
@@ -376,6 +386,15 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     out.checks = checks::checks(&facts, out.over_speed.as_ref());
     headline::headline(&facts, &mut out);
     out
+}
+
+/// The row has speeds as near to each other as those that the page computes itself, all over this range.
+fn fine(row: &Row, (low, high): (f64, f64)) -> bool {
+    let mut speeds: Vec<f64> = row.samples.iter().map(|s| s.speed.abs()).collect();
+    ascending(&mut speeds);
+    let step = (high - low) / (NEAR - 1) as f64;
+    let covers = ends(&speeds).is_some_and(|(a, b)| a <= low && high <= b);
+    covers && speeds.windows(2).filter(|w| w[1] > low && w[0] < high).all(|w| w[1] - w[0] <= step.max(0.01 * high))
 }
 
 /// The range shown: that of the studies of the file, with the operating speed well inside.

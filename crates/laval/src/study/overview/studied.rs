@@ -5,7 +5,7 @@ use crate::model::field::RangeValue;
 use crate::model::probe::Probe;
 use crate::model::spins::same_ratio;
 use crate::model::system::System;
-use crate::outcome::{Arg, Finding, Outcome, Resonance};
+use crate::outcome::{Arg, Finding, Level, Outcome, Resonance};
 use crate::solve::extrema::{Curve, Extremum};
 use crate::solve::linear_response::Response;
 use crate::solve::stability::{Edge, Row, Sample};
@@ -118,6 +118,12 @@ pub(super) fn unstable(outcomes: &[Outcome], needed: Needed) -> Option<(C64, &st
     let found = own.filter_map(|o| o.kept.get::<Modes, ModesResult>().map(|(s, r)| (s, r, o.name.as_str())));
     let grows = found.filter(|(s, ..)| inside(s)).filter_map(|(_, r, name)| Some((r.spectrum.least_stable()?.value, name)));
     grows.filter(|(value, _)| value.re > 0.0).max_by(|a, b| a.0.re.total_cmp(&b.0.re))
+}
+
+/// A study of modes at one of these speeds rests on something outside its validity.
+pub(super) fn modes_outside(outcomes: &[Outcome], needed: Needed) -> bool {
+    let outside = outcomes.iter().filter(|o| o.findings.iter().any(|f| f.level == Level::Invalid));
+    outside.filter_map(|o| o.kept.get::<Modes, ModesResult>()).any(|(s, _)| needed.holds(s.speed))
 }
 
 /// The largest stable whirl that a study of limit cycles found beside the state at rest at one of the operating speeds, and the study's name.

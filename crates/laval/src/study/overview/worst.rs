@@ -1,7 +1,7 @@
 //! The least stable of a range of operating speeds, located between the speeds computed.
 
 use super::operating::Operating;
-use super::{Known, limited};
+use super::{Known, SECOND, limited};
 use crate::model::system::System;
 use crate::solve::pencil::{MachineMode, Spectrum};
 use crate::solve::rest::over_speed;
@@ -49,7 +49,7 @@ pub(super) fn worst(system: &System, operating: Operating, sign: f64, context: &
     if operating.is_one() || transcendental(system) {
         return None;
     }
-    match limited(context, || search(system, operating, sign)) {
+    match limited(context, SECOND, || search(system, operating, sign)) {
         Known::Yes(found) => found,
         _ => None,
     }

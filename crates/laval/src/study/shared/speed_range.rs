@@ -96,6 +96,16 @@ fn known<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
                     high
                 )
             };
+            // speeds of a shaft that turns the other way are negative
+            let own = system
+                .slots()
+                .iter()
+                .find(|s| s.name == name)
+                .and_then(|s| s.part.scope()?.tabulated().map(|own| (s.speed(system.params(), 1.0), own)));
+            if let Some((ratio, _)) = own.filter(|(ratio, own)| *ratio < 0.0 && own.from >= 0.0) {
+                let ratio = text::number(ratio, 6);
+                return Err(Diagnostic::error(BEYOND, message).help(text!("\"{name}\" turns {ratio} times as fast as the machine, and its table is over that speed: write negative speeds, and cross-coupled coefficients for that direction", name, ratio)));
+            }
             return Err(Diagnostic::error(BEYOND, message).help(text!("keep to speeds of the table, add rows to it, or write beyond = \"hold\" or beyond = \"linear\" in \"{name}\": results beyond are then marked", name)));
         }
     }

@@ -1,5 +1,6 @@
 //! Vibration, forces and validity at the operating speeds.
 
+use super::super::studied::{self, Needed};
 use super::super::{Facts, Known};
 use super::{MOST_NAMED, against};
 use crate::model::part::{At, Link};
@@ -327,6 +328,10 @@ pub(super) fn validity(facts: &Facts) -> Check {
         Some(0.0) if outside.is_empty() => (Message::new("validity-none"), Verdict::NoLimit),
         Some(x) if outside.is_empty() => {
             (Message::new("validity-inside").arg("statement", nearest).arg("share", Arg::percent(x)), Verdict::Passed)
+        }
+        // modes at an operating speed with frequencies outside of a table
+        Some(_) if facts.operating.is_some_and(|o| studied::modes_outside(facts.outcomes, Needed::of(o, facts.sign))) => {
+            (Message::new("validity-studies").arg("outside", listed()), Verdict::Attention)
         }
         Some(_) => (Message::new("validity-elsewhere").arg("outside", listed()), Verdict::Passed),
         None if outside.is_empty() && facts.outcomes.iter().any(|o| o.end.is_complete()) => {
