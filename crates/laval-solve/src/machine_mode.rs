@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub const FLAT: f64 = 0.05;
 
 /// Direction a mode whirls in, or that it moves along or about the axis. Every body is compared with its own spin: on a shaft that turns against the machine forward
-/// is against the machine.
+/// is against the machine. Where shafts of both directions move together, all are compared with the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Whirl {
     /// With the spin of what moves.
@@ -214,19 +214,19 @@ impl Unknowns {
         }
     }
 
+    /// Forward and backward radii of every pair over its typical size: of its own spin, or of that of the machine.
+    fn circles(&self, q: &[C64], own: bool) -> Vec<(f64, f64)> {
+        let one = |i: usize| {
+            let (f, b) = circular(q[i], q[i + 1]);
+            let [f, b] = [f, b].map(|x| x.abs() / self.typical[i]);
+            if own && self.ratios[i] < 0.0 { (b, f) } else { (f, b) }
+        };
+        self.coordinates.pairs().into_iter().map(one).collect()
+    }
+
     fn whirl(&self, value: C64, q: &[C64]) -> (Whirl, f64) {
-        let circles: Vec<(f64, f64)> = self
-            .coordinates
-            .pairs()
-            .into_iter()
-            .map(|i| {
-                let (f, b) = circular(q[i], q[i + 1]);
-                let [f, b] = [f, b].map(|x| x.abs() / self.typical[i]);
-                if self.ratios[i] < 0.0 { (b, f) } else { (f, b) }
-            })
-            .collect();
-        let (f2, b2) = circles.iter().fold((0.0, 0.0), |(f, b), c| (f + c.0 * c.0, b + c.1 * c.1));
-        let largest = circles.iter().map(|c| c.0 + c.1).fold(0.0, f64::max);
+        let own = self.circles(q, true);
+        let largest = own.iter().map(|c| c.0 + c.1).fold(0.0, f64::max);
         let [axial, torsional] = [0, 1].map(|k| self.along[k].iter().map(|&i| q[i].abs() / self.typical[i]).fold(0.0, f64::max));
         if axial.max(torsional) > 0.0 {
             let shares = self.kinetic.as_ref().and_then(|k| k.shares(&self.along, q));
@@ -241,18 +241,29 @@ impl Unknowns {
         if value.im == 0.0 || largest < 1e-12 {
             return (Whirl::None, 0.5);
         }
-        // bodies that hardly move do not decide
-        let mut moving = circles.iter().filter(|c| c.0 + c.1 > 1e-3 * largest);
-        let all = |mut it: std::vec::IntoIter<bool>| it.all(|x| x);
-        let forward: Vec<bool> = moving.clone().map(|c| c.0 > c.1 * (1.0 + FLAT)).collect();
-        let backward: Vec<bool> = moving.by_ref().map(|c| c.1 > c.0 * (1.0 + FLAT)).collect();
-        let whirl = if all(forward.into_iter()) {
-            Whirl::Forward
-        } else if all(backward.into_iter()) {
-            Whirl::Backward
-        } else {
-            Whirl::Mixed
-        };
-        (whirl, f2 / (f2 + b2))
+        // shafts of both directions that move together: the direction is that of the machine
+        match named(&own) {
+            (Whirl::Mixed, share) if self.ratios.iter().any(|r| *r < 0.0) => {
+                let machine = named(&self.circles(q, false));
+                if machine.0 == Whirl::Mixed { (Whirl::Mixed, share) } else { machine }
+            }
+            found => found,
+        }
     }
+}
+
+/// The direction of circles, and the share of the forward part in their squared radii.
+fn named(circles: &[(f64, f64)]) -> (Whirl, f64) {
+    let (f2, b2) = circles.iter().fold((0.0, 0.0), |(f, b), c| (f + c.0 * c.0, b + c.1 * c.1));
+    let largest = circles.iter().map(|c| c.0 + c.1).fold(0.0, f64::max);
+    // bodies that hardly move do not decide
+    let mut moving = circles.iter().filter(|c| c.0 + c.1 > 1e-3 * largest);
+    let whirl = if moving.clone().all(|c| c.0 > c.1 * (1.0 + FLAT)) {
+        Whirl::Forward
+    } else if moving.all(|c| c.1 > c.0 * (1.0 + FLAT)) {
+        Whirl::Backward
+    } else {
+        Whirl::Mixed
+    };
+    (whirl, f2 / (f2 + b2))
 }

@@ -390,6 +390,12 @@ impl Model {
                 }
             };
         }
+        // what is not given in y is that in x
+        for (x, y) in [(0, 3), (4, 7)] {
+            if r.get(COEFFICIENTS[y]).is_none() {
+                coefficients[y] = coefficients[x].clone();
+            }
+        }
         // rounding of computed coefficients, as of cross terms of a magnetic bearing
         for group in coefficients.chunks_mut(4) {
             let most = group.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));

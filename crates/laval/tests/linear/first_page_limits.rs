@@ -134,9 +134,23 @@ fn responses_of_other_spins_show_their_resonances() {
     let near = check(&p, "check-resonance");
     assert_eq!(near.verdict, Verdict::Attention, "{near:?}");
     assert!((near.margin.unwrap() - 2.0 / 48.0).abs() < 1e-2, "{near:?}");
-    // the faster shaft turns with 96 rad/s, and its vibration is not known
+    // the faster shaft turns with 96 rad/s
     assert_eq!(check(&p, "check-speed").verdict, Verdict::Failed);
-    assert_ne!(check(&p, "check-shaft-vibration").verdict, Verdict::Passed);
+    assert_ne!(check(&of_studies(&turning("")), "check-shaft-vibration").verdict, Verdict::Passed);
+    // what the page finds itself, whatever orders the file names for other excitation
+    let own = turning("").replace("speed = 90.0\n", "orders = [1]\n");
+    assert_eq!(check(&page(&own), "check-resonance").verdict, Verdict::Attention);
+    // at 96 rad/s on its own spring
+    let (r, zeta) = (0.96f64, 8.0 / (2.0 * (4e4f64 * 4.0).sqrt()));
+    let amplitude = 1e-5 * r * r / ((1.0 - r * r).powi(2) + (2.0 * zeta * r).powi(2)).sqrt();
+    for (factor, verdict) in [(1.01, Verdict::Passed), (0.99, Verdict::Failed)] {
+        let limit = format!("displacement = {{ quick = {:?} }}\n", factor * amplitude);
+        let text = turning(&study("forced_response", 60.0, 200.0, "name = \"fast\"\nspin = \"fast\"\n"))
+            .replace("[limits]\n", &format!("[limits]\n{limit}"));
+        let p = of_studies(&text);
+        assert_eq!(check(&p, "check-vibration").verdict, verdict, "{:?}", check(&p, "check-vibration"));
+        assert_eq!(detail(&p, "check-vibration").as_deref(), Some("response-with-spins"));
+    }
 }
 
 #[test]
@@ -202,4 +216,73 @@ fn a_decrement_is_required_of_modes_that_the_speed_can_drive() {
     let damping = check(&p, "check-damping");
     let Some(Arg::Quantity(frequency)) = damping.result.arg_named("frequency") else { panic!("{damping:?}") };
     assert!(damping.verdict == Verdict::Passed && frequency.value <= 10.0 * 3000.0 * RPM, "{damping:?}");
+}
+
+/// A rotor that sags by its weight, m g/k = 0.98 mm, onto a stop with a gap of 0.5 mm; with one of 2 mm it does not touch.
+#[test]
+fn a_rotor_that_lies_on_a_stop_needs_attention() {
+    let of = |gap: f64| {
+        let stop =
+            format!("[[part]]\nkind = \"stop\"\nname = \"seal\"\nbetween = [\"disc\", \"ground\"]\nstiffness = 1e7\ngap = {gap:?}\n");
+        let p = page(&jeffcott("speed = 250.0\naxis = \"horizontal\"", 4.0, &stop));
+        let vibration = check(&p, "check-vibration");
+        (vibration.verdict, vibration.detail.as_ref().map(|m| m.key.clone()).unwrap_or_default(), p.verdict)
+    };
+    assert_eq!(of(5e-4), (Verdict::Attention, "vibration-touching".to_string(), Verdict::Attention));
+    assert_ne!(of(2e-3).1, "vibration-touching");
+}
+
+/// On the way to 250 rad/s the resonance at 100 rad/s would move the disc by e/(2 zeta) = 1 mm, twice the gap.
+#[test]
+fn a_gap_that_closes_on_the_way_needs_attention() {
+    let of = |gap: f64| {
+        let stop =
+            format!("[[part]]\nkind = \"stop\"\nname = \"seal\"\nbetween = [\"disc\", \"ground\"]\nstiffness = 1e7\ngap = {gap:?}\n");
+        let p = page(&jeffcott("speed = 250.0", 8.0, &stop));
+        (check(&p, "check-run-up").verdict, detail(&p, "check-run-up").unwrap_or_default())
+    };
+    assert_eq!(of(5e-4), (Verdict::Attention, "run-up-contact".to_string()));
+    assert_ne!(of(2e-3).1, "run-up-contact");
+}
+
+/// A disc in the node of the second mode does not excite it; another unbalance would.
+#[test]
+fn a_forward_critical_speed_without_a_peak_is_named() {
+    let text = |speed: f64| {
+        SHAFT
+            .replace("\"3000 rpm\"", &format!("{speed:?}"))
+            .replace("polar_inertia = 0.3\ndiametral_inertia = 0.2", "polar_inertia = 0.05\ndiametral_inertia = 0.2")
+            .replace("damping = 4e4", "damping = 2e3")
+    };
+    let studies = study("critical_speeds", 10.0, 4000.0, "");
+    let found = &crate::common::files::run_all(&format!("{}{studies}", text(300.0)))[0];
+    let table = found.find_table("critical_speeds").unwrap();
+    let (speeds, whirl) = (table.column("speed").unwrap(), table.column("whirl").unwrap());
+    let laval::outcome::Data::Text(whirl) = &whirl.data else { panic!() };
+    let forward: Vec<f64> = (0..table.rows()).filter(|&i| whirl[i] == "forward").map(|i| speeds.number(i).unwrap()).collect();
+    let p = page(&format!("{}{studies}", text(forward[1])));
+    assert_eq!(
+        (check(&p, "check-resonance").verdict, detail(&p, "check-resonance").as_deref()),
+        (Verdict::Attention, Some("distance-silent")),
+        "{forward:?}"
+    );
+}
+
+/// A light ring on a damper of negative coefficient grows at some 5 kHz: above the frequencies of a shaft of many elements, and of few as well.
+#[test]
+fn what_grows_above_the_frequencies_computed_is_found() {
+    let ring = |damping: f64| {
+        format!(
+            "[[part]]\nkind = \"disc\"\nname = \"ring\"\nmass = 0.2\n[[part]]\nkind = \"bearing_linear\"\nname = \"fit\"\nbetween = [\"ring\", {{ body = \"shaft\", at = 0.2 }}]\nstiffness = 2e8\ndamping = {damping:?}\n"
+        )
+    };
+    let of = |elements: usize, damping: f64| {
+        let shaft = SHAFT.replace("elements = 8", &format!("elements = {elements}")).replace("damping = 4e4", "damping = 50.0");
+        let p = page(&format!("{shaft}{}", ring(damping)));
+        (check(&p, "check-stability").verdict, p.headline[0].key.clone())
+    };
+    for elements in [4, 48] {
+        assert_eq!(of(elements, -20.0), (Verdict::Failed, "headline-unstable".to_string()), "{elements}");
+        assert_eq!(of(elements, 20.0), (Verdict::Passed, "headline-stable".to_string()), "{elements}");
+    }
 }

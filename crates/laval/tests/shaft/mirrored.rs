@@ -139,3 +139,26 @@ fn modes_are_named_by_the_spin_of_what_moves() {
         assert_eq!(a.1, b.1, "{along:?} {against:?}");
     }
 }
+
+/// Rotors that turn against each other and move together: the direction is that of the machine, and none is mixed.
+#[test]
+fn modes_of_counter_rotating_shafts_have_a_direction() {
+    let disc = |name: &str, more: &str| {
+        format!("[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = 5.0\npolar_inertia = 0.2\ndiametral_inertia = 0.12\n{more}")
+    };
+    let spring = |name: &str, between: &str| {
+        format!("[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = {between}\nstiffness = 2e6\ndamping = 100.0\n")
+    };
+    let text = format!(
+        "[machine]\nspeed = 600.0\n[[part]]\nkind = \"speed_ratio\"\nname = \"own\"\nratio = -1.5\n{}{}{}{}{}{}[[study]]\nkind = \"modes\"\n",
+        disc("inner", ""),
+        disc("outer", "spin = \"own\"\n"),
+        spring("a", "[{ body = \"inner\", at = -0.2 }, \"ground\"]"),
+        spring("b", "[{ body = \"inner\", at = 0.15 }, { body = \"outer\", at = 0.1 }]"),
+        spring("c", "[{ body = \"outer\", at = -0.1 }, \"ground\"]"),
+        spring("d", "[{ body = \"outer\", at = 0.2 }, \"ground\"]")
+    );
+    let o = &outcomes(&text)[0];
+    let laval::outcome::Data::Text(words) = &o.find_table("modes").unwrap().column("whirl").unwrap().data else { panic!() };
+    assert!(words.len() >= 6 && words.iter().all(|w| w == "forward" || w == "backward"), "{words:?}");
+}

@@ -164,6 +164,7 @@ distance-critically-damped = critically damped at { $speeds }: amplification fac
 distance-not-examined = the distance required needs all speeds from { $from } to { $to }
 distance-coarse = too few speeds computed: a narrow range may lie between two of them
 distance-orders-open = resonances with excitation at { $orders } times the speed were not searched: add a study critical_speeds
+distance-silent = forward critical speed at { $speeds }: the unbalance of this file does not excite it, another one may
 distance-no-resonance = { $from ->
         [none] none found up to { $to }
        *[other] none found from { $from } to { $to }
@@ -182,7 +183,9 @@ velocity-is = largest { $value } (peak)
 vibration-nonlinear = largest stable response of the nonlinear machine
 vibration-states = largest stable state of the balls
 vibration-contact = linear; { $parts } would touch, and the amplitude is not valid
+vibration-touching = small vibration about rest, where { $parts } is already in contact
 response-without-spins = without the unbalance of { $spins }, which "forced_response" with spin takes
+response-with-spins = with the vibration of { $spins } added, from "forced_response" with spin
 forces-without = without nonlinear parts: { $parts }
 forces-not-linear = by the tangent at rest; more than a tenth away from the force of the same motion by the law of { $parts }: nonlinear_response decides
 vibration-unbounded = undamped resonance at this speed
@@ -209,6 +212,7 @@ balls-left = { $left } left of { $without }
 run-up-computed = largest displacement { $value } ("{ $body }")
 run-up-steady = largest displacement { $value } ("{ $body }"), at the end of the run-up
 run-up-unknown = what lies below { $speed } is not known
+run-up-contact = at slow passage the vibration closes the gap of { $parts }
 run-up-grows = in unstable ranges a disturbance grows up to { $factor } times
 run-up-diverges = the motion diverges
 run-up-buckled = at rest the machine does not hold its position

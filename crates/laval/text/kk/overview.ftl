@@ -141,6 +141,7 @@ distance-critically-damped = { $speeds } кезінде критикалық д�
 distance-not-examined = талап етілген қорға { $from } пен { $to } арасындағы барлық айналу жиілігі керек
 distance-coarse = есептелген айналу жиіліктері тым аз: олардың арасында тар аймақ болуы мүмкін
 distance-orders-open = { $orders } еселік қоздыру кезіндегі резонанстар ізделген жоқ: critical_speeds зерттеуін қосыңыз
+distance-silent = тура прецессияның сындық айналу жиілігі { $speeds }: осы файлдағы теңгерімсіздік оны қоздырмайды, басқасы қоздыруы мүмкін
 distance-no-resonance = { $from ->
         [none] { $to } мәніне дейін табылмады
        *[other] { $from } – { $to } аралығында табылмады
@@ -296,7 +297,9 @@ distance-inside = жұмыстық айналу жиіліктерінің ар�
 vibration-nonlinear = бейсызық машинаның ең үлкен орнықты тербелісі
 vibration-states = шариктердің орнықты күйлері бойынша ең үлкені
 vibration-contact = сызықты есеп; мына бөлшектер жанасар еді: { $parts }; амплитуда жарамсыз
+vibration-touching = тыныштық маңындағы шағын тербелістер; сол күйде жанасып тұрған бөлшектер: { $parts }
 response-without-spins = { $spins } теңгерімсіздігінсіз: оны spin өрісі бар "forced_response" есебі қамтиды
+response-with-spins = { $spins } дірілі қосылған, spin берілген «forced_response» бойынша
 forces-without = бейсызық бөлшектерсіз: { $parts }
 forces-not-linear = тыныштықтағы жанама бойынша; дәл сол қозғалыстың заң бойынша күшінен оннан бірінен көп айырмасы бар: { $parts }; nonlinear_response шешеді
 window-none = ешбір айналу жиілігі барлық талапты орындамайды
@@ -304,6 +307,7 @@ window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = бұл бетте бағаланбаған: { $names }
 studies-requirements = { $studies } ішінде орындалмаған немесе расталмаған
+run-up-contact = баяу өткенде діріл мына бөлшектердің саңылауын жабады: { $parts }
 run-up-grows = орнықсыз аралықтарда ауытқу { $factor } есеге дейін өседі
 run-up-diverges = қозғалыс шексіз өседі
 axis-operating-range = жұмыстық айналу жиіліктері

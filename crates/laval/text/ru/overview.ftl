@@ -164,6 +164,7 @@ distance-critically-damped = критически демпфирован при 
 distance-not-examined = для требуемого запаса нужны все частоты вращения от { $from } до { $to }
 distance-coarse = рассчитано слишком мало частот вращения: между ними может лежать узкая область
 distance-orders-open = резонансы при возбуждении с кратностью { $orders } не искались: добавьте расчёт critical_speeds
+distance-silent = критическая частота вращения прямой прецессии { $speeds }: дисбаланс этого файла её не возбуждает, другой может
 distance-no-resonance = { $from ->
         [none] нет до { $to }
        *[other] нет в диапазоне от { $from } до { $to }
@@ -182,7 +183,9 @@ velocity-is = наибольшее значение { $value } (пик)
 vibration-nonlinear = наибольший устойчивый отклик нелинейной машины
 vibration-states = наибольшее по устойчивым состояниям шариков
 vibration-contact = линейный расчёт; возник бы контакт ({ $parts }), амплитуда недействительна
+vibration-touching = малые колебания около покоя, при котором уже есть контакт: { $parts }
 response-without-spins = без дисбаланса { $spins }: его учитывает "forced_response" с полем spin
+response-with-spins = с добавленной вибрацией { $spins } из расчёта «forced_response» со spin
 forces-without = без нелинейных элементов: { $parts }
 forces-not-linear = по касательной в покое; отличается более чем на десятую от силы того же движения по закону: { $parts }; решает nonlinear_response
 vibration-unstable = установившихся колебаний нет: машина неустойчива
@@ -210,6 +213,7 @@ balls-left = осталось { $left } из { $without }
 run-up-computed = наибольшее перемещение { $value } («{ $body }»)
 run-up-steady = наибольшее перемещение { $value } («{ $body }»), в конце разгона
 run-up-unknown = что лежит ниже { $speed }, неизвестно
+run-up-contact = при медленном проходе вибрация закрывает зазор: { $parts }
 run-up-grows = в неустойчивых диапазонах возмущение растёт с коэффициентом до { $factor }
 run-up-diverges = движение расходится
 run-up-buckled = в покое машина не удерживает положение

@@ -141,6 +141,7 @@ distance-critically-damped = { $speeds } da kritik so‘ndirilgan: kuchaytirish 
 distance-not-examined = talab qilingan zaxira uchun { $from } dan { $to } gacha barcha tezliklar kerak
 distance-coarse = hisoblangan tezliklar juda kam: ular orasida tor soha bo‘lishi mumkin
 distance-orders-open = { $orders } karra qo‘zg‘atishdagi rezonanslar izlanmadi: critical_speeds hisobini qo‘shing
+distance-silent = to‘g‘ri pretsessiyaning kritik tezligi { $speeds }: bu fayldagi nomuvozanatlik uni qo‘zg‘atmaydi, boshqasi qo‘zg‘atishi mumkin
 distance-no-resonance = { $from ->
         [none] { $to } tezlikkacha topilmadi
        *[other] { $from } – { $to } oralig‘ida topilmadi
@@ -296,7 +297,9 @@ distance-inside = ish tezliklari orasida: { $places }
 vibration-nonlinear = chiziqsiz mashinaning eng katta turg‘un javobi
 vibration-states = sharchalarning turg‘un holatlari bo‘yicha eng kattasi
 vibration-contact = chiziqli; kontakt yuzaga kelar edi ({ $parts }), amplituda haqiqiy emas
+vibration-touching = tinch holat atrofidagi kichik tebranishlar, bu holatda kontakt allaqachon bor: { $parts }
 response-without-spins = { $spins } muvozanatsizligisiz: uni spin maydoni bor "forced_response" hisobi qamraydi
+response-with-spins = { $spins } tebranishi qo‘shilgan, spin berilgan "forced_response" bo‘yicha
 forces-without = chiziqsiz qismlarsiz: { $parts }
 forces-not-linear = tinch holatdagi urinma bo‘yicha; xuddi shu harakatning qonun bo‘yicha kuchidan o‘ndan biridan ko‘proq farq qiladi: { $parts }; nonlinear_response hal qiladi
 window-none = birorta tezlik ham barcha talablarni bajarmaydi
@@ -304,6 +307,7 @@ window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = bu sahifada baholanmagan: { $names }
 studies-requirements = { $studies } hisobida bajarilmagan yoki tasdiqlanmagan
+run-up-contact = sekin o‘tishda tebranish tirqishni yopadi: { $parts }
 run-up-grows = noturg‘un oraliqlarda g‘alayon { $factor } martagacha o‘sadi
 run-up-diverges = harakat cheksiz uzoqlashadi
 axis-operating-range = ish tezliklari

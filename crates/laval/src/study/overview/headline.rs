@@ -35,8 +35,10 @@ pub(super) fn headline(facts: &Facts, page: &mut Overview) {
     let (mut verdict, mut headline) = match stability {
         Verdict::Failed => (Verdict::Failed, vec![at("headline-unstable")]),
         Verdict::Passed => {
-            let below =
-                check("check-stability").filter(|c| c.result.key == "stability-stable-below").and_then(|c| c.result.arg_named("limit"));
+            // none of any frequency grows at one speed: there the limit of the modes computed says nothing more
+            let whole = facts.growing == Some(None) && speed.is_one();
+            let limited = check("check-stability").filter(|c| !whole && c.result.key == "stability-stable-below");
+            let below = limited.and_then(|c| c.result.arg_named("limit"));
             (Verdict::Passed, vec![below.map_or_else(|| at("headline-stable"), |l| at("headline-stable-below").arg("limit", l.clone()))])
         }
         Verdict::Attention if check("check-stability").is_some_and(|c| c.result.key == "stability-several") => {

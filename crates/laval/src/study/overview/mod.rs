@@ -26,9 +26,10 @@ use crate::model::part::Domain;
 use crate::model::spins::same_ratio;
 use crate::model::system::System;
 use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
-use crate::solve::rest::over_speed;
-use crate::solve::roots::{LEAST, has_more_modes, in_region};
+use crate::solve::rest::{over_speed, rest};
+use crate::solve::roots::{LEAST, Request, has_more_modes, in_region, roots, transcendental};
 use crate::solve::stability::{Row, row};
+use crate::study::linear::campbell::spin_orders;
 use crate::study::linear::criterion::Criterion;
 use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
 use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult};
@@ -42,6 +43,7 @@ use crate::study::shared::speed_range::{self, SpinSpeeds, with_table_speeds};
 use crate::study::shared::stations::Stations;
 use crate::study::shared::support::About;
 use crate::study::{Context, Study};
+use laval_num::complex::C64;
 use laval_num::order::ascending;
 use laval_num::work::watched;
 use operating::Operating;
@@ -52,6 +54,8 @@ use worst::Worst;
 const SECOND: u64 = 1_000_000_000;
 /// The same of what the margins of the operating speeds rest on, which no study of the file replaces.
 const MARGINS: u64 = 4 * SECOND;
+/// The same of the count of growing modes of any frequency: banded factorisations, which do ten units in a nanosecond.
+const COUNT: u64 = 20 * SECOND;
 /// Speeds of the range at which growth and response are computed.
 const POINTS: usize = 120;
 /// The lowest speed computed, over the highest of the page.
@@ -181,6 +185,9 @@ pub(super) struct Facts<'a> {
     near: Option<Row>,
     /// The least stable of a range of operating speeds.
     worst: Option<Worst>,
+    /// Modes of any frequency that grow at the operating speed of a machine with more modes than are computed: the one that grows most, none where all decay; not known where the
+    /// count takes too long.
+    growing: Option<Option<C64>>,
     /// Growth from which on a mode counts as unstable over the range, 1/s.
     threshold: f64,
     /// Steady responses of the nonlinear machine at the operating speed.
@@ -270,11 +277,11 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     // also beside a study of the file that has few speeds, or none as far as the distance required
     let near = operating.and_then(|o| {
         let wide = wide(operation.instability_margin.unwrap_or(MARGIN));
-        let ends = ((1.0 - wide) * o.low, (1.0 + wide) * o.high);
+        let ends = known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
         if matches!(&stability, Known::Studied(row, _) if fine(row, ends)) {
             return None;
         }
-        let about = ordered((1.0 - wide) * o.low, (1.0 + wide) * o.high, NEAR);
+        let about = ordered(ends.0, ends.1, NEAR);
         let known = match &worst {
             // the boundaries of what is unstable between two of the speeds as well
             Some(worst) if !in_region(system) => limited(context, MARGINS, || {
@@ -292,7 +299,10 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
             _ => None,
         }
     });
-    let limits = limits::of(system);
+    let mut limits = limits::of(system);
+    // unbalance turns with every spin, whatever else excites
+    limits.orders.extend(spin_orders(system).into_iter().filter(|k| !limits::of(system).orders.iter().any(|own| same_ratio(*own, *k))));
+    ascending(&mut limits.orders);
     let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
     let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
     // what ended early below the operating speeds tells nothing of them
@@ -314,7 +324,8 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
             return None;
         }
         let wide = wide(resonance_margin);
-        let speed = ordered((1.0 - wide) * o.low, (1.0 + wide) * o.high, NARROW);
+        let ends = self::known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
+        let speed = ordered(ends.0, ends.1, NARROW);
         match within_work(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context, MARGINS) {
             Known::Yes(r) if r.end.is_complete() => Some(r),
             _ => None,
@@ -344,6 +355,13 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
             _ => None,
         },
     };
+    let growing = rated.filter(|_| in_region(system) && !transcendental(system)).and_then(|speed| {
+        let search = || roots(system, &rest(system, speed)?, &Request { growing: true, everywhere: true, ..Request::default() });
+        match limited(context, COUNT, search) {
+            Known::Yes(found) => found.growing().map(|_| found.spectrum.least_stable().map(|m| m.value).filter(|v| v.re > 0.0)),
+            _ => None,
+        }
+    });
     let balls = system.slots().iter().any(|s| s.part.movable_masses().is_some());
     let run_up = rated.zip(operation.run_up_time).map(|(_, time)| {
         let top = operating.map_or(0.0, |o| sign * o.high);
@@ -362,6 +380,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         stability,
         near,
         worst,
+        growing,
         threshold,
         steady: None,
         criticals,
@@ -386,6 +405,12 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     out.checks = checks::checks(&facts, out.over_speed.as_ref());
     headline::headline(&facts, &mut out);
     out
+}
+
+/// The part of a range of amounts of the speed in which all coefficients are known.
+fn known(system: &System, sign: f64, (low, high): (f64, f64)) -> (f64, f64) {
+    let (from, to) = speed_range::known_speeds(system);
+    if sign < 0.0 { (low.max(-to), high.min(-from)) } else { (low.max(from), high.min(to)) }
 }
 
 /// The row has speeds as near to each other as those that the page computes itself, all over this range.

@@ -18,8 +18,12 @@ use laval_num::order::{SortByNumber, ascending};
 const SHOWN: f64 = 0.25;
 /// Peaks smaller than this share of the largest are not resonances of the page.
 const SMALL: f64 = 0.02;
-/// Nor are peaks that rise less than this above the lower speeds and above the higher ones, by a share of their height: rounding on a response that does not change.
-const RISE: f64 = 1e-3;
+/// Nor are peaks that rise less than this above the lower speeds and above the higher ones, by a share of their height: a response that hardly changes.
+const RISE: f64 = 0.02;
+/// Distance of two speeds, over them, from which on the growth between them is not read from a straight line.
+const APART: f64 = 0.05;
+/// Distance from a speed that is known to be stable, over it.
+const BESIDE: f64 = 1e-4;
 /// Speeds that differ by less than this share are one resonance.
 const SAME: f64 = 0.02;
 
@@ -230,6 +234,9 @@ fn united(mut all: Vec<Unstable>) -> Vec<Unstable> {
 /// Ranges above the threshold, with what grows most in each.
 fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
     let sign = facts.sign;
+    // the operating speed, where its own modes are stable
+    let least = facts.modes.as_ref().and_then(|(s, m)| Some((s.speed, m.get()?.spectrum.least_stable()?.growth())));
+    let stable = least.filter(|m| m.1 < 0.0).map(|m| m.0);
     let (Some(first), Some(last)) = (row.samples.first(), row.samples.last()) else { return Vec::new() };
     let one = |(from, to): (f64, f64)| {
         let samples = row.samples.iter().filter(|s| (from..=to).contains(&s.speed)).map(|s| s.value);
@@ -237,6 +244,15 @@ fn unstable(row: &Row, facts: &Facts) -> Vec<Unstable> {
         let edges = row.edges.iter().filter(|e| e.speed == from || e.speed == to).map(|e| e.value);
         let worst = samples.chain(peaks).chain(edges).max_by(|a, b| a.re.total_cmp(&b.re))?;
         let open = (from == first.speed, to == last.speed);
+        // an edge that is not located lies anywhere between two speeds: where these are far apart the unstable range is the largest that it can be
+        let edge = |w: f64| {
+            let e = row.edges.iter().find(|e| e.speed == w && !e.located)?;
+            let (a, b) = (e.bracket.0.min(e.bracket.1), e.bracket.0.max(e.bracket.1));
+            (b - a > APART * a.abs().max(b.abs())).then_some((a, b))
+        };
+        let within = |(a, b): (f64, f64)| stable.filter(|w| a < *w && *w < b);
+        let from = edge(from).map_or(from, |e| within(e).map_or(e.0, |w| w + BESIDE * w.abs()));
+        let to = edge(to).map_or(to, |e| within(e).map_or(e.1, |w| w - BESIDE * w.abs()));
         let (from, to, open) = if sign > 0.0 { (from, to, open) } else { (-to, -from, (open.1, open.0)) };
         Some(Unstable { from, to, open, growth: worst.re, frequency: if aperiodic(worst) { 0.0 } else { worst.im.abs() } })
     };

@@ -49,6 +49,10 @@ impl Needed {
         Needed { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]) }
     }
 
+    pub fn between(a: f64, b: f64) -> Needed {
+        Needed { from: a.min(b), to: a.max(b) }
+    }
+
     fn holds(self, speed: f64) -> bool {
         let slack = SAME * speed.abs();
         self.from <= speed + slack && speed - slack <= self.to
@@ -73,6 +77,12 @@ fn of_spins<'o>(system: &'o System, outcomes: &'o [Outcome]) -> impl Iterator<It
         let spin = spins.iter().find(|x| x.name.as_ref() == Some(name))?;
         Some((spin.ratio, s, r))
     })
+}
+
+/// The response to the unbalance of this spin at its own speeds.
+pub(super) fn spin_response(outcomes: &[Outcome], spin: &str, needed: Needed) -> Option<ForcedResponseResult> {
+    let all = complete::<ForcedResponse, ForcedResponseResult>(outcomes).filter(|(s, ..)| s.spin.as_deref() == Some(spin));
+    all.filter(|(s, ..)| needed.within(&s.speed)).find_map(|(_, r, _)| part(r, needed))
 }
 
 /// A response to the unbalance of a spin of this ratio, either way round, covers these speeds of the machine.

@@ -112,6 +112,12 @@ fn known<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
     Ok(())
 }
 
+/// First and last speed of the machine at which no table refuses its coefficients; infinite without such a table.
+pub(in crate::study) fn known_speeds(system: &System) -> (f64, f64) {
+    let refusing = tabulated(system).filter(|(_, t)| t.beyond == Beyond::Refuse);
+    refusing.fold((f64::NEG_INFINITY, f64::INFINITY), |(a, b), (_, t)| (a.max(t.from), b.min(t.to)))
+}
+
 /// Marks in an outcome what rests on a table beyond its speeds.
 pub(in crate::study) fn mark_beyond<T: Study>(study: &T, system: &System, outcome: &mut Outcome) {
     for (name, t) in tabulated(system) {

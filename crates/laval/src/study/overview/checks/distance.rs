@@ -4,6 +4,11 @@ use super::super::margins::{self, Nearest};
 use super::super::operating::Operating;
 use super::super::{Facts, MARGIN, ends};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Unstable, Verdict};
+use crate::solve::criticals::Critical;
+use crate::study::linear::campbell;
+use crate::study::linear::critical_speeds::CriticalSpeedsResult;
+use crate::study::shared::margins::resonant;
+use laval_num::order::ascending;
 
 /// On which sides an unstable range has no known end.
 pub(in super::super) fn open(u: &Unstable) -> Arg {
@@ -134,6 +139,28 @@ fn exempt(over: &OverSpeed) -> Option<Message> {
     (!speeds.is_empty()).then(|| Message::new("distance-critically-damped").arg("speeds", Arg::List(speeds)))
 }
 
+/// Speeds at which modes were followed, amounts; none where they are those of a search of another kind.
+fn along(facts: &Facts, found: &CriticalSpeedsResult) -> Option<(f64, f64)> {
+    let along: Vec<f64> = found.strongest.iter().map(|s| facts.sign * s.speed).collect();
+    ends(&along)
+}
+
+/// Critical speeds within the distance required that whirl forward and show no peak: with the unbalance of the file they are not excited, with another one they are.
+fn silent(facts: &Facts, over: &OverSpeed, reach: (f64, f64)) -> Vec<f64> {
+    let spins = facts.system.spins();
+    let found = facts.criticals.get().into_iter().chain(&facts.narrow).flat_map(|c| &c.crossings);
+    let driven = |c: &Critical| c.driven_by_unbalance() || spins.iter().any(|s| c.driven_by(s.ratio));
+    let forward = found.filter(|c| driven(c) && c.forward_share > 0.5 && c.located() && resonant(campbell::damping(c)));
+    let mut out: Vec<f64> = forward.map(|c| facts.sign * c.speed).filter(|w| reach.0 <= *w && *w <= reach.1).collect();
+    out.retain(|w| !over.resonances.iter().any(|r| (r.speed - w).abs() < PEAK * w));
+    ascending(&mut out);
+    out.dedup_by(|a, b| (*a - *b).abs() < PEAK * *b);
+    out
+}
+
+/// Distance of a peak from the critical speed it belongs to, over the speed, at most.
+const PEAK: f64 = 0.05;
+
 pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Option<Check> {
     let set = facts.resonance_margin();
     let reach = facts.reach(speed, set);
@@ -141,8 +168,11 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     let own = over.and_then(|o| facts.searched(o)).filter(|s| s.1 >= speed.high * (1.0 - 1e-9));
     // the search about the operating speeds reaches as far as required
     let searched = match (own, &facts.narrow) {
-        (Some(own), Some(_)) => Some((own.0.min(reach.0), own.1.max(reach.1))),
-        (None, Some(_)) => Some(reach),
+        (Some(own), Some(narrow)) => {
+            let narrow = along(facts, narrow).unwrap_or(reach);
+            Some((own.0.min(narrow.0), own.1.max(narrow.1)))
+        }
+        (None, Some(narrow)) => Some(along(facts, narrow).unwrap_or(reach)),
         (own, None) => own,
     };
     let Some((over, searched)) = over.zip(searched) else {
@@ -153,7 +183,7 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     let mut check = distance("check-resonance", none, &nearest, speed, set.unwrap_or(MARGIN), searched);
     check.detail = exempt(over).or_else(|| source(facts, over, &nearest, speed));
     as_far_as_examined(&mut check, &nearest, reach, searched);
-    let open = facts.orders_open();
+    let (open, silent) = (facts.orders_open(), silent(facts, over, reach));
     if check.verdict == Verdict::Attention && check.margin.is_some() && set.is_some() {
         check.verdict = Verdict::Failed;
     } else if check.verdict == Verdict::Passed && !open.is_empty() {
@@ -161,6 +191,11 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         check.margin = None;
         let orders = Arg::List(open.iter().map(|k| Arg::number(*k)).collect());
         check.detail = Some(Message::new("distance-orders-open").arg("orders", orders));
+    } else if check.verdict == Verdict::Passed && !silent.is_empty() {
+        check.verdict = Verdict::Attention;
+        check.margin = None;
+        let speeds = Arg::List(silent.iter().map(|w| Arg::speed(*w)).collect());
+        check.detail = Some(Message::new("distance-silent").arg("speeds", speeds));
     }
     Some(check)
 }

@@ -4,6 +4,7 @@ mod balls;
 mod distance;
 mod response;
 mod run_up;
+mod spins;
 mod stability;
 mod standards;
 

@@ -2,19 +2,21 @@
 
 use super::super::studied::{self, Needed};
 use super::super::{Facts, Known};
+use super::spins::Spins;
 use super::{MOST_NAMED, against};
 use crate::model::part::{At, Link};
 use crate::model::probe::{Probe, Sight};
-use crate::model::system::{System, Workspace};
+use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{Arg, Check, Finding, Level, Message, Verdict};
-use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::Curve;
 use crate::solve::rest::rest;
 use crate::study::linear::forced_response::{LINEARISED, Shows};
 use crate::study::shared::limits::Limit;
 use crate::study::shared::probes::{self, farthest};
 use crate::study::shared::support::{larger, largest, probe_name};
+use laval_num::complex::C64;
 use laval_num::order::SortByNumber;
+use std::f64::consts::TAU;
 
 /// Share of a force from which on its part at rest is given beside it.
 const STATIC: f64 = 0.01;
@@ -34,29 +36,6 @@ fn sizes(curve: &Curve, probes: &[Probe], probe: &Probe) -> (f64, f64) {
     let peaks = curve.extrema.iter().filter(|e| e.maximum && probes[e.probe] == *probe).map(|e| (e.speed.abs(), e.value));
     let all: Vec<(f64, f64)> = points.chain(peaks).collect();
     (largest(all.iter().map(|a| a.1)), largest(all.iter().map(|a| a.0 * a.1)))
-}
-
-/// Names of the spins whose loads the response leaves out: all but the one of the machine.
-pub(super) fn spins_left_out(facts: &Facts) -> Vec<String> {
-    let speed = facts.operating.map_or(0.0, |o| facts.sign * o.high);
-    let loaded = |name: &str, ratio: f64| {
-        let own = facts.system.at_spin(name).ok()?;
-        let about = rest(&own, ratio * speed).ok()?;
-        Some(Characteristic::new(&own, &about).loads().1.iter().any(|f| f.abs() > 0.0))
-    };
-    let spins = facts.system.spins().into_iter().filter_map(|s| Some((s.name?, s.ratio)));
-    spins.filter(|(name, ratio)| loaded(name, *ratio).unwrap_or(true)).map(|s| s.0).collect()
-}
-
-/// A limit is not known to be kept where loads are left out.
-pub(super) fn kept_without(spins: &[String], verdict: Verdict) -> Verdict {
-    if spins.is_empty() || verdict == Verdict::Failed { verdict } else { Verdict::NotComputed }
-}
-
-/// That the response is without their unbalance; none where no spin is left out.
-pub(super) fn without_spins(spins: &[String]) -> Option<Message> {
-    let names = || Arg::names(spins.iter().map(String::as_str).collect::<Vec<_>>());
-    (!spins.is_empty()).then(|| Message::new("response-without-spins").arg("spins", names()))
 }
 
 /// Displacements of the bodies on the steady response at the highest operating speed, m; none where there is no such response.
@@ -88,7 +67,12 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let all = facts.system.probes();
     let known = |p: &Probe| nonlinear.and_then(|s| s.sizes.iter().find(|x| !p.is_tilt() && x.0 == probe_name(p))).map(|x| x.1);
     let fastest = facts.operating.map_or(0.0, |o| o.high);
-    let linear = |p: &Probe| curve.map_or((f64::NAN, f64::NAN), |c| sizes(c, all, p));
+    let spins = Spins::of(facts);
+    // at different frequencies the largest values meet at times
+    let linear = |p: &Probe| {
+        let own = curve.map_or((f64::NAN, f64::NAN), |c| sizes(c, all, p));
+        spins.known.iter().map(|k| sizes(&k.1.curve, all, p)).fold(own, |a, b| (a.0 + b.0, a.1 + b.1))
+    };
     let size = |p: &Probe| known(p).unwrap_or_else(|| linear(p).0);
     let velocity = |p: &Probe| known(p).map_or_else(|| linear(p).1, |x| x * fastest);
     // a shaft may move most where nothing is attached; a nonlinear study has its points alone
@@ -124,7 +108,12 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     };
     let closes: Vec<&str> =
         facts.response.as_ref().and_then(Known::get).map_or(Vec::new(), |r| r.observed.closed.iter().map(|c| c.part.as_str()).collect());
-    let (detail, verdict) = if nonlinear.is_some() {
+    let touching = touching(facts);
+    let touching_none = touching.is_empty();
+    let (detail, verdict) = if !touching.is_empty() {
+        let rests = Message::new("vibration-touching").arg("parts", Arg::names(touching));
+        (Some(rests), if verdict == Verdict::Failed { verdict } else { Verdict::Attention })
+    } else if nonlinear.is_some() {
         (Some(Message::new("vibration-nonlinear")), verdict)
     } else if !closes.is_empty() {
         // the linear response passes through a part that would hold it
@@ -133,8 +122,8 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
         (facts.response.as_ref().and_then(Known::source).or(detail), verdict)
     };
     // also a nonlinear study has the loads of one spin alone
-    let spins = spins_left_out(facts);
-    let (detail, verdict) = (without_spins(&spins).or(detail), kept_without(&spins, verdict));
+    let verdict = if nonlinear.is_some() && !spins.known.is_empty() && verdict == Verdict::Passed { Verdict::Attention } else { verdict };
+    let (detail, verdict) = (spins.remark().filter(|_| touching_none).or(detail), spins.kept(verdict));
     let mut out = vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }];
     let limited = kept(&facts.limits.velocity, &velocity);
     if let Some((_, worst, limit)) = limited.first() {
@@ -144,9 +133,54 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
             Some((sizes, each)) => (Message::new("velocity-sizes").arg("sizes", sizes), Some(each)),
             None => (Message::new("velocity-is").arg("value", Arg::quantity(*worst, "m/s")), required),
         };
-        out.push(Check { required, ..Check::new("check-velocity", result, kept_without(&spins, verdict)) });
+        out.push(Check { required, ..Check::new("check-velocity", result, spins.kept(verdict)) });
     }
     out
+}
+
+/// Parts with a gap that is closed at rest, as of a rotor that lies on a labyrinth. A bearing that holds nothing before its clearance is used up belongs closed.
+fn touching<'f>(facts: &'f Facts) -> Vec<&'f str> {
+    closed(facts, &[], |undisplaced, at_rest, _| undisplaced > 0.0 && at_rest < 0.0)
+}
+
+/// Parts with a gap that is open at rest and that the linear response closes on the way to the operating speeds.
+pub(super) fn closed_on_the_way<'f>(facts: &'f Facts) -> Vec<&'f str> {
+    let found = facts.criticals.get().and_then(|c| c.response.as_ref()).or_else(|| facts.forced.as_ref().map(|f| &f.curve));
+    let (Some(curve), Some(o)) = (found, facts.operating) else { return Vec::new() };
+    let below: Vec<&[C64]> = curve.points.iter().filter(|p| facts.sign * p.speed <= o.high).map(|p| p.x.as_slice()).collect();
+    closed(facts, &below, |_, at_rest, least| at_rest > 0.0 && least < 0.0)
+}
+
+/// Instants of a turn at which a gap is looked at.
+const INSTANTS: usize = 16;
+
+/// Parts whose gaps fulfil a condition on their width undisplaced, at rest at the highest operating speed, and at the narrowest of these responses about it.
+fn closed<'f>(facts: &'f Facts, responses: &[&[C64]], such: impl Fn(f64, f64, f64) -> bool) -> Vec<&'f str> {
+    let (Some(o), system) = (facts.operating, facts.system) else { return Vec::new() };
+    let speed = facts.sign * o.high;
+    let Ok(rest) = rest(system, speed) else { return Vec::new() };
+    let zero = vec![0.0; system.n()];
+    let at = At { q: &rest.q, v: &zero, a: &zero, z: &rest.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    let mut scratch = Workspace::default();
+    let mut fulfils = |s: &Slot| {
+        let contacts = s.part.contacts()?;
+        let p = &system.params()[s.params.clone()];
+        if contacts.refuses_rest(p).is_some() {
+            return None;
+        }
+        let mut gap = |q: &[f64]| system.with_local(s, &At { q, ..at }, &mut scratch, |l| contacts.clearance(p, l));
+        let (undisplaced, at_rest) = (gap(&zero)?, gap(&rest.q)?);
+        let mut least = at_rest;
+        for x in responses {
+            for k in 0..INSTANTS {
+                let turn = C64::cis(TAU * k as f64 / INSTANTS as f64);
+                let q: Vec<f64> = rest.q.iter().zip(x.iter()).map(|(q, x)| q + (*x * turn).re).collect();
+                least = least.min(gap(&q)?);
+            }
+        }
+        Some(such(undisplaced, at_rest, least))
+    };
+    system.slots().iter().filter(|s| fulfils(s) == Some(true)).map(|s| s.name.as_str()).collect()
 }
 
 /// Nodes of bodies that bend, where nothing is attached.
@@ -178,6 +212,16 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         match all.iter_mut().find(|a| a.0 == q.part) {
             Some(a) => a.1 = larger(a.1, x),
             None => all.push((&q.part, x)),
+        }
+    }
+    // what a turn of another spin adds to the force at rest
+    let (spins, still) = (Spins::of(facts), at_rest(facts));
+    for q in spins.known.iter().flat_map(|k| &k.1.observed.quantities).filter(|q| q.unit == "N") {
+        let rest = still.iter().find(|r| r.0 == q.part).map_or(0.0, |r| r.1);
+        let more = (largest(q.values.iter().copied()) - rest).max(0.0);
+        match all.iter_mut().find(|a| a.0 == q.part) {
+            Some(a) => a.1 += more,
+            None => all.push((&q.part, rest + more)),
         }
     }
     // a linear response has no force of a nonlinear part
@@ -228,8 +272,7 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
     let doubt = (!doubtful.is_empty()).then(|| Message::new("forces-not-linear").arg("parts", Arg::names(doubtful)));
     let both = |a: Message, b: Message| Message::new("both").arg("first", a).arg("second", b);
     let detail = [still, doubt, without].into_iter().flatten().reduce(both);
-    let spins = spins_left_out(facts);
-    Some(Check { detail: without_spins(&spins).or(detail), required, ..Check::new("check-forces", result, kept_without(&spins, verdict)) })
+    Some(Check { detail: spins.remark().or(detail), required, ..Check::new("check-forces", result, spins.kept(verdict)) })
 }
 
 /// Difference of the force of a nonlinear part by its law from that by its tangent, over the latter, from which on the tangent does not decide.

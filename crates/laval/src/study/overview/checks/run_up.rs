@@ -2,7 +2,8 @@
 
 use super::super::operating::{Operating, span};
 use super::super::{Facts, Known, ends, within};
-use super::response::{kept_without, spins_left_out, without_spins};
+use super::response::closed_on_the_way;
+use super::spins::Spins;
 use super::{against, speeds};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{Value, Values};
@@ -81,7 +82,8 @@ fn known_from(facts: &Facts, over: Option<&OverSpeed>, speed: Operating) -> Opti
 /// What a run-up to the operating speed crosses, and how far the bodies move: on the way, or at its end, where the steady response may still be larger. `steady`
 /// holds the displacements of that response; none where it is not stable.
 pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, steady: Vec<(String, f64)>) -> Option<Check> {
-    let passing = simulated(facts, over, speed);
+    // without any load nothing is simulated
+    let passing = Some(simulated(facts, over, speed)).filter(|all| all.iter().any(|x| x.1 != 0.0)).unwrap_or_default();
     let lowest = known_from(facts, over, speed);
     if lowest.is_none() && passing.is_empty() {
         let result = Message::new("run-up-unknown").arg("speed", Arg::speed(speed.low));
@@ -133,9 +135,15 @@ pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, 
             (m.arg("several", several).arg("ranges", Arg::List(ranges)), None, Verdict::NotComputed)
         }
     };
-    let spins = spins_left_out(facts);
-    let detail = without_spins(&spins).or_else(|| factor(facts, over, speed));
-    Some(Check { required, detail, ..Check::new("check-run-up", result, kept_without(&spins, verdict)) })
+    // no run-up has the unbalance of more than one spin
+    let spins = Spins::of(facts);
+    let spins = Spins { left_out: spins.known.into_iter().map(|k| k.0).chain(spins.left_out).collect(), ..Spins::default() };
+    // a quick run-up may pass before the vibration has grown, and a part with a gap may hold it
+    let contact = closed_on_the_way(facts);
+    let verdict = if contact.is_empty() || verdict == Verdict::Failed { verdict } else { Verdict::Attention };
+    let contact = (!contact.is_empty()).then(|| Message::new("run-up-contact").arg("parts", Arg::names(contact)));
+    let detail = contact.or_else(|| spins.remark()).or_else(|| factor(facts, over, speed));
+    Some(Check { required, detail, ..Check::new("check-run-up", result, spins.kept(verdict)) })
 }
 
 /// By what factor a disturbance grows at most on the way through unstable ranges in the time of the run-up: exp of the growth rate over that time, as in

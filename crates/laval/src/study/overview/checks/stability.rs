@@ -41,6 +41,14 @@ pub(super) fn stability(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
         let source = Message::new("from-study").arg("study", Arg::name(name));
         return Check { detail: Some(source), ..of(result.arg("motion", motion(value.re, frequency)), Verdict::Failed) };
     }
+    if let Some(Some(value)) = facts.growing {
+        let result = Message::new("stability-unstable").arg("time", Arg::quantity(1.0 / value.re, "s"));
+        let detail = Message::new("stability-mode")
+            .arg("frequency", Arg::frequency(value.im.abs()))
+            .arg("decrement", Arg::number(-TAU * value.re / value.im.abs()));
+        let detail = (value.im.abs() > 0.0).then(|| detail.arg("place", Arg::word("none")));
+        return Check { detail, ..of(result.arg("motion", motion(value.re, value.im.abs())), Verdict::Failed) };
+    }
     let Some((study, known)) = &facts.modes else { return of(Message::new("why-no-speed"), Verdict::NotComputed) };
     let Some(result) = known.get() else {
         let (result, detail, verdict) = along(facts, over, speed).unwrap_or_else(|| (known.why(), None, Verdict::NotComputed));

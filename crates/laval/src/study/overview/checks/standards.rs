@@ -3,7 +3,8 @@
 use super::super::operating::Operating;
 use super::super::{Facts, Known};
 use super::MOST_NAMED;
-use super::response::{kept_without, spins_left_out, without_spins};
+use super::spins::Spins;
+use crate::model::system::System;
 use crate::outcome::{Arg, Check, Message, Verdict};
 use crate::solve::statics::supports::supports;
 use crate::solve::statics::unbalance::{Rotor, rotors};
@@ -67,6 +68,13 @@ fn assessed(facts: &Facts) -> impl Iterator<Item = (&'static str, VibrationStand
     all.into_iter().filter_map(|(what, standard)| Some((what, standard?)))
 }
 
+/// Speed of the shaft of a journal over that of the machine.
+fn ratio(system: &System, journal: &Journal) -> f64 {
+    let turning = journal.relative.0.iter().flatten().map(|(i, _)| &system.slots()[system.coordinates()[*i].slot]);
+    let mut turning = turning.filter(|s| s.part.body().is_some_and(|b| b.turns()));
+    turning.next().map_or(1.0, |s| s.speed(system.params(), 1.0).abs())
+}
+
 fn one_standard(facts: &Facts, speed: Operating, what: &str, standard: VibrationStandard) -> Check {
     let refused = |why: Message| Check::new(what, why, Verdict::NotComputed);
     let of_housings = standard.is_of_housings();
@@ -97,10 +105,21 @@ fn one_standard(facts: &Facts, speed: Operating, what: &str, standard: Vibration
     if found.is_empty() {
         return refused(Message::new("shaft-vibration-unknown"));
     }
+    // the unbalance of other spins adds to it, and every shaft is assessed at its own speed
+    let spins = Spins::of(facts);
+    for (_, r, range) in &spins.known {
+        for more in vibrations(&all, &r.curve, standard, *range) {
+            found.iter_mut().filter(|v| v.slot == more.slot).for_each(|v| v.peak_to_peak += more.peak_to_peak);
+        }
+    }
+    for v in &mut found {
+        v.speed *= all.iter().find(|j| j.slot == v.slot).map_or(1.0, |j| ratio(facts.system, j));
+    }
     let used = |v: &JournalVibration| v.peak_to_peak / standard.limit(v.speed);
     found.sort_by_number_down(used);
     let worst = found[0];
-    if !standard.covers(speed.low) || !standard.covers(speed.high) {
+    let covers = |w: f64| found.iter().all(|v| standard.covers(w * v.speed.abs() / speed.high));
+    if !covers(speed.low) || !covers(speed.high) {
         return refused(Message::new("shaft-vibration-speed"));
     }
     let name = |slot: usize| Arg::name(&facts.system.slots()[slot].name);
@@ -124,14 +143,12 @@ fn one_standard(facts: &Facts, speed: Operating, what: &str, standard: Vibration
     // the linear response passes through a part that would hold it
     let closes = steady.is_none() && facts.response.as_ref().and_then(Known::get).is_some_and(|r| !r.observed.closed.is_empty());
     let verdict = if closes && verdict == Verdict::Passed { Verdict::Attention } else { verdict };
-    // their own unbalance is left out
-    let spins = spins_left_out(facts);
-    let verdict = kept_without(&spins, verdict);
+    let verdict = spins.kept(verdict);
     let detail = Message::new(if of_housings { "housing-vibration-detail" } else { "shaft-vibration-detail" })
         .arg("standard", Arg::word(standard.word()))
         .arg("speed", Arg::speed(worst.speed))
         .arg("nonlinear", Arg::word(if steady.is_some() { "yes" } else { "no" }));
     let required = Some(Arg::from(Message::new("required-below").arg("limit", size(worst.speed, standard.limit(worst.speed)))));
-    let detail = without_spins(&spins).unwrap_or(detail);
+    let detail = spins.remark().unwrap_or(detail);
     Check { detail: Some(detail), required, ..Check::new(what, Message::new("shaft-vibration-sizes").arg("sizes", sizes), verdict) }
 }
