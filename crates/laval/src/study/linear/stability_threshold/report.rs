@@ -170,6 +170,8 @@ impl Shown<'_> {
         let already = self.already();
         let proven = self.proven();
         match self.first() {
+            // that of another mode is no threshold of a machine that is unstable already
+            Some((_, c)) if already && c.at.stiffness > 0.0 => {}
             Some((k, c)) => {
                 let finding = of(Finding::info("threshold", "stability-threshold-threshold"))
                     .value(c.at.stiffness, "N/m")
