@@ -26,7 +26,7 @@ fn lobes() -> [Lobe; 2] {
     [Lobe { from: PI + groove, to: 2.0 * PI - groove, centre: PRELOAD }, Lobe { from: groove, to: PI - groove, centre: -PRELOAD }]
 }
 
-type Force = dyn Fn([f64; 2], [f64; 2]) -> [f64; 2];
+pub type Force = dyn Fn([f64; 2], [f64; 2]) -> [f64; 2];
 
 /// Of the films of finite length.
 fn finite(at: [f64; 2], rate: [f64; 2]) -> [f64; 2] {
@@ -35,7 +35,7 @@ fn finite(at: [f64; 2], rate: [f64; 2]) -> [f64; 2] {
 }
 
 /// Of the short bearing: the pressure is a parabola along the axis, and none where it would be negative.
-fn short_of(all: &[Lobe], at: [f64; 2], rate: [f64; 2]) -> [f64; 2] {
+pub fn short_of(all: &[Lobe], at: [f64; 2], rate: [f64; 2]) -> [f64; 2] {
     const POINTS: usize = 4000;
     let mut out = [0.0; 2];
     for lobe in all {
@@ -51,7 +51,7 @@ fn short_of(all: &[Lobe], at: [f64; 2], rate: [f64; 2]) -> [f64; 2] {
 }
 
 /// Where the film carries a load along -y, from a place near it.
-fn rest(force: &Force, load: f64, start: [f64; 2]) -> [f64; 2] {
+pub fn rest(force: &Force, load: f64, start: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 1e-4;
     let mut q = start;
     for _ in 0..20 {
@@ -70,7 +70,7 @@ fn rest(force: &Force, load: f64, start: [f64; 2]) -> [f64; 2] {
 }
 
 /// Stiffness and damping as the rows have them.
-fn coefficients(force: &Force, load: f64, q: [f64; 2]) -> [[f64; 4]; 2] {
+pub fn coefficients(force: &Force, load: f64, q: [f64; 2]) -> [[f64; 4]; 2] {
     const STEP: f64 = 2e-3;
     let mut own = [[0.0; 4]; 2];
     for k in 0..4 {

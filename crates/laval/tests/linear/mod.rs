@@ -11,6 +11,7 @@ mod harmonic_force;
 mod liquid_force;
 mod lobed_film;
 mod long_shafts;
+mod lund_thomsen;
 mod matrices;
 mod memory;
 mod model_planar;
