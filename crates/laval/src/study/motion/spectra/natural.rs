@@ -98,3 +98,21 @@ pub(super) fn line(rows: &[NaturalFrequency], x: &str, y: &str) -> Line {
     let line = Line::new(NAME, x, y).group("line").called(names).reference();
     line.solid_where("observed").meaning(Arg::default(), "natural frequency")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use laval_num::complex::c;
+
+    /// A point that goes round one way is on that side, one along a line on both; points that hardly move do not decide.
+    #[test]
+    fn sides_are_those_of_the_points_that_move() {
+        let circle = |f: f64, b: f64| [c(f, 0.0), c(0.0, b)];
+        let sides = |motion: &[[C64; 2]]| [1, -1].map(|side| goes_round(motion, side));
+        assert_eq!(sides(&[circle(1.0, 0.1)]), [true, false]);
+        assert_eq!(sides(&[circle(0.1, 1.0)]), [false, true]);
+        assert_eq!(sides(&[circle(1.0, 1.0)]), [true, true]);
+        assert_eq!(sides(&[circle(1.0, 0.0), circle(0.0, 0.5)]), [true, true]);
+        assert_eq!(sides(&[circle(1.0, 0.0), circle(0.0, 1e-4)]), [true, false]);
+    }
+}
