@@ -390,7 +390,7 @@ impl Model {
                 }
             };
         }
-        // what is not given in y is that in x
+        // coefficients in y default to those in x
         for (x, y) in [(0, 3), (4, 7)] {
             if r.get(COEFFICIENTS[y]).is_none() {
                 coefficients[y] = coefficients[x].clone();

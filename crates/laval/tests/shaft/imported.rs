@@ -304,7 +304,7 @@ fn keys_that_are_not_read_are_listed() {
     let found = import(text.as_bytes(), "rotor").unwrap_or_else(|d| panic!("{d}"));
     let said = unread(&found);
     assert!(said.len() == 2 && said[0].contains("\"mass\"") && said[1].contains("\"kxxx\""), "{said:?}");
-    // what is not given in y is that in x
+    // coefficients in y default to those in x
     let system = load(&found.text).system;
     let value = |name: &str| system.params()[system.param_slots().iter().position(|s| s.name.ends_with(name)).unwrap()];
     assert_eq!([value("kyy"), value("cyy")], [1e7, 1e3]);

@@ -17,6 +17,7 @@ mod operating;
 mod over_frequency;
 mod over_speed;
 mod shapes;
+mod spins;
 mod studied;
 mod worst;
 
@@ -47,6 +48,7 @@ use laval_num::complex::C64;
 use laval_num::order::ascending;
 use laval_num::work::watched;
 use operating::Operating;
+use spins::Spins;
 use studied::{Found, Needed};
 use worst::Worst;
 
@@ -190,6 +192,8 @@ pub(super) struct Facts<'a> {
     growing: Option<Option<C64>>,
     /// Growth from which on a mode counts as unstable over the range, 1/s.
     threshold: f64,
+    /// Unbalance of other spins.
+    spins: Spins,
     /// Steady responses of the nonlinear machine at the operating speed.
     steady: Option<nonlinear::Steady>,
     criticals: Known<CriticalSpeedsResult>,
@@ -233,9 +237,8 @@ impl Facts<'_> {
     /// Range of speeds searched for resonances; none where nothing was.
     fn searched(&self, over: &OverSpeed) -> Option<(f64, f64)> {
         let criticals = self.criticals.get();
-        let along: Vec<f64> = criticals.iter().flat_map(|c| &c.strongest).map(|s| self.sign * s.speed).collect();
-        let own = if over.response_speed.is_empty() { &along } else { &over.response_speed };
-        ends(own).or_else(|| criticals.is_some_and(|c| c.end.is_complete()).then_some(over.range))
+        let own = if over.response_speed.is_empty() { criticals.and_then(|c| followed(c, self.sign)) } else { ends(&over.response_speed) };
+        own.or_else(|| criticals.is_some_and(|c| c.end.is_complete()).then_some(over.range))
     }
 }
 
@@ -307,8 +310,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
     // what ended early below the operating speeds tells nothing of them
     let reaches = |r: &CriticalSpeedsResult| {
-        let along: Vec<f64> = r.strongest.iter().map(|s| sign * s.speed).collect();
-        r.end.is_complete() || self::ends(&along).is_some_and(|e| operating.is_none_or(|o| e.1 >= o.high * (1.0 - 1e-9)))
+        r.end.is_complete() || followed(r, sign).is_some_and(|e| operating.is_none_or(|o| e.1 >= o.high * (1.0 - 1e-9)))
     };
     let criticals = match criticals {
         Known::Yes(r) if !reaches(&r) => Known::TooLong,
@@ -317,8 +319,8 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let narrow = operating.filter(|o| !o.is_one() || o.high > 0.0).and_then(|o| {
         let reach = ((1.0 - resonance_margin) * o.low, (1.0 + resonance_margin) * o.high);
         let known = |r: &CriticalSpeedsResult| {
-            let along: Vec<f64> = r.strongest.iter().map(|s| sign * s.speed).collect();
-            r.end.is_complete() && self::ends(&along).is_none_or(|e| e.0 <= reach.0 * (1.0 + 1e-9) && reach.1 <= e.1 * (1.0 + 1e-9))
+            let covers = |e: (f64, f64)| e.0 <= reach.0 * (1.0 + 1e-9) && reach.1 <= e.1 * (1.0 + 1e-9);
+            r.end.is_complete() && followed(r, sign).is_none_or(covers)
         };
         if criticals.get().is_some_and(known) {
             return None;
@@ -382,6 +384,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         worst,
         growing,
         threshold,
+        spins: operating.map_or_else(Spins::default, |o| Spins::of(system, outcomes, sign * o.low, sign * o.high)),
         steady: None,
         criticals,
         narrow,
@@ -405,6 +408,11 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     out.checks = checks::checks(&facts, out.over_speed.as_ref());
     headline::headline(&facts, &mut out);
     out
+}
+
+/// First and last amount of the speed at which modes were followed; none of a search of another kind.
+fn followed(found: &CriticalSpeedsResult, sign: f64) -> Option<(f64, f64)> {
+    ends(&found.strongest.iter().map(|s| sign * s.speed).collect::<Vec<f64>>())
 }
 
 /// The part of a range of amounts of the speed in which all coefficients are known.

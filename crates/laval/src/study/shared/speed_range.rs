@@ -112,6 +112,11 @@ fn known<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
     Ok(())
 }
 
+/// Speed of the fastest shaft over that of the machine, at least 1.
+pub(in crate::study) fn fastest_ratio(system: &System) -> f64 {
+    system.spins().iter().map(|s| s.ratio.abs()).fold(1.0, f64::max)
+}
+
 /// First and last speed of the machine at which no table refuses its coefficients; infinite without such a table.
 pub(in crate::study) fn known_speeds(system: &System) -> (f64, f64) {
     let refusing = tabulated(system).filter(|(_, t)| t.beyond == Beyond::Refuse);

@@ -105,9 +105,12 @@ pub(super) fn lying(parts: &Parts) -> (String, String) {
         let xs = own.chain(supports.iter().filter(|p| p.row == row).map(|p| p.x));
         let xs = xs.chain(wheels().filter(|w| rows.of[w.0.0] == row).map(|w| at.point(w.0.0, w.0.1)));
         let (a, b) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        if a > b {
+            continue;
+        }
         let y = axis(row);
         let _ = write!(s, "<path class=\"axis\" d=\"M{} {y}H{}\"/>", px(a - 34.0), px(b + 34.0), y = px(y));
-        if a <= b && !outlined {
+        if !outlined {
             rect(&mut s, "steel", (a - 16.0, y - SHAFT), (b - a + 32.0, 2.0 * SHAFT));
         }
         (first, last) = (first.min(a), last.max(b));

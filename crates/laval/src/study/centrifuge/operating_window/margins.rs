@@ -13,6 +13,7 @@ use crate::separation::separator::Separator;
 use crate::study::centrifuge::cups::Carried;
 use crate::study::centrifuge::cups::task::{Task, needed};
 use crate::study::shared::limits::{Limit, Limits};
+use crate::study::shared::speed_range::fastest_ratio;
 use crate::study::shared::support::{larger, largest};
 use laval_num::complex::{C64, c};
 use laval_num::order::{SortByNumber, ascending};
@@ -242,7 +243,7 @@ impl Evaluator<'_> {
                 (Some(rated), Some(density)) => derated(highest, rated, density),
                 _ => highest,
             };
-            let fastest = system.spins().iter().map(|s| s.ratio.abs()).fold(1.0, f64::max) * speed.abs();
+            let fastest = fastest_ratio(system) * speed.abs();
             margins.push(margin(6, 1.0 - fastest / allowed, Detail::Speed));
         }
         let outside = met.iter().filter_map(|s| s.validity.clone()).map(|(ratio, part)| (1.0 - ratio, part));

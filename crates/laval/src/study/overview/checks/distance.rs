@@ -2,11 +2,10 @@
 
 use super::super::margins::{self, Nearest};
 use super::super::operating::Operating;
-use super::super::{Facts, MARGIN, ends};
+use super::super::{Facts, MARGIN, ends, followed};
 use crate::outcome::{Arg, Check, Message, OverSpeed, Unstable, Verdict};
 use crate::solve::criticals::Critical;
 use crate::study::linear::campbell;
-use crate::study::linear::critical_speeds::CriticalSpeedsResult;
 use crate::study::shared::margins::resonant;
 use laval_num::order::ascending;
 
@@ -139,12 +138,6 @@ fn exempt(over: &OverSpeed) -> Option<Message> {
     (!speeds.is_empty()).then(|| Message::new("distance-critically-damped").arg("speeds", Arg::List(speeds)))
 }
 
-/// Speeds at which modes were followed, amounts; none where they are those of a search of another kind.
-fn along(facts: &Facts, found: &CriticalSpeedsResult) -> Option<(f64, f64)> {
-    let along: Vec<f64> = found.strongest.iter().map(|s| facts.sign * s.speed).collect();
-    ends(&along)
-}
-
 /// Critical speeds within the distance required that whirl forward and show no peak: with the unbalance of the file they are not excited, with another one they are.
 fn silent(facts: &Facts, over: &OverSpeed, reach: (f64, f64)) -> Vec<f64> {
     let spins = facts.system.spins();
@@ -169,10 +162,10 @@ pub(super) fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: Operatin
     // the search about the operating speeds reaches as far as required
     let searched = match (own, &facts.narrow) {
         (Some(own), Some(narrow)) => {
-            let narrow = along(facts, narrow).unwrap_or(reach);
+            let narrow = followed(narrow, facts.sign).unwrap_or(reach);
             Some((own.0.min(narrow.0), own.1.max(narrow.1)))
         }
-        (None, Some(narrow)) => Some(along(facts, narrow).unwrap_or(reach)),
+        (None, Some(narrow)) => Some(followed(narrow, facts.sign).unwrap_or(reach)),
         (own, None) => own,
     };
     let Some((over, searched)) = over.zip(searched) else {

@@ -4,7 +4,6 @@ mod balls;
 mod distance;
 mod response;
 mod run_up;
-mod spins;
 mod stability;
 mod standards;
 
@@ -18,6 +17,7 @@ use super::operating::{Operating, span};
 use crate::outcome::{Arg, Check, Data, Level, Message, Outcome, OverSpeed, Verdict};
 use crate::study::Study;
 use crate::study::centrifuge::operating_window::OperatingWindow;
+use crate::study::shared::speed_range::fastest_ratio;
 use distance::{instability, resonance};
 use response::{forces, steady, validity, vibration};
 use run_up::run_up;
@@ -112,7 +112,7 @@ fn window(facts: &Facts, speed: Operating) -> Option<Check> {
 fn highest(facts: &Facts, speed: Operating) -> Option<Check> {
     let limit = facts.limits.speed?;
     // the limit is one of strength: it holds for the fastest shaft
-    let fastest = facts.system.spins().iter().map(|s| s.ratio.abs()).fold(1.0, f64::max) * speed.high;
+    let fastest = fastest_ratio(facts.system) * speed.high;
     let (required, verdict) = against(Some(((limit, fastest), "rad/s")));
     Some(Check { required, ..Check::new("check-speed", Message::new("speed-is").arg("speed", Arg::speed(fastest)), verdict) })
 }

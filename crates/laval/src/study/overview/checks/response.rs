@@ -2,7 +2,6 @@
 
 use super::super::studied::{self, Needed};
 use super::super::{Facts, Known};
-use super::spins::Spins;
 use super::{MOST_NAMED, against};
 use crate::model::part::{At, Link};
 use crate::model::probe::{Probe, Sight};
@@ -67,7 +66,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let all = facts.system.probes();
     let known = |p: &Probe| nonlinear.and_then(|s| s.sizes.iter().find(|x| !p.is_tilt() && x.0 == probe_name(p))).map(|x| x.1);
     let fastest = facts.operating.map_or(0.0, |o| o.high);
-    let spins = Spins::of(facts);
+    let spins = &facts.spins;
     // at different frequencies the largest values meet at times
     let linear = |p: &Probe| {
         let own = curve.map_or((f64::NAN, f64::NAN), |c| sizes(c, all, p));
@@ -109,7 +108,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     let closes: Vec<&str> =
         facts.response.as_ref().and_then(Known::get).map_or(Vec::new(), |r| r.observed.closed.iter().map(|c| c.part.as_str()).collect());
     let touching = touching(facts);
-    let touching_none = touching.is_empty();
+    let remark = spins.remark().filter(|_| touching.is_empty());
     let (detail, verdict) = if !touching.is_empty() {
         let rests = Message::new("vibration-touching").arg("parts", Arg::names(touching));
         (Some(rests), if verdict == Verdict::Failed { verdict } else { Verdict::Attention })
@@ -123,7 +122,7 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
     };
     // also a nonlinear study has the loads of one spin alone
     let verdict = if nonlinear.is_some() && !spins.known.is_empty() && verdict == Verdict::Passed { Verdict::Attention } else { verdict };
-    let (detail, verdict) = (spins.remark().filter(|_| touching_none).or(detail), spins.kept(verdict));
+    let (detail, verdict) = (remark.or(detail), spins.kept(verdict));
     let mut out = vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }];
     let limited = kept(&facts.limits.velocity, &velocity);
     if let Some((_, worst, limit)) = limited.first() {
@@ -215,7 +214,7 @@ pub(super) fn forces(facts: &Facts) -> Option<Check> {
         }
     }
     // what a turn of another spin adds to the force at rest
-    let (spins, still) = (Spins::of(facts), at_rest(facts));
+    let (spins, still) = (&facts.spins, at_rest(facts));
     for q in spins.known.iter().flat_map(|k| &k.1.observed.quantities).filter(|q| q.unit == "N") {
         let rest = still.iter().find(|r| r.0 == q.part).map_or(0.0, |r| r.1);
         let more = (largest(q.values.iter().copied()) - rest).max(0.0);

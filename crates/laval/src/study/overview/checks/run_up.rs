@@ -1,9 +1,9 @@
 //! What lies on the way to the operating speeds.
 
 use super::super::operating::{Operating, span};
+use super::super::spins::Spins;
 use super::super::{Facts, Known, ends, within};
 use super::response::closed_on_the_way;
-use super::spins::Spins;
 use super::{against, speeds};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{Value, Values};
@@ -136,8 +136,8 @@ pub(super) fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: Operating, 
         }
     };
     // no run-up has the unbalance of more than one spin
-    let spins = Spins::of(facts);
-    let spins = Spins { left_out: spins.known.into_iter().map(|k| k.0).chain(spins.left_out).collect(), ..Spins::default() };
+    let spins = &facts.spins;
+    let spins = Spins { left_out: spins.known.iter().map(|k| &k.0).chain(&spins.left_out).cloned().collect(), ..Spins::default() };
     // a quick run-up may pass before the vibration has grown, and a part with a gap may hold it
     let contact = closed_on_the_way(facts);
     let verdict = if contact.is_empty() || verdict == Verdict::Failed { verdict } else { Verdict::Attention };

@@ -3,7 +3,6 @@
 use super::super::operating::Operating;
 use super::super::{Facts, Known};
 use super::MOST_NAMED;
-use super::spins::Spins;
 use crate::model::system::System;
 use crate::outcome::{Arg, Check, Message, Verdict};
 use crate::solve::statics::supports::supports;
@@ -106,7 +105,7 @@ fn one_standard(facts: &Facts, speed: Operating, what: &str, standard: Vibration
         return refused(Message::new("shaft-vibration-unknown"));
     }
     // the unbalance of other spins adds to it, and every shaft is assessed at its own speed
-    let spins = Spins::of(facts);
+    let spins = &facts.spins;
     for (_, r, range) in &spins.known {
         for more in vibrations(&all, &r.curve, standard, *range) {
             found.iter_mut().filter(|v| v.slot == more.slot).for_each(|v| v.peak_to_peak += more.peak_to_peak);

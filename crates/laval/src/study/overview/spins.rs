@@ -1,8 +1,8 @@
 //! Unbalance of other spins than that of the machine: their vibration adds to that of the machine, at another frequency, so that at times the largest values of all add up.
 
-use super::super::Facts;
-use super::super::studied::{self, Needed};
-use crate::outcome::{Arg, Message, Verdict};
+use super::studied::{self, Needed};
+use crate::model::system::System;
+use crate::outcome::{Arg, Message, Outcome, Verdict};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::rest::rest;
 use crate::study::linear::forced_response::ForcedResponseResult;
@@ -17,19 +17,18 @@ pub(super) struct Spins {
 }
 
 impl Spins {
-    pub fn of(facts: &Facts) -> Spins {
+    /// At the operating speeds, with their sign.
+    pub fn of(system: &System, outcomes: &[Outcome], low: f64, high: f64) -> Spins {
         let mut out = Spins::default();
-        let Some(o) = facts.operating else { return out };
-        let speed = facts.sign * o.high;
         let loaded = |name: &str, ratio: f64| {
-            let own = facts.system.at_spin(name).ok()?;
-            let about = rest(&own, ratio * speed).ok()?;
+            let own = system.at_spin(name).ok()?;
+            let about = rest(&own, ratio * high).ok()?;
             Some(Characteristic::new(&own, &about).loads().1.iter().any(|f| f.abs() > 0.0))
         };
-        for spin in facts.system.spins() {
+        for spin in system.spins() {
             let Some(name) = spin.name.filter(|name| loaded(name, spin.ratio).unwrap_or(true)) else { continue };
-            match studied::spin_response(facts.outcomes, &name, Needed::between(spin.ratio * facts.sign * o.low, spin.ratio * speed)) {
-                Some(found) => out.known.push((name, found, (spin.ratio.abs() * o.low, spin.ratio.abs() * o.high))),
+            match studied::spin_response(outcomes, &name, Needed::between(spin.ratio * low, spin.ratio * high)) {
+                Some(found) => out.known.push((name, found, ((spin.ratio * low).abs(), (spin.ratio * high).abs()))),
                 None => out.left_out.push(name),
             }
         }
