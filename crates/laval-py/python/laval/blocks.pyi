@@ -353,7 +353,7 @@ def limits(
             a list; a pure number, above 0 and at most 1000
         self_centring: largest distance of a rotor's centre of mass from the spin axis over its eccentricity, c0: 0.5 is usual above the critical speed (optional).
             a pure number, above 0 and at most 1000
-        speed: highest speed, for strength (optional).
+        speed: highest speed of any shaft, for strength (optional).
             a speed (rad/s, rpm, Hz), above 0 and at most 1e6 rad/s (9.549e6 rpm)
         rated_density: density of the contents that speed is rated for; denser contents lower it (optional).
             a density (kg/m^3, g/cm^3), above 0 and at most 100000 kg/m^3
@@ -386,11 +386,11 @@ def operation(
             one value, or { from = .., to = .., points = .. }, points optional, at most 100000; a speed (rad/s, rpm, Hz), between 0 and 1e6 rad/s (9.549e6 rpm)
         run_up_time: time from standstill to the operating speed at constant acceleration; the run-up is then simulated for the first page (optional).
             a time (s, ms, min), above 0 and at most 1e7 s
-        resonance_margin: least distance of resonances from the operating speeds, over the speed; clearance of [limits], or 15 %, where absent (optional).
+        resonance_margin: least distance of resonances from the operating speeds, over the speed; the larger one of this and the clearance of [limits] counts, 15 % where both are absent (optional).
             a pure number, between 0 and 1
         instability_margin: least distance of unstable ranges from the operating speeds, over the speed; 15 % where absent (optional).
             a pure number, between 0 and 1
-        decrement: least logarithmic decrement of every natural mode at the operating speed (optional).
+        decrement: least logarithmic decrement of every natural mode at the operating speed, of frequencies up to ten times that speed (optional).
             a pure number, above 0 and at most 100
         balance_grade: balance quality grade of ISO 21940-11: the unbalance of every rotor, and its share in the planes of two bearings, is assessed at the highest operating speed (optional).
             "G0.4" (0.4 mm/s: gyroscopes, spindles of high-precision systems) or "G1" (1 mm/s: grinding-machine drives, tape drives) or "G2.5" (2.5 mm/s: compressors, gas and steam turbines, machine-tool drives, fast electric motors) or "G6.3" (6.3 mm/s: centrifuges and separators, fans, pumps, gears, general machinery) or "G16" (16 mm/s: drive shafts, crushers, agricultural machinery) or "G40" (40 mm/s: car wheels, wheel rims, crankshaft drives balanced in themselves) or "G100" (100 mm/s: complete reciprocating engines of cars and locomotives) or "G250" (250 mm/s: crankshaft drives not balanced in themselves, rigidly mounted) or "G630" (630 mm/s: crankshaft drives of large four-stroke engines) or "G1600" (1600 mm/s: crankshaft drives of large slow engines, elastically mounted) or "G4000" (4000 mm/s: crankshaft drives of large slow engines, rigidly mounted)
