@@ -140,16 +140,34 @@ impl<T: Field> Mat<T> {
     pub fn matmul_into(&self, o: &Self, out: &mut Self) {
         assert_eq!(self.cols, o.rows, "inner dimensions of a product differ");
         out.reset(self.rows, o.cols);
+        self.matmul_add(o, out);
+    }
+    /// `out += self * o`.
+    pub fn matmul_add(&self, o: &Self, out: &mut Self) {
+        assert!(self.cols == o.rows && self.rows == out.rows && o.cols == out.cols, "dimensions of a product differ");
         spend(products::<T>(self.rows * self.cols * o.cols));
-        for i in 0..self.rows {
-            for k in 0..self.cols {
-                let a = self.data[i * self.cols + k];
-                if a == T::ZERO {
+        if o.cols == 0 || self.cols == 0 {
+            return;
+        }
+        let whole = self.cols / 4 * 4;
+        for (factors, row) in self.data.chunks_exact(self.cols).zip(out.data.chunks_exact_mut(o.cols)) {
+            // four rows at once: the sum stays in a register meanwhile, in the order of the sum
+            for (a, b) in factors.chunks_exact(4).zip(o.data.chunks_exact(4 * o.cols)) {
+                if a.iter().all(|&a| a == T::ZERO) {
                     continue;
                 }
-                let (row, b) = (&mut out.data[i * o.cols..(i + 1) * o.cols], &o.data[k * o.cols..(k + 1) * o.cols]);
-                for (r, &b) in row.iter_mut().zip(b) {
-                    *r += a * b;
+                let (b0, rest) = b.split_at(o.cols);
+                let (b1, rest) = rest.split_at(o.cols);
+                let (b2, b3) = rest.split_at(o.cols);
+                for ((((r, &b0), &b1), &b2), &b3) in row.iter_mut().zip(b0).zip(b1).zip(b2).zip(b3) {
+                    *r = (((*r + a[0] * b0) + a[1] * b1) + a[2] * b2) + a[3] * b3;
+                }
+            }
+            for (&a, b) in factors[whole..].iter().zip(o.data[whole * o.cols..].chunks_exact(o.cols)) {
+                if a != T::ZERO {
+                    for (r, &b) in row.iter_mut().zip(b) {
+                        *r += a * b;
+                    }
                 }
             }
         }
@@ -162,9 +180,28 @@ impl<T: Field> Mat<T> {
     }
     /// `y += self * x`.
     pub fn mul_vec_add(&self, x: &[T], y: &mut [T]) {
-        assert_eq!(self.cols, x.len(), "length of a vector differs from the columns");
-        for (i, y) in y.iter_mut().enumerate() {
-            for (&a, &b) in self.row(i).iter().zip(x) {
+        assert!(self.cols == x.len() && self.rows == y.len(), "lengths of vectors differ from the matrix");
+        if self.cols == 0 {
+            return;
+        }
+        // four sums side by side, each in its order: one alone waits for its own last addition
+        let mut rows = self.data.chunks_exact(4 * self.cols);
+        let mut sums = y.chunks_exact_mut(4);
+        for (rows, y) in rows.by_ref().zip(sums.by_ref()) {
+            let (r0, rest) = rows.split_at(self.cols);
+            let (r1, rest) = rest.split_at(self.cols);
+            let (r2, r3) = rest.split_at(self.cols);
+            let [mut s0, mut s1, mut s2, mut s3] = [y[0], y[1], y[2], y[3]];
+            for ((((&x, &a0), &a1), &a2), &a3) in x.iter().zip(r0).zip(r1).zip(r2).zip(r3) {
+                s0 += a0 * x;
+                s1 += a1 * x;
+                s2 += a2 * x;
+                s3 += a3 * x;
+            }
+            y.copy_from_slice(&[s0, s1, s2, s3]);
+        }
+        for (row, y) in rows.remainder().chunks_exact(self.cols).zip(sums.into_remainder()) {
+            for (&a, &b) in row.iter().zip(x) {
                 *y += a * b;
             }
         }
@@ -216,13 +253,15 @@ impl std::error::Error for Singular {}
 #[derive(Clone, Debug)]
 pub struct Lu<T = f64> {
     lu: Mat<T>,
+    /// One over each entry of the diagonal.
+    inverse: Vec<T>,
     pivots: Vec<usize>,
     odd: bool,
 }
 
 impl<T: Field> Default for Lu<T> {
     fn default() -> Self {
-        Lu { lu: Mat::default(), pivots: Vec::new(), odd: false }
+        Lu { lu: Mat::default(), inverse: Vec::new(), pivots: Vec::new(), odd: false }
     }
 }
 
@@ -240,6 +279,7 @@ impl<T: Field> Lu<T> {
         spend(products::<T>(n * n * (n + 3) / 3));
         self.lu.copy_from(a);
         self.pivots.clear();
+        self.inverse.clear();
         self.odd = false;
         let d = &mut self.lu.data[..];
         for k in 0..n {
@@ -261,6 +301,7 @@ impl<T: Field> Lu<T> {
                 }
             }
             let inv = T::ONE / d[k * n + k];
+            self.inverse.push(inv);
             let (top, bottom) = d.split_at_mut((k + 1) * n);
             let pivot_row = &top[k * n + k + 1..];
             for row in bottom.chunks_exact_mut(n) {
@@ -362,7 +403,7 @@ impl<T: Field> Lu<T> {
                     }
                 }
             }
-            let inv = T::ONE / self.lu.data[i * n + i];
+            let inv = self.inverse[i];
             for r in row {
                 *r = *r * inv;
             }

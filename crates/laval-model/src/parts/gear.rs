@@ -166,9 +166,9 @@ impl Mesh for Gear {
 }
 
 impl Scope for Gear {
-    fn refuses_untwisted(&self, p: &Params<Self, f64>) -> Option<Text> {
-        // with both rotations prescribed the teeth would not carry the torque but what their stiffness leaves of it
-        (p.torque != 0.0).then(|| text!("a transmitted torque needs two bodies that twist: say torsional = true of both"))
+    fn refuses_untwisted(&self, _: &Params<Self, f64>) -> Option<Text> {
+        // with a rotation prescribed the stiffness of the teeth would hold the wheels up and carry their weight
+        Some(text!("a gear joins the rotations of two bodies: say torsional = true of both"))
     }
     fn refuses_ratio(&self, p: &Params<Self, f64>, ratio: f64) -> Option<Text> {
         let needed = -p.first_radius / p.second_radius;

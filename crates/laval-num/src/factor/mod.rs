@@ -21,6 +21,7 @@
 
 mod banded;
 mod columns;
+pub mod dense_lanes;
 mod each;
 mod forms;
 mod lanes;

@@ -27,6 +27,7 @@ mod system;
 pub mod tableau;
 #[cfg(test)]
 mod tests;
+pub mod transition;
 
 pub use control::{Attempt, Cause, Control, End, Run, Tolerance, Work};
 pub use dop853::Dop853;

@@ -9,6 +9,7 @@ mod findings;
 mod free_studies;
 mod free_whirls;
 mod limit_cycles;
+mod maps;
 mod methods;
 mod open_gap;
 mod orders;

@@ -21,7 +21,7 @@ pub fn beside(what: &str, kind: &str) -> String {
         docs::example(word, block.kinds.iter().find(|k| k.kind == kind).unwrap())
     };
     match (what, kind) {
-        ("part", "gear") => "[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2\n[[part]]\nkind = \"disc\"\nname = \"pinion\"\nspin = \"fast\"\nmass = \"3 kg\"\n\
+        ("part", "gear") => "[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -2\n[[part]]\nkind = \"disc\"\nname = \"pinion\"\nspin = \"fast\"\nmass = \"3 kg\"\npolar_inertia = \"0.02 kg m^2\"\ntorsional = true\n\
              [[part]]\nkind = \"bearing_linear\"\nname = \"of_pinion\"\nbetween = [\"pinion\", \"ground\"]\nkxx = 1e7\nkyy = 1e7\n"
             .to_string(),
         ("study", "separation" | "operating_window") => {
@@ -54,7 +54,13 @@ fn every_kind_has_a_typical_example_that_reads() {
     for (what, kind) in kinds {
         let block = docs::example(what, kind);
         let body = ["disc", "foundation"].contains(&kind.kind);
-        let machine = if body { "[machine]\n" } else { BESIDE };
+        // a gear joins bodies that twist
+        let twisting = BESIDE.replace("eccentricity", "torsional = true\neccentricity");
+        let machine = match kind.kind {
+            _ if body => "[machine]\n",
+            "gear" => &twisting,
+            _ => BESIDE,
+        };
         let what_else = if body { "" } else { &beside(what, kind.kind) };
         reads(&format!("{machine}{what_else}{block}"), kind.kind);
         if kind.example.is_empty() {

@@ -5,6 +5,7 @@ mod events;
 mod explicit;
 mod stiff;
 mod tableaux;
+mod transition;
 
 use super::*;
 use crate::dense::Mat;

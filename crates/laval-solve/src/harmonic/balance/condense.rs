@@ -10,14 +10,16 @@
 //! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
 
 use crate::characteristic::is_polynomial;
+use crate::harmonic::balance::orders_in_lanes::{OrdersInLanes, Shared};
 use crate::harmonic::balance::pace::Pace;
 use crate::model::blocks::Axes;
 use crate::model::erased::D1;
-use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::linear::{Form, LinearModel, LinearScratch, Loads};
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat, Singular};
 use laval_num::factor::{Columns, Factors, Terms};
+use laval_num::lanes::LANES;
 use laval_num::refill::refill;
 use laval_num::scalar::Scalar;
 
@@ -76,6 +78,19 @@ pub fn lossy(k: usize, reference: f64) -> C64 {
     c(reference, if k == 0 { 0.0 } else { reference })
 }
 
+/// F and its derivative at order `k` and unknown `i`, coordinates first; the unbalance acts at the order `turning`.
+fn external(loads: &Loads<D1>, coordinates: usize, turning: Option<usize>, k: usize, i: usize) -> (C64, C64) {
+    if turning == Some(k) && i < coordinates {
+        let (x, y) = (loads.force_cos[i], loads.force_sin[i]);
+        return (c(x.re, -y.re), c(x.eps[0], -y.eps[0]));
+    }
+    if k > 0 {
+        return (C64::zero(), C64::zero());
+    }
+    let x = if i < coordinates { loads.force[i] } else { loads.rate.get(i - coordinates).copied().unwrap_or(D1::zero()) };
+    (c(x.re, 0.0), c(x.eps[0], 0.0))
+}
+
 /// One order condensed at one pace, where requested with derivatives in the parameter that the pace depends on (the speed, under unbalance).
 #[derive(Clone, Debug, Default)]
 pub struct Order {
@@ -111,9 +126,18 @@ pub struct Condenser {
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
     dual: Vec<laval_num::complex::Complex<D1>>,
-    /// `A0, A1, A2` of Z and the mass alone, of a machine whose Z is a polynomial and no small matrix.
+    /// `A0, A1, A2` of Z, of a machine whose Z is a polynomial.
+    quadratic: Option<[Vec<D1>; 3]>,
+    /// The same as numbers, and the mass alone, of a machine whose matrices are not small.
     polynomial: Option<[Vec<f64>; 4]>,
-    /// Reference stiffness by entries.
+    /// Entries of the reference stiffness.
+    references: Vec<(usize, f64)>,
+    /// Places of the entries in a full matrix, of those of the reference stiffness among them, and what a drive adds.
+    places: Vec<usize>,
+    reference_places: Vec<(usize, f64)>,
+    drives: Vec<D1>,
+    lanes: OrdersInLanes,
+    /// The same by all entries.
     held: Vec<f64>,
     z: Vec<C64>,
     dz: Vec<C64>,
@@ -123,6 +147,7 @@ pub struct Condenser {
     work: Mat<C64>,
     projected: [Mat<C64>; 2],
     square: Mat<C64>,
+    moved: Vec<C64>,
     small: Lu<C64>,
 }
 
@@ -140,7 +165,13 @@ impl Condenser {
             model: LinearModel::default(),
             scratch: LinearScratch::default(),
             dual: Vec::new(),
+            quadratic: None,
             polynomial: None,
+            references: Vec::new(),
+            places: Vec::new(),
+            reference_places: Vec::new(),
+            drives: Vec::new(),
+            lanes: OrdersInLanes::default(),
             held: Vec::new(),
             z: Vec::new(),
             dz: Vec::new(),
@@ -150,6 +181,7 @@ impl Condenser {
             work: Mat::default(),
             projected: Default::default(),
             square: Mat::default(),
+            moved: Vec::new(),
             small: Lu::default(),
         }
     }
@@ -164,11 +196,32 @@ impl Condenser {
             p.eps = [pace.parameter.map_or(0.0, |q| q.rate(i))];
         }
         system.linear(&self.params, speed, Form::Frequency, &mut self.model, &mut self.scratch);
-        self.polynomial = (is_polynomial(system) && !self.model.plan().is_dense()).then(|| {
+        self.quadratic = is_polynomial(system).then(|| self.model.polynomial());
+        self.polynomial = self.quadratic.as_ref().filter(|_| !self.model.plan().is_dense()).map(|[a0, a1, a2]| {
             let real = |all: &[D1]| all.iter().map(|x| x.re).collect::<Vec<f64>>();
-            let [a0, a1, a2] = self.model.polynomial().map(|all| real(&all));
-            [a0, a1, a2, real(self.model.mass_values())]
+            [real(a0), real(a1), real(a2), real(self.model.mass_values())]
         });
+        self.set_references();
+    }
+
+    /// Places of the reference stiffness in the pattern, which stays that of the first pace.
+    fn set_references(&mut self) {
+        let pattern = self.model.pattern();
+        if self.held.len() == pattern.entries() {
+            return;
+        }
+        self.references.clear();
+        for (row, &reference) in self.basis.iter().zip(&self.reference) {
+            for &(gi, ci) in row {
+                // coordinates of one part are coupled
+                let places = row.iter().filter_map(|&(gj, cj)| Some((pattern.index(gi, gj)?, reference * (ci * cj))));
+                self.references.extend(places);
+            }
+        }
+        refill(&mut self.held, pattern.entries(), 0.0);
+        for &(e, x) in &self.references {
+            self.held[e] += x;
+        }
     }
 
     /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
@@ -192,6 +245,51 @@ impl Condenser {
                 };
             }
         }
+    }
+
+    /// Condenses orders of the base frequency, side by side where the machine has few coordinates; with derivatives where `slopes` is set.
+    pub fn orders(&mut self, system: &System, orders: &[usize], slopes: bool, out: &mut [Order]) -> Result<(), Singular> {
+        let (Some(quadratic), true) = (&self.quadratic, self.model.plan().is_dense()) else {
+            for (&k, out) in orders.iter().zip(out) {
+                self.order(system, k, slopes, out)?;
+            }
+            return Ok(());
+        };
+        let (pattern, coordinates) = (self.model.pattern(), system.n());
+        let size = pattern.n();
+        if self.places.is_empty() {
+            for i in 0..size {
+                self.places.extend(pattern.row(i).map(|(_, j)| i * size + j));
+            }
+            self.reference_places.extend(self.references.iter().map(|&(e, x)| (self.places[e], x)));
+        }
+        self.drives.clear();
+        if self.drive.re != 0.0 || self.drive.eps[0] != 0.0 {
+            // - xi s M, of coordinates alone
+            let inertial = |at: &usize| at / size < coordinates && at % size < coordinates;
+            let of = |(at, &mass): (&usize, &D1)| if inertial(at) { -(self.drive * mass) } else { D1::zero() };
+            self.drives.extend(self.places.iter().zip(self.model.mass_values()).map(of));
+        }
+        let shared = Shared {
+            size,
+            places: &self.places,
+            quadratic,
+            drive: &self.drives,
+            others: self.model.held()..size,
+            references: &self.reference_places,
+            reference: &self.reference,
+            basis: &self.basis,
+            frequency: self.frequency,
+            slopes,
+        };
+        let (loads, turning) = (&self.model.loads, self.driven.then_some(self.divisor));
+        let load = |k: usize, i: usize| external(loads, coordinates, turning, k, i);
+        for (orders, out) in orders.chunks(LANES).zip(out.chunks_mut(LANES)) {
+            if !self.lanes.condense(&shared, orders, load, out) {
+                return Err(Singular { column: 0 });
+            }
+        }
+        Ok(())
     }
 
     /// Condenses order `k >= 0` of the base frequency; with derivatives where `slopes` is set.
@@ -224,13 +322,23 @@ impl Condenser {
     fn evaluate(&mut self, system: &System, k: usize) {
         let n = system.n();
         let frequency = self.frequency.scale(k as f64);
-        let s = laval_num::complex::c(D1::zero(), frequency);
-        system.dynamic_stiffness_entries(&self.params, &self.model, Form::Frequency, s, &mut self.dual, &mut self.scratch);
-        let pattern = self.model.pattern();
         self.z.clear();
         self.dz.clear();
-        self.z.extend(self.dual.iter().map(|e| c(e.re.re, e.im.re)));
-        self.dz.extend(self.dual.iter().map(|e| c(e.re.eps[0], e.im.eps[0])));
+        if let Some([a0, a1, a2]) = &self.quadratic {
+            // s = i w: A0 - w^2 A2 + i w A1
+            let (w, dw) = (frequency.re, frequency.eps[0]);
+            let (square, slope) = (-w * w, -2.0 * w * dw);
+            for ((a0, a1), a2) in a0.iter().zip(a1).zip(a2) {
+                self.z.push(c(a0.re + square * a2.re, w * a1.re));
+                self.dz.push(c(a0.eps[0] + square * a2.eps[0] + slope * a2.re, w * a1.eps[0] + dw * a1.re));
+            }
+        } else {
+            let s = c(D1::zero(), frequency);
+            system.dynamic_stiffness_entries(&self.params, &self.model, Form::Frequency, s, &mut self.dual, &mut self.scratch);
+            self.z.extend(self.dual.iter().map(|e| c(e.re.re, e.im.re)));
+            self.dz.extend(self.dual.iter().map(|e| c(e.re.eps[0], e.im.eps[0])));
+        }
+        let pattern = self.model.pattern();
         // states of nonlinear parts are not of the linear model
         for i in self.model.held()..pattern.n() {
             pattern.row(i).filter(|x| x.1 == i).for_each(|(e, _)| {
@@ -249,24 +357,15 @@ impl Condenser {
                 }
             }
         }
-        refill(&mut self.held, pattern.entries(), 0.0);
-        for (row, &reference) in self.basis.iter().zip(&self.reference) {
-            for &(gi, ci) in row {
-                for &(gj, cj) in row {
-                    // coordinates of one part are coupled
-                    if let Some(e) = pattern.index(gi, gj) {
-                        self.z[e] += lossy(k, reference).scale(ci * cj);
-                        self.held[e] += reference * (ci * cj);
-                    }
-                }
-            }
+        let loss = lossy(k, 1.0);
+        for &(e, x) in &self.references {
+            self.z[e] += loss.scale(x);
         }
     }
 
     /// Right-hand sides: B^T, F, and its derivative.
     fn load(&mut self, system: &System, k: usize, slopes: bool) {
         let (n, m, size) = (system.n(), self.basis.len(), self.model.pattern().n());
-        let b = &self.model.loads;
         self.rhs.reset(size, m + 1 + usize::from(slopes));
         for (j, row) in self.basis.iter().enumerate() {
             for &(g, x) in row {
@@ -274,14 +373,7 @@ impl Condenser {
             }
         }
         for i in 0..size {
-            let (f, df) = if k == self.divisor && i < n && self.driven {
-                (c(b.force_cos[i].re, -b.force_sin[i].re), c(b.force_cos[i].eps[0], -b.force_sin[i].eps[0]))
-            } else if k == 0 {
-                let x = if i < n { b.force[i] } else { b.rate.get(i - n).copied().unwrap_or(D1::zero()) };
-                (c(x.re, 0.0), c(x.eps[0], 0.0))
-            } else {
-                continue;
-            };
+            let (f, df) = external(&self.model.loads, n, self.driven.then_some(self.divisor), k, i);
             self.rhs[(i, m)] = f;
             if slopes {
                 self.rhs[(i, m + 1)] = df;
@@ -349,16 +441,21 @@ impl Condenser {
         k_ref.reset(m, m);
         (0..m).for_each(|i| k_ref[(i, i)] = C64::one());
         self.small.solve_mat(k_ref);
-        let moved: Vec<C64> = (0..m).map(|i| flexibility[(i, m)]).collect();
-        out.load = k_ref.mul_vec(&moved);
+        let moved = &mut self.moved;
+        moved.clear();
+        moved.extend((0..m).map(|i| flexibility[(i, m)]));
+        refill(&mut out.load, m, C64::zero());
+        k_ref.mul_vec_add(moved, &mut out.load);
         if slopes {
             // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
             square(change, &mut self.square);
             k_ref.matmul_into(&self.square, &mut self.work);
             self.work.matmul_into(k_ref, &mut out.stiffness_speed);
-            let change: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
-            out.load_speed = k_ref.mul_vec(&change);
-            out.stiffness_speed.mul_vec_add(&moved, &mut out.load_speed);
+            refill(&mut out.load_speed, m, C64::zero());
+            out.stiffness_speed.mul_vec_add(moved, &mut out.load_speed);
+            moved.clear();
+            moved.extend((0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]));
+            k_ref.mul_vec_add(moved, &mut out.load_speed);
         }
         for i in 0..m {
             out.stiffness[(i, i)] -= lossy(k, self.reference[i]);

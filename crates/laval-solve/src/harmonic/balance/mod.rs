@@ -7,6 +7,7 @@ pub mod fourier;
 pub mod motion;
 pub mod nonlinear;
 pub mod orbit;
+mod orders_in_lanes;
 pub mod pace;
 pub mod problem;
 pub(in crate::harmonic) mod raise;

@@ -94,6 +94,13 @@ impl Sampled {
         self.evaluate(system, members, &Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, pace }, tangents);
     }
 
+    /// Rows and tangents at many instants, base phases `angles`, where the coordinates and their derivatives are `u`, instant after instant.
+    #[allow(clippy::too_many_arguments)]
+    pub fn eval_along(&mut self, system: &System, members: &[Member], terms: &Terms, angles: &[f64], u: [&[f64]; 3], pace: Pace) {
+        self.place(u);
+        self.evaluate(system, members, &Instants { m: terms.coordinates, angles, divisor: terms.divisor, pace }, true);
+    }
+
     /// Values of the surfaces where a member's law changes, at one instant as in [`Sampled::eval_at`].
     #[allow(clippy::too_many_arguments)]
     pub fn switches_at(
@@ -324,16 +331,7 @@ impl Sampled {
                 }
             }
         }
-        for i in 0..terms.unknowns {
-            let (a, out) = (terms.analysis.row(i), jac.row_mut(i));
-            for (r, &a) in a.iter().enumerate() {
-                if a != 0.0 {
-                    for (o, &p) in out.iter_mut().zip(self.product.row(r)) {
-                        *o += a * p;
-                    }
-                }
-            }
-        }
+        terms.analysis.matmul_add(&self.product, jac);
     }
 
     /// Tangent of the rows at sample `j` in the motion's derivative `d` (0, 1, 2): an m x m block, rows from `j * m`.

@@ -97,7 +97,7 @@ pub struct Balance<'a> {
     resonances: Vec<(f64, f64)>,
     pub(in crate::harmonic) cancel: Option<&'a AtomicBool>,
     /// Receives the speed of every step along a branch.
-    pub(in crate::harmonic) watch: Option<&'a dyn Fn(f64)>,
+    pub(in crate::harmonic) watch: Option<&'a (dyn Fn(f64) + Sync)>,
     pub(super) amplitudes: Vec<C64>,
     pub(super) forces: Vec<C64>,
     coefficients: Vec<f64>,
@@ -145,6 +145,19 @@ impl<'a> Balance<'a> {
         other.scale.copy_from_slice(&self.scale);
         other.speed_scale = self.speed_scale;
         Some(other)
+    }
+
+    /// The same equations once more, for another thread.
+    pub(in crate::harmonic) fn twin<'b>(&self, cancel: Option<&'b AtomicBool>) -> Balance<'b>
+    where
+        'a: 'b,
+    {
+        let mut twin = Balance::unscaled(self.system, self.nonlinear.clone(), self.terms.clone(), self.condenser.reference.clone(), cancel);
+        twin.scale.copy_from_slice(&self.scale);
+        twin.speed_scale = self.speed_scale;
+        twin.resonances.clone_from(&self.resonances);
+        (twin.free, twin.by, twin.condenser.driven) = (self.free, self.by, self.condenser.driven);
+        twin
     }
 
     fn unscaled(
@@ -271,8 +284,8 @@ impl<'a> Balance<'a> {
         let m = self.nonlinear.kinds.len();
         let mu = self.nonlinear.basis.rows.len();
         let mut force = vec![C64::zero(); m];
-        for (order, &k) in self.orders.iter_mut().zip(&self.terms.orders) {
-            self.condenser.order(self.system, k, slopes, order)?;
+        self.condenser.orders(self.system, &self.terms.orders, slopes, &mut self.orders)?;
+        for (order, &k) in self.orders.iter().zip(&self.terms.orders) {
             let parts = 1 + usize::from(slopes);
             for (matrix, out) in
                 [(&order.stiffness, &mut self.linear), (&order.stiffness_speed, &mut self.linear_speed)].into_iter().take(parts)
@@ -426,6 +439,7 @@ impl<'a> Balance<'a> {
         let whole = count * t.symmetry.order();
         let highest = (whole - 1) / 2;
         let (mut kept, mut dropped) = (0.0f64, 0.0f64);
+        let turns: Vec<C64> = (0..whole).map(|step| C64::cis(-std::f64::consts::TAU * step as f64 / whole as f64)).collect();
         let (vector, scalar) = crate::harmonic::balance::terms::admitted(t.symmetry, highest, t.divisor);
         let mut i = 0;
         while i < m {
@@ -433,9 +447,9 @@ impl<'a> Balance<'a> {
             for &n in if pair { &vector } else { &scalar } {
                 let mut sum = C64::zero();
                 for j in 0..count {
-                    let step = (i64::from(n) * j as i64).rem_euclid(whole as i64) as f64 / whole as f64;
+                    let step = (i64::from(n) * j as i64).rem_euclid(whole as i64) as usize;
                     let f = c(self.sampled.rows[j * m + i], if pair { self.sampled.rows[j * m + i + 1] } else { 0.0 });
-                    sum += f * C64::cis(-std::f64::consts::TAU * step);
+                    sum += f * turns[step];
                 }
                 let size = sum.abs() / count as f64;
                 if n.unsigned_abs() as usize <= t.harmonics {

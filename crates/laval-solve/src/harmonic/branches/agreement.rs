@@ -1,6 +1,6 @@
 //! Stability assessed again: some states of every branch by Hill's method and by the map over the whole period at another tolerance.
 //!
-//! Neither uses the symmetry of the motion: both see the whole period.
+//! Neither uses the symmetry of the motion: both see the whole period. The map has steps of adapted length and the tangents of the law itself.
 
 use crate::harmonic::balance::whole_period::whole_period;
 use crate::harmonic::branches::branch::Traced;
@@ -34,7 +34,7 @@ pub struct Agreement {
 pub fn check(system: &System, response: &Response, cancel: &AtomicBool) -> Agreement {
     let mut out = Agreement::default();
     for branch in &response.branches {
-        let Ok(mut second) = Stability::new(system).map(|s| s.with_tolerance(TOLERANCE)) else { return out };
+        let Ok(mut second) = Stability::new(system).map(|s| s.with_tolerance(TOLERANCE).adaptively()) else { return out };
         for i in chosen(branch) {
             if cancel.load(Ordering::Relaxed) {
                 return out;

@@ -11,8 +11,11 @@ use crate::reduction::{Reduced, Reduction};
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Special, Status, Zero};
 use laval_num::newton::{Options, newton};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// One point of the response.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -143,6 +146,8 @@ pub struct Assessor {
     pub reduced: Option<Reduced>,
 }
 
+/// Points of a branch that one thread assesses together.
+const GROUP: usize = 32;
 /// Exponents that decay and are followed from motion to motion.
 const FOLLOWED: usize = 8;
 /// Most terms of Hill's determinants for one branch.
@@ -216,23 +221,82 @@ impl Assessor {
         state
     }
 
-    /// All points of a branch, its folds, and the other changes of stability on it; `tick` receives how many points are done.
-    pub fn branch(&mut self, balance: &mut Balance, branch: Branch, origin: Origin, settings: &Settings, tick: Tick) -> Traced {
+    /// The points of a branch one after the other: exponents by determinants are led from point to point.
+    fn points_in_turn(&mut self, balance: &mut Balance, branch: &Branch, origin: Origin, tick: Tick) -> Vec<State> {
         let mut points = Vec::with_capacity(branch.points.len());
-        for (i, p) in branch.points.iter().enumerate() {
+        for p in &branch.points {
             if balance.cancelled() {
                 break;
             }
-            let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
-            let state = State { residual, ..self.state(balance, &x, p.p) };
-            if balance.cancelled() && self.exponents.is_some() && state.exponents.is_none() {
+            let state = self.polished(balance, p);
+            if balance.cancelled() && state.exponents.is_none() {
                 break;
             }
             points.push(state);
-            if i % 16 == 0 || self.exponents.is_some() {
-                tick(Step { done: points.len() as u64, stage: Stage::Assess(origin), speed: p.p });
+            tick(Step { done: points.len() as u64, stage: Stage::Assess(origin), speed: p.p });
+        }
+        points
+    }
+
+    /// The points of a branch in groups of a fixed number, so that nothing depends on how many threads share them.
+    fn points_side_by_side(&mut self, balance: &Balance, branch: &Branch, origin: Origin, tick: Tick) -> Vec<State> {
+        let done = AtomicU64::new(0);
+        let workers: Mutex<Vec<(Balance, Assessor)>> = Mutex::new(Vec::new());
+        let wanted = self.stability.is_some();
+        let assess = |group: &[Point]| {
+            let ready = workers.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let (mut own, mut assessor) =
+                ready.unwrap_or_else(|| (balance.twin(balance.cancel), Assessor::new(balance.system, (wanted, false), 0)));
+            assessor.begin();
+            let mut states = Vec::with_capacity(group.len());
+            for p in group {
+                if own.cancelled() {
+                    break;
+                }
+                states.push(assessor.polished(&mut own, p));
+                let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                if done % 16 == 1 {
+                    tick(Step { done, stage: Stage::Assess(origin), speed: p.p });
+                }
+            }
+            let found = (states, assessor.unassessed.take(), assessor.reduced.take());
+            workers.lock().unwrap_or_else(PoisonError::into_inner).push((own, assessor));
+            found
+        };
+        let groups: Vec<_> = branch.points.par_chunks(GROUP).map(assess).collect();
+        let mut points = Vec::with_capacity(branch.points.len());
+        for (group, (states, unassessed, reduced)) in branch.points.chunks(GROUP).zip(groups) {
+            let complete = states.len() == group.len();
+            points.extend(states);
+            self.unassessed = unassessed.or(self.unassessed.take());
+            self.reduced = Reduced::worse(self.reduced, reduced);
+            if !complete {
+                break;
             }
         }
+        points
+    }
+
+    /// Forgets the motions assessed before.
+    fn begin(&mut self) {
+        if let Some(s) = &mut self.stability {
+            s.begin();
+        }
+    }
+
+    /// A point of a branch, solved to rounding, assessed.
+    fn polished(&mut self, balance: &mut Balance, p: &Point) -> State {
+        let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
+        State { residual, ..self.state(balance, &x, p.p) }
+    }
+
+    /// All points of a branch, its folds, and the other changes of stability on it; `tick` receives how many points are done.
+    pub fn branch(&mut self, balance: &mut Balance, branch: Branch, origin: Origin, settings: &Settings, tick: Tick) -> Traced {
+        let points = if self.exponents.is_some() {
+            self.points_in_turn(balance, &branch, origin, tick)
+        } else {
+            self.points_side_by_side(balance, &branch, origin, tick)
+        };
         let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();
         let mut changes = Vec::new();
         let assessed: Vec<usize> = (0..points.len()).filter(|&i| points[i].exponents.is_some()).collect();

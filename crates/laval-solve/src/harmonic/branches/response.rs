@@ -14,11 +14,10 @@ use crate::model::system::System;
 use crate::reduction::Reduced;
 use crate::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_model::text;
-use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
+use laval_num::continuation::{Branch, Direction, End, Point, Settings, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
 use serde::{Deserialize, Serialize};
-use std::cell::Cell;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 pub use crate::harmonic::branches::branch::{Fold, State, Traced};
 
@@ -161,8 +160,8 @@ pub struct Step {
     pub speed: f64,
 }
 
-/// Receives every accepted round of work.
-pub type Tick<'a> = &'a dyn Fn(Step);
+/// Receives every accepted round of work, from whichever thread does it.
+pub type Tick<'a> = &'a (dyn Fn(Step) + Sync);
 
 /// The symmetry that the request imposes on the motion, and what changes when the machine is turned.
 ///
@@ -286,51 +285,16 @@ fn attempt<'a>(
     let (lo, hi) = request.speeds;
     // low and high, up and down speak of how fast the rotor turns, whichever way round
     let origin = |up: bool| if up != (hi < 0.0) { Origin::Low } else { Origin::High };
-    let (way, points) = (Cell::new(Stage::Start), Cell::new(0));
-    let before = Cell::new(f64::NAN);
-    let watch = |speed: f64| {
-        // a step that was refused begins at the same point again, and the last one may lead out of the range
-        let speed = speed.clamp(lo, hi);
-        if before.replace(speed) != speed {
-            points.set(points.get() + 1);
-            tick(Step { done: points.get(), stage: way.get(), speed });
-        }
-    };
-    let follow = |up: bool| {
-        way.set(Stage::Follow(origin(up)));
-        points.set(0);
-    };
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
-    let settings = settings(request);
-    let invalid =
-        |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", text!("the response cannot be followed: {e}", e));
-    let mut branches: Vec<(Branch, bool)> = Vec::new();
-    let mut unstarted = Vec::new();
     tick(Step { done: 0, stage: Stage::Start, speed: lo });
     let from_lo = starts.at(system, &mut balance, request, lo, cancel)?;
     tick(Step { done: 0, stage: Stage::Start, speed: hi });
     let from_hi = starts.at(system, &mut balance, request, hi, cancel)?;
-    let unfollowed = [(&from_lo, lo), (&from_hi, hi)];
-    let unfollowed = unfollowed.into_iter().filter(|(s, _)| s.as_ref().is_some_and(|s| !s.followed)).map(|f| f.1).collect();
-    unstarted.extend([(&from_lo, lo), (&from_hi, hi)].into_iter().filter(|(found, _)| found.is_none()).map(|f| f.1));
-    balance.watch = Some(&watch);
-    if let Some(start) = from_lo {
-        follow(true);
-        branches.push((trace(&mut balance, &start.x, lo, Direction::Up, &settings, &mut []).map_err(invalid)?, true));
-    }
-    if let Some(start) = from_hi {
-        let scale = balance.scales().to_vec();
-        let met = branches
-            .iter()
-            .flat_map(|(b, _)| [b.points.first(), b.points.last()])
-            .flatten()
-            .any(|p| p.p == hi && p.x.iter().zip(&start.x).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs())));
-        if !met {
-            follow(false);
-            branches.push((trace(&mut balance, &start.x, hi, Direction::Down, &settings, &mut []).map_err(invalid)?, false));
-        }
-    }
-    balance.watch = None;
+    let ends = [(&from_lo, lo), (&from_hi, hi)];
+    let unfollowed = ends.iter().filter(|(s, _)| s.as_ref().is_some_and(|s| !s.followed)).map(|f| f.1).collect();
+    let unstarted = ends.iter().filter(|(found, _)| found.is_none()).map(|f| f.1).collect();
+    let settings = settings(request);
+    let branches = both_ways(&balance, (from_lo.map(|s| s.x), from_hi.map(|s| s.x)), &settings, origin, tick)?;
     if branches.is_empty() {
         return Err(Diagnostic::error(
             "response.start",
@@ -370,6 +334,56 @@ fn attempt<'a>(
     })
 }
 
+/// The branches from both ends of the range, with whether each runs up. They are followed at once where there is a thread for each; the second is of no use where the first
+/// ends in its start.
+fn both_ways(
+    balance: &Balance,
+    (from_lo, from_hi): (Option<Vec<f64>>, Option<Vec<f64>>),
+    settings: &Settings,
+    origin: impl Fn(bool) -> Origin + Sync,
+    tick: Tick,
+) -> Result<Vec<(Branch, bool)>, Diagnostic> {
+    let (lo, hi) = settings.range;
+    let (met, needless) = (AtomicBool::new(false), AtomicBool::new(false));
+    let follow = |x: &[f64], up: bool| {
+        let (points, before) = (AtomicU64::new(0), AtomicU64::new(f64::NAN.to_bits()));
+        let watch = |speed: f64| {
+            if !up && (met.load(Ordering::Relaxed) || balance.cancelled()) {
+                needless.store(true, Ordering::Relaxed);
+            }
+            // a step that was refused begins at the same point again, and the last one may lead out of the range
+            let speed = speed.clamp(lo, hi);
+            if before.swap(speed.to_bits(), Ordering::Relaxed) != speed.to_bits() {
+                let done = points.fetch_add(1, Ordering::Relaxed) + 1;
+                tick(Step { done, stage: Stage::Follow(origin(up)), speed });
+            }
+        };
+        let mut own = balance.twin(if up { balance.cancel } else { Some(&needless) });
+        own.watch = Some(&watch);
+        let (start, direction) = if up { (lo, Direction::Up) } else { (hi, Direction::Down) };
+        trace(&mut own, x, start, direction, settings, &mut [])
+    };
+    let ends_in = |branch: &Branch, x: &[f64]| {
+        let same =
+            |p: &Point| p.p == hi && p.x.iter().zip(x).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs()));
+        [branch.points.first(), branch.points.last()].into_iter().flatten().any(same)
+    };
+    let (up, down) = rayon::join(
+        || {
+            let branch = from_lo.as_ref().map(|x| follow(x, true));
+            if let (Some(Ok(branch)), Some(x)) = (&branch, &from_hi) {
+                met.store(ends_in(branch, x), Ordering::Relaxed);
+            }
+            branch
+        },
+        || from_hi.as_ref().filter(|_| !met.load(Ordering::Relaxed)).map(|x| follow(x, false)),
+    );
+    let down = down.filter(|_| !met.load(Ordering::Relaxed));
+    let invalid =
+        |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", text!("the response cannot be followed: {e}", e));
+    [(up, true), (down, false)].into_iter().filter_map(|(branch, way)| Some(branch?.map(|b| (b, way)).map_err(invalid))).collect()
+}
+
 /// How branches are followed.
 pub(super) fn settings(request: &Request) -> Settings {
     let (lo, hi) = request.speeds;
@@ -398,12 +412,10 @@ fn confirm_with_more_harmonics(system: &System, d: Discretisation, request: &Req
     if folds.is_empty() {
         return;
     }
-    let (Ok(mut finer), Ok(coarse)) = (Balance::new(system, more, request.speeds, None), Balance::new(system, d, request.speeds, None))
-    else {
-        return;
-    };
+    let Ok(mut finer) = Balance::new(system, more, request.speeds, None) else { return };
+    let coarse = Terms::new(&finer.nonlinear.kinds, d.symmetry, d.harmonics, d.divisor, d.samples);
     for f in folds {
-        let x = carry(&coarse.terms, &finer.terms, &f.x);
+        let x = carry(&coarse, &finer.terms, &f.x);
         let guess = vec![0.0; x.len()];
         let null = null_vector(&mut finer, &x, f.speed).unwrap_or(guess);
         if let Ok(p) = fold(&mut finer, &x, f.speed, &null) {

@@ -159,7 +159,7 @@ struct Starts {
 ///
 /// # Errors
 /// A machine without a response, or that exists at no value of the parameter.
-pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: &dyn Fn(u64)) -> Result<Loci, Diagnostic> {
+pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: &(dyn Fn(u64) + Sync)) -> Result<Loci, Diagnostic> {
     loci_from(system, request, &[], cancel, tick)
 }
 
@@ -172,7 +172,7 @@ pub fn loci_from(
     request: &Request,
     known: &[(f64, Response)],
     cancel: &AtomicBool,
-    tick: &dyn Fn(u64),
+    tick: &(dyn Fn(u64) + Sync),
 ) -> Result<Loci, Diagnostic> {
     let (exists, refused) = existence(system, request)?;
     let path = request.parameter.as_str();
@@ -314,7 +314,7 @@ struct Search<'s> {
     request: &'s Request,
     machines: &'s [(f64, System)],
     cancel: &'s AtomicBool,
-    tick: &'s dyn Fn(u64),
+    tick: &'s (dyn Fn(u64) + Sync),
     done: u64,
 }
 

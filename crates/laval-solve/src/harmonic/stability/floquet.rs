@@ -7,7 +7,8 @@
 //!   grow (see `crate::harmonic::stability::counted`);
 //! - motion so small that A hardly varies: eigenvalues of its mean, when the second-order bound of the rest is below the tolerance;
 //! - a machine of many states: as the next two, of its linear parts reduced to the ports of the nonlinear ones (see [`crate::reduction`]);
-//! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple (see `crate::harmonic::stability::monodromy`).
+//! - otherwise: the map itself by a method of order 8, in blocks that do not couple: as a product of equal steps in lanes where the tangents are smooth along the motion
+//!   (see `crate::harmonic::stability::product`), else by adaptive integration (see `crate::harmonic::stability::monodromy`).
 //!
 //! Theory: `docs/theory/harmonic-balance.md#stability`.
 
@@ -15,6 +16,7 @@ use crate::characteristic::is_polynomial;
 use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
 use crate::harmonic::balance::nonlinear::Sampled;
 use crate::harmonic::balance::problem::Balance;
+use crate::harmonic::stability::product::Products;
 use laval_model::text;
 use laval_model::text::{Arg, Argument};
 use laval_num::order::SortByNumber;
@@ -155,6 +157,9 @@ pub struct Stability {
     pub(super) scale: Vec<f64>,
     spectrum: Spectrum,
     pub(super) dop: Dop853,
+    pub(super) products: Products,
+    /// Steps of maps have lengths of their own, however smooth the law.
+    pub(super) adaptive: bool,
     /// Steps of maps over the period that are left: a law with kinks may require more than anybody waits for.
     pub(super) steps_left: u64,
     /// Tolerance of the integration of maps.
@@ -171,7 +176,7 @@ pub struct Stability {
     pub(super) frequency: Option<f64>,
 }
 
-/// Frequency up to which a reduced machine is compared, over the speed; difference of its receptance that is enough; ratio of speeds up to which a reduction serves.
+/// Frequency up to which a reduced machine is compared, over the speed; difference of its receptance that is enough; ratio of the speeds that reductions are made for.
 const OF_SPEED: f64 = 5.0;
 const REDUCED: f64 = 1e-4;
 const FASTER: f64 = 1.5;
@@ -234,6 +239,8 @@ impl Stability {
             scale: Vec::new(),
             spectrum: Spectrum::default(),
             dop: Dop853::new(),
+            products: Products::default(),
+            adaptive: false,
             steps_left: MOST_STEPS,
             tolerance: crate::harmonic::stability::monodromy::TOLERANCE,
             many,
@@ -244,9 +251,21 @@ impl Stability {
         })
     }
 
+    /// Forgets the motions assessed before, so that what follows does not depend on them.
+    pub(in crate::harmonic) fn begin(&mut self) {
+        (self.speed, self.steps_left) = (f64::NAN, MOST_STEPS / 4);
+        self.scale.clear();
+        self.products.begin();
+    }
+
     /// Integrates maps over the period to another tolerance.
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Stability { tolerance, ..self }
+    }
+
+    /// Integrates maps over the period by steps of adapted length alone: a second method for laws that are smooth along a motion.
+    pub fn adaptively(self) -> Self {
+        Stability { adaptive: true, ..self }
     }
 
     /// Exponents by the map over the period, however small the motion. The balance must have been sampled there last, and not be circular.
@@ -302,8 +321,6 @@ impl Stability {
         }
         let mut a = self.constant.clone();
         self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
-        let values = self.eigenvalues(&a)?;
-        let size = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
         let mut variation = 0.0f64;
         let mut delta = Mat::<f64>::zeros(a.rows(), a.rows());
         for j in 0..terms.samples {
@@ -316,10 +333,16 @@ impl Stability {
             variation = variation.max(worst);
         }
         let base = balance.pace(speed).frequency.abs() * if terms.symmetry == Symmetry::None { 1.0 } else { 2.0 };
-        let bound = variation * variation / detuning(&values, base).max(variation);
-        // a law that switches may do so between the samples
-        if places.is_empty() && (bound < 0.1 * TOLERANCE * size || variation == 0.0) {
-            return Ok(Exponents { values, error: bound + rounding(&a), method: Method::Mean, span: 0.0 });
+        let bound = |detuning: f64| variation * variation / detuning.max(variation);
+        let largest = (0..a.rows()).map(|i| a.row(i).iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+        // no exponent exceeds that norm, and none is farther than the base frequency from being in tune with itself; a law that switches may do so between the samples
+        if places.is_empty() && (bound(base) < 0.1 * TOLERANCE * largest || variation == 0.0) {
+            let values = self.eigenvalues(&a)?;
+            let size = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
+            let bound = bound(detuning(&values, base));
+            if bound < 0.1 * TOLERANCE * size || variation == 0.0 {
+                return Ok(Exponents { values, error: bound + rounding(&a), method: Method::Mean, span: 0.0 });
+            }
         }
         self.map(balance, x, speed, !places.is_empty())
     }
@@ -330,20 +353,21 @@ impl Stability {
         if !self.constant_mass {
             return Err(Unassessed::TooManyStates(states));
         }
-        let near = |made: f64| speed.abs() <= FASTER * made && speed.abs() * FASTER >= made;
-        if self.reduction.as_ref().is_some_and(|r| near(r.1)) {
+        // one of a series of speeds, whichever motion comes first
+        let typical = if speed == 0.0 { 0.0 } else { FASTER.powf((speed.abs().ln() / FASTER.ln()).round()) };
+        if self.reduction.as_ref().is_some_and(|r| r.1 == typical) {
             return Ok(());
         }
         let system = balance.system;
-        let frequency = OF_SPEED * speed.abs();
+        let frequency = OF_SPEED * typical * FASTER.sqrt();
         let ports = &balance.nonlinear.basis.rows;
         let most = MOST_STATES.saturating_sub(self.m) / 2;
-        let found = Reduction::new(system, &Slot::is_linear, ports, frequency, &[0.0, speed], REDUCED, most)
+        let found = Reduction::new(system, &Slot::is_linear, ports, frequency, &[0.0, speed.signum() * typical], REDUCED, most)
             .ok_or(Unassessed::TooManyStates(states))?;
         self.n = found.basis.cols();
         self.pairs = vec![false; 2 * self.n + self.m];
         self.rows = ports.iter().map(|r| found.row(r)).collect();
-        self.reduction = Some((found, speed.abs()));
+        self.reduction = Some((found, typical));
         (self.speed, self.scale) = (f64::NAN, Vec::new());
         Ok(())
     }

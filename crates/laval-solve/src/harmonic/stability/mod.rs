@@ -4,3 +4,5 @@ pub mod determinant;
 pub mod floquet;
 pub mod hill;
 pub(in crate::harmonic) mod monodromy;
+mod product;
+mod series;

@@ -1,13 +1,13 @@
 //! The map of small disturbances over a period, or over the part of it that a symmetry repeats.
 //!
-//! `Y' = A(t) Y` from the identity, by adaptive integration of order 8 from one switch of a law to the next: between them A is smooth. Where a force is
+//! `Y' = A(t) Y` from the identity: as a product of equal steps where the law is smooth (`super::product`), else by adaptive integration of order 8 from one switch of a law to the next: between them A is smooth. Where a force is
 //! continuous at a switch, so is Y; where it jumps the map would need the jump of Y as well, and none is given.
 
 use crate::harmonic::balance::first_order::first_order;
 use crate::harmonic::balance::fourier::{motion_at, turns};
 use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::problem::Balance;
-use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassessed, balance_scale, rounding};
+use crate::harmonic::stability::floquet::{Block, Exponents, Method, Stability, Unassessed, balance_scale, rounding};
 use crate::model::part::At;
 use laval_num::dense::Mat;
 use laval_num::ode::{Control, Dop853, End, Ode, Tolerance, integrate, ode};
@@ -119,12 +119,44 @@ impl Stability {
         let base = pace.frequency.abs();
         let period = TAU / base / parts as f64;
         let direction = pace.frequency.signum();
+        let product = if switches || self.adaptive { None } else { self.product(balance, x, speed, &blocks, (parts, period)) };
+        let (maps, steps) = match product {
+            Some(found) => found,
+            None => self.integrated(balance, x, speed, &blocks, (parts, period))?,
+        };
+        // turned back by the symmetry: a half turn changes the sign of pairs, a quarter turns them (against the spin for nu = 3 mod 4)
+        let angle = match parts {
+            2 => PI,
+            4 => quarter(balance.terms.divisor) * direction,
+            _ => 0.0,
+        };
+        let mut values = Vec::new();
+        for (block, map) in blocks.iter().zip(&maps) {
+            let map = self.turned_back(&block.states, map, angle);
+            for z in self.eigenvalues(&map)? {
+                values.push(z.ln().scale(1.0 / period));
+            }
+        }
+        Ok(Exponents { values, error: self.tolerance * steps.max(1) as f64 / period, method: Method::Map, span: period })
+    }
+
+    /// Maps of the blocks over the base phase `TAU / parts`, which takes `period` seconds, by adapted steps from one switch of a law to the next; and the number of steps.
+    fn integrated(
+        &mut self,
+        balance: &mut Balance,
+        x: &[f64],
+        speed: f64,
+        blocks: &[Block],
+        (parts, period): (usize, f64),
+    ) -> Result<(Vec<Mat>, u64), Unassessed> {
+        let pace = balance.pace(speed);
+        let (base, direction) = (pace.frequency.abs(), pace.frequency.signum());
         let breaks = breaks(balance, x, speed, parts, period)?;
         let terms = &balance.terms;
         let window = Window::new(self.tolerance, balance.cancel);
         let (mut motion, mut turned) = ([0; 3].map(|_| vec![0.0; terms.coordinates]), Vec::new());
         let mut y: Vec<f64> = Vec::new();
-        for block in &blocks {
+        for block in blocks {
             y.extend(Mat::<f64>::identity(block.states.len()).data());
         }
         let mut a = Vec::new();
@@ -139,7 +171,7 @@ impl Stability {
             let [u, v, w] = &motion;
             sampled.eval_at(system, members, terms, tau, [u, v, w], pace, true);
             let mut offset = 0;
-            for block in &blocks {
+            for block in blocks {
                 let d = block.states.len();
                 a.clear();
                 a.extend_from_slice(&block.constant);
@@ -164,24 +196,14 @@ impl Stability {
         self.sampled = sampled;
         self.dop = dop;
         let steps = run?;
-        // turned back by the symmetry: a half turn changes the sign of pairs, a quarter turns them (against the spin for nu = 3 mod 4)
-        let angle = match parts {
-            2 => PI,
-            4 => quarter(terms.divisor) * direction,
-            _ => 0.0,
-        };
-        let mut values = Vec::new();
+        let mut maps = Vec::with_capacity(blocks.len());
         let mut offset = 0;
-        for block in &blocks {
+        for block in blocks {
             let d = block.states.len();
-            let map = Mat::from_fn(d, d, |i, j| y[offset + i * d + j]);
-            let map = self.turned_back(&block.states, &map, angle);
-            for z in self.eigenvalues(&map)? {
-                values.push(z.ln().scale(1.0 / period));
-            }
+            maps.push(Mat::from_fn(d, d, |i, j| y[offset + i * d + j]));
             offset += d * d;
         }
-        Ok(Exponents { values, error: self.tolerance * steps.max(1) as f64 / period, method: Method::Map, span: period })
+        Ok((maps, steps))
     }
 
     fn turned_back(&self, block: &[usize], map: &Mat, angle: f64) -> Mat {
