@@ -11,7 +11,7 @@ use laval::solve::harmonic::stability::floquet::Method;
 use laval::solve::rest::rest;
 use laval::solve::roots;
 use laval_num::continuation::End;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// With a bearing that is not nonlinear after all the exponents are the roots of the characteristic function, up to multiples of the speed.
 #[test]
@@ -106,11 +106,11 @@ fn a_cancelled_assessment_blames_no_work() {
     let system = build(&on_a_cubic_bearing(0.05, 1e-3, "law = \"isotropic\"\ncubic_stiffness = 2e11", 1e-6));
     let request = Request { determinant: true, ..Request::over(90.0, 220.0) };
     let cancel = AtomicBool::new(false);
-    let ticks = std::cell::Cell::new(0);
+    let ticks = AtomicU64::new(0);
     let tick = |step: Step| {
-        ticks.set(ticks.get() + u64::from(matches!(step.stage, Stage::Assess(_))));
         // one for each motion assessed
-        cancel.store(ticks.get() >= 5, std::sync::atomic::Ordering::Relaxed);
+        let assessed = u64::from(matches!(step.stage, Stage::Assess(_)));
+        cancel.store(ticks.fetch_add(assessed, Ordering::Relaxed) + assessed >= 5, Ordering::Relaxed);
     };
     let found = respond(&system, &request, &cancel, &tick).unwrap();
     let points: Vec<_> = found.branches.iter().flat_map(|b| &b.points).collect();

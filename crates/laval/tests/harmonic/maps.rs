@@ -19,7 +19,7 @@ fn compare(system: &System, request: &Request) -> (Vec<Symmetry>, f64) {
     let response = respond(system, request, &AtomicBool::new(false), &|_| {}).unwrap();
     let (mut symmetries, mut worst) = (Vec::new(), 0.0f64);
     for branch in &response.branches {
-        let mut balance = Balance::new(system, branch.discretisation, (request.from, request.to), None).unwrap();
+        let mut balance = Balance::new(system, branch.discretisation, request.speeds, None).unwrap();
         let [mut products, mut adapted] = [Stability::new(system).unwrap(), Stability::new(system).unwrap().adaptively()];
         let step = branch.points.len().div_ceil(40);
         for p in branch.points.iter().step_by(step) {
@@ -63,7 +63,7 @@ fn products_of_equal_steps_are_the_maps_of_adapted_steps() {
         let b = Builder::new("unequal")
             .speed(speed)
             .part("rotor", Disc::planar(), DiscParams { eccentricity: 4e-5, ..DiscParams::new(2.0) })
-            .part("bearing", BearingCubic::isotropic(link()), law(2e14))
+            .part("bearing", BearingCubic::per_axis(link()), law(2e14))
             .part("loss", Damper::fixed(link()), DamperParams { damping: [120.0; 2], tilt_damping: 0.0 });
         if horizontal { b.horizontal() } else { b }.build().unwrap()
     };
