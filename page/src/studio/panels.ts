@@ -1,0 +1,137 @@
+// Live figures: each is asked anew after a change as long as it can be seen.
+
+import { Chosen, Figure } from "../report/figure";
+import type { Payload } from "../report/payload";
+import * as api from "./api";
+import { make, say } from "./dom";
+import { Lane } from "./lane";
+import { Layer, overlay } from "./overlay";
+import type { Studio } from "./studio";
+import { Pulled, targets } from "./targets";
+import { Answer, WANTS, Want } from "./types";
+
+/** Checks of page one, as its table lists them. */
+export interface Check { what: string; result: string; verdict: string; state: string }
+
+interface Panel {
+  want: Want;
+  box: HTMLElement;
+  body: HTMLElement;
+  took: HTMLElement;
+  lane: Lane<string>;
+  seen: boolean;
+  /** Text and speed of the answer shown, or on its way. */
+  asked: string | null;
+  figures: Figure[];
+  last: Answer | null;
+}
+
+export class Panels {
+  private readonly panels = new Map<Want, Panel>();
+  private readonly listeners: ((a: Answer) => void)[] = [];
+  /** Curves of pinned designs for a figure. */
+  layers: (want: Want, figure: number) => Layer[] = () => [];
+  pulled: Pulled | null = null;
+
+  constructor(host: HTMLElement, private readonly studio: Studio) {
+    const seen = new IntersectionObserver(entries => {
+      for (const e of entries) {
+        const p = this.panels.get((e.target as HTMLElement).dataset.want as Want);
+        if (p) { p.seen = e.isIntersecting; if (p.seen) this.ask(p); }
+      }
+    }, { root: null, rootMargin: "40px" });
+    for (const want of WANTS) {
+      const p = this.make(want);
+      this.panels.set(want, p);
+      host.append(p.box);
+      seen.observe(p.box);
+    }
+    studio.whenText(() => this.refresh());
+    studio.whenMachine(() => { for (const p of this.panels.values()) p.box.classList.toggle("stale", studio.errors > 0); });
+  }
+
+  private make(want: Want): Panel {
+    const took = make("span", { class: "took", "aria-hidden": "true" }), body = make("div", { class: "body" });
+    const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
+      make("h2", { id: `title-${want}` }, say(`want-${want}`), took), body);
+    const panel: Panel = {
+      want, box, body, took, seen: false, asked: null, figures: [], last: null,
+      lane: new Lane<string>((text, signal) => this.answer(panel, text, signal), e => { panel.asked = null; this.studio.failed(e); }),
+    };
+    return panel;
+  }
+
+  /** Called for each answer shown. */
+  when(f: (a: Answer) => void): void { this.listeners.push(f); }
+
+  /** Asks for all figures that can be seen. */
+  refresh(): void { for (const p of this.panels.values()) this.ask(p); }
+
+  private ask(p: Panel): void {
+    // modes feed the view in space too
+    if (!p.seen && p.want !== "modes") return;
+    const key = `${this.studio.speed}|${this.studio.text}`;
+    if (p.asked === key) return;
+    p.asked = key;
+    p.lane.ask(this.studio.text);
+  }
+
+  private async answer(p: Panel, text: string, signal: AbortSignal): Promise<void> {
+    const speed = this.studio.speed;
+    await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, signal, a => { if (a.want === p.want) this.show(p, a); });
+    if (signal.aborted) p.asked = null;
+  }
+
+  private show(p: Panel, a: Answer): void {
+    if (a.error !== undefined) {
+      p.box.classList.add("stale");
+      if (!p.last) p.body.replaceChildren(make("p", { class: "none" }, a.error));
+      p.took.textContent = "";
+      return;
+    }
+    p.last = a;
+    p.box.classList.remove("stale");
+    p.took.textContent = a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`;
+    this.draw(p, a);
+    this.listeners.forEach(f => f(a));
+  }
+
+  private draw(p: Panel, a: Answer): void {
+    const chosen: Chosen[] = p.figures.map(f => f.choice()), open = [...p.body.querySelectorAll("details")].map(d => d.open);
+    const html = a.html ?? "";
+    p.body.innerHTML = html || `<p class="none"></p>`;
+    if (!html) p.body.querySelector("p")!.textContent = say("nothing");
+    p.body.querySelectorAll("details").forEach((d, i) => { if (open[i] !== undefined) d.open = open[i]; });
+    p.figures = [];
+    p.body.querySelectorAll<HTMLElement>("figure.fig").forEach((box, n) => {
+      if (!box.querySelector("script")) return;
+      const f = new Figure(box);
+      p.figures.push(f);
+      const layers = this.layers(p.want, n);
+      if (layers.length) overlay(f, layers);
+      if (chosen[n]) f.choose(chosen[n]);
+    });
+    if (p.want !== "page" && a.targets?.length && p.figures[0] && this.pulled) targets(p.figures[0], p.body, a.targets, this.pulled);
+  }
+
+  /** Draws anew what is there, after pins changed. */
+  redraw(): void { for (const p of this.panels.values()) if (p.last) { this.draw(p, p.last); this.listeners.forEach(f => f(p.last as Answer)); } }
+
+  /** Numbers of the figures shown, to be kept with a pin. */
+  payloads(): Partial<Record<Want, Payload[]>> {
+    return Object.fromEntries([...this.panels.values()].filter(p => p.figures.length).map(p => [p.want, p.figures.map(f => f.data)]));
+  }
+
+  /** Checks of page one. */
+  checks(): Check[] {
+    const rows = this.panels.get("page")?.body.querySelectorAll<HTMLTableRowElement>("table.chk tbody tr") ?? [];
+    return [...rows].map(r => {
+      const [what, result, , verdict] = [...r.cells].map(c => c.textContent ?? ""), state = r.cells[3]?.className.replace(/^s /, "") ?? "no";
+      const short = r.cells[1]?.firstChild?.textContent ?? result;
+      return { what: what ?? "", result: short, verdict: verdict ?? "", state };
+    });
+  }
+
+  last(want: Want): Answer | null { return this.panels.get(want)?.last ?? null; }
+  box(want: Want): HTMLElement { return this.panels.get(want)!.box; }
+}

@@ -1,0 +1,100 @@
+// Every number of the machine: a slider, the value as the file writes it, and whether it may be moved by the program.
+
+import { say, make } from "./dom";
+import { fromSlider, toSlider } from "./quantity";
+import type { Studio } from "./studio";
+import type { Free, Parameter } from "./types";
+
+interface Row {
+  box: HTMLElement;
+  slider: HTMLInputElement;
+  written: HTMLInputElement;
+  free: HTMLInputElement;
+  low: HTMLInputElement;
+  high: HTMLInputElement;
+  of: Parameter;
+}
+
+export class Parameters {
+  private readonly rows = new Map<string, Row>();
+  private readonly groups = new Map<string, HTMLDetailsElement>();
+  private sliding = false;
+
+  constructor(private readonly host: HTMLElement, private readonly studio: Studio, private readonly released: () => void) {
+    studio.whenMachine(() => this.update());
+  }
+
+  /** Parameters that the program may move, with their ranges. */
+  free(): Free[] {
+    return [...this.rows.values()].filter(r => r.free.checked)
+      .map(r => ({ path: r.of.path, low: this.bound(r.low, r.of.low), high: this.bound(r.high, r.of.high) }));
+  }
+
+  private bound(input: HTMLInputElement, otherwise: number): number {
+    const v = input.value.trim() === "" ? NaN : +input.value;
+    return isFinite(v) ? v : otherwise;
+  }
+
+  private update(): void {
+    const all = this.studio.machine?.parameters ?? [], known = new Set(all.map(p => p.path));
+    for (const [path, row] of this.rows) if (!known.has(path)) { row.box.remove(); this.rows.delete(path); }
+    for (const p of all) {
+      const row = this.rows.get(p.path) ?? this.add(p);
+      row.of = p;
+      const slides = this.sliding && document.activeElement === row.slider;
+      if (!slides) row.slider.value = String(toSlider(p.value, p.low, p.high));
+      if (document.activeElement !== row.written) row.written.value = p.shown;
+      row.slider.setAttribute("aria-valuetext", p.shown);
+    }
+    for (const [name, group] of this.groups) {
+      if (group.querySelector(".row")) continue;
+      group.remove();
+      this.groups.delete(name);
+    }
+  }
+
+  private group(path: string): HTMLElement {
+    const name = path.includes(".") ? path.slice(0, path.indexOf(".")) : "";
+    let group = this.groups.get(name);
+    if (!group) {
+      group = make("details", { open: this.groups.size < 6 }, make("summary", {}, name || say("machine")));
+      this.groups.set(name, group);
+      this.host.append(group);
+    }
+    return group;
+  }
+
+  private add(p: Parameter): Row {
+    const slider = make("input", { type: "range", min: 0, max: 1000, "aria-label": p.label, title: p.doc });
+    const written = make("input", { type: "text", class: "written", spellcheck: "false", autocomplete: "off", "aria-label": `${p.label}, ${say("value")}` });
+    const free = make("input", { type: "checkbox", "aria-label": `${p.label}, ${say("released")}`, title: say("released-help") });
+    const end = (key: string) => make("input", { type: "text", inputmode: "decimal", class: "bound", "aria-label": `${p.label}, ${say(key)}`, title: p.unit });
+    const low = end("from"), high = end("to");
+    const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", p.unit);
+    const box = make("div", { class: "row", "data-path": p.path },
+      make("label", { class: "name", title: p.doc }, p.label), slider, written, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
+    const row: Row = { box, slider, written, free, low, high, of: p };
+    slider.addEventListener("input", () => {
+      if (!this.sliding) { this.sliding = true; this.studio.begin(); }
+      this.studio.change([{ path: row.of.path, value: fromSlider(+slider.value, row.of.low, row.of.high) }]);
+    });
+    const done = () => { if (this.sliding) { this.sliding = false; this.studio.end(); } };
+    slider.addEventListener("change", done);
+    slider.addEventListener("blur", done);
+    written.addEventListener("change", () => {
+      const text = written.value.trim();
+      if (text && text !== row.of.shown) this.studio.change([{ path: row.of.path, written: text }]);
+      else written.value = row.of.shown;
+    });
+    written.addEventListener("keydown", e => { if (e.key === "Escape") { written.value = row.of.shown; written.blur(); } });
+    free.addEventListener("change", () => {
+      range.hidden = !free.checked;
+      box.classList.toggle("free", free.checked);
+      if (free.checked && !low.value) { low.value = String(row.of.low); high.value = String(row.of.high); }
+      this.released();
+    });
+    this.rows.set(p.path, row);
+    this.group(p.path).append(box);
+    return row;
+  }
+}
