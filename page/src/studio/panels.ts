@@ -3,7 +3,7 @@
 import { Chosen, Figure } from "../report/figure";
 import type { Payload } from "../report/payload";
 import * as api from "./api";
-import { make, say } from "./dom";
+import { find, make, say } from "./dom";
 import { Lane } from "./lane";
 import { Layer, overlay } from "./overlay";
 import type { Studio } from "./studio";
@@ -45,6 +45,7 @@ export class Panels {
       this.panels.set(want, p);
       host.append(p.box);
       seen.observe(p.box);
+      find("#contents").append(make("button", { type: "button", onclick: () => p.box.scrollIntoView({ block: "start" }) }, say(`short-${want}`)));
     }
     studio.whenText(() => this.refresh());
     studio.whenMachine(() => { for (const p of this.panels.values()) p.box.classList.toggle("stale", studio.errors > 0); });

@@ -29,6 +29,9 @@ export class SpaceView {
   private phase = 0;
   private before = 0;
   private frame = 0;
+  private coarse = 2;
+  private late = 0;
+  private counted = 0;
   /** Frames drawn, for a measurement. */
   frames = 0;
   playing = true;
@@ -36,7 +39,6 @@ export class SpaceView {
 
   constructor(private readonly host: HTMLElement) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 1.5));
     const light = new DirectionalLight(0xffffff, 2.2);
     light.position.set(2, 3, 4);
     this.world.add(new HemisphereLight(0xffffff, 0x667080, 1.6), light, this.machine);
@@ -67,6 +69,8 @@ export class SpaceView {
   private material(kind: string): MeshLambertMaterial {
     const clear = kind === "housing" ? 0.55 : kind === "liquid" ? 0.85 : 1;
     const m = new MeshLambertMaterial({ color: this.colour(kind), side: DoubleSide, transparent: clear < 1, opacity: clear });
+    // a liquid touches the walls of its cavity: the wall is seen
+    if (kind === "liquid") Object.assign(m, { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 });
     m.onBeforeCompile = shader => {
       shader.uniforms.turn = this.uniforms.turn;
       shader.vertexShader = shader.vertexShader
@@ -140,6 +144,21 @@ export class SpaceView {
 
   play(on: boolean): void { this.playing = on; this.before = 0; this.wake(); }
 
+  /** Pixels of the drawing for one of the page: fewer while it moves, where the machine cannot draw all of them 60 times a second. */
+  private sharpness(moves: boolean): void {
+    const full = Math.min(devicePixelRatio, 2), now = moves ? Math.min(full, this.coarse) : full;
+    if (now !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(now);
+  }
+
+  private pace(t: number): void {
+    if (!this.before || t - this.before > 500) { this.late = 0; this.counted = 0; return; }
+    this.counted++;
+    if (t - this.before > 20) this.late++;
+    if (this.counted < 12) return;
+    if (this.late > 3) this.coarse = Math.max(0.4, 0.8 * Math.min(this.coarse, devicePixelRatio));
+    this.late = this.counted = 0;
+  }
+
   private resize(): void {
     const w = Math.max(this.host.clientWidth, 1), h = Math.max(this.host.clientHeight, 1);
     this.renderer.setSize(w, h, false);
@@ -185,7 +204,9 @@ export class SpaceView {
     this.frame = 0;
     const moves = this.playing && this.shape !== null;
     if (moves && this.before) this.phase += (t - this.before) / 1000 / PERIOD * 2 * Math.PI;
-    this.before = t;
+    if (moves) this.pace(t);
+    this.before = moves ? t : 0;
+    this.sharpness(moves);
     const scale = this.shape ? this.scale(largest(this.shape)) : 0;
     this.uniforms.turn.value.set(Math.cos(this.phase), Math.sin(this.phase), scale);
     const { around, up, far } = this.angle, wide = Math.min(1, this.camera.aspect);

@@ -33,7 +33,7 @@ const area = (outline: [number, number][]): number =>
 function lateral(m: Mesh, outline: [number, number][], most: number, turn: number): void {
   const n = Math.max(8, Math.ceil(AROUND * turn)), sign = area(outline) >= 0 ? 1 : -1;
   for (const [z0, r0, z1, r1] of pieces(outline, most)) {
-    const size = Math.hypot(z1 - z0, r1 - r0) || 1, nz = -sign * (r1 - r0) / size * -1, nr = -sign * (z1 - z0) / size;
+    const size = Math.hypot(z1 - z0, r1 - r0) || 1, nz = sign * (r1 - r0) / size, nr = -sign * (z1 - z0) / size;
     const first = m.place.length / 3;
     for (let k = 0; k <= n; k++) {
       const a = 2 * Math.PI * turn * k / n, c = Math.cos(a), s = Math.sin(a);
@@ -41,7 +41,9 @@ function lateral(m: Mesh, outline: [number, number][], most: number, turn: numbe
       m.normal.push(nr * c, nr * s, nz, nr * c, nr * s, nz);
       if (k === n) continue;
       const a0 = first + 2 * k;
-      m.index.push(a0, a0 + 1, a0 + 2, a0 + 1, a0 + 3, a0 + 2);
+      // light falls on the side that the order of the corners makes the front
+      if (sign > 0) m.index.push(a0, a0 + 1, a0 + 2, a0 + 1, a0 + 3, a0 + 2);
+      else m.index.push(a0, a0 + 2, a0 + 1, a0 + 1, a0 + 2, a0 + 3);
     }
   }
 }
@@ -52,7 +54,10 @@ function faces(m: Mesh, outline: [number, number][], turn: number): void {
   for (const a of [0, 2 * Math.PI * turn]) {
     const c = Math.cos(a), s = Math.sin(a), first = m.place.length / 3, side = a === 0 ? -1 : 1;
     for (const [z, r] of outline) { m.place.push(r * c, r * s, z); m.normal.push(-s * side, c * side, 0); }
-    for (const t of triangles) m.index.push(first + t[0], first + t[1], first + t[2]);
+    for (const [i, j, k] of triangles) {
+      const left = area([outline[i], outline[j], outline[k]]) > 0;
+      m.index.push(first + i, ...(left === (side > 0) ? [first + j, first + k] : [first + k, first + j]));
+    }
   }
 }
 

@@ -14,6 +14,12 @@ studio-want-campbell = Campbell diagram
 studio-want-stability = Stability
 studio-want-forced = Unbalance response
 studio-want-nonlinear = Nonlinear response
+studio-short-page = First page
+studio-short-modes = Modes
+studio-short-campbell = Campbell
+studio-short-stability = Stability
+studio-short-forced = Unbalance
+studio-short-nonlinear = Nonlinear
 studio-nothing = No result for this machine.
 
 # File and text.

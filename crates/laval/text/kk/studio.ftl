@@ -14,6 +14,12 @@ studio-want-campbell = Кэмпбелл диаграммасы
 studio-want-stability = Орнықтылық
 studio-want-forced = Дисбаланстан болатын тербеліс
 studio-want-nonlinear = Бейсызық тербеліс
+studio-short-page = Бірінші бет
+studio-short-modes = Модалар
+studio-short-campbell = Кэмпбелл
+studio-short-stability = Орнықтылық
+studio-short-forced = Дисбаланс
+studio-short-nonlinear = Бейсызық
 studio-nothing = Бұл машина үшін нәтиже жоқ.
 
 # Файл мен мәтін.

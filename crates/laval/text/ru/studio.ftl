@@ -14,6 +14,12 @@ studio-want-campbell = Диаграмма Кэмпбелла
 studio-want-stability = Устойчивость
 studio-want-forced = Отклик на дисбаланс
 studio-want-nonlinear = Нелинейный отклик
+studio-short-page = Первая страница
+studio-short-modes = Моды
+studio-short-campbell = Кэмпбелл
+studio-short-stability = Устойчивость
+studio-short-forced = Дисбаланс
+studio-short-nonlinear = Нелинейный
 studio-nothing = Для этой машины результата нет.
 
 # Файл и текст.

@@ -14,6 +14,12 @@ studio-want-campbell = Kempbell diagrammasi
 studio-want-stability = Turg‘unlik
 studio-want-forced = Disbalansga javob
 studio-want-nonlinear = Chiziqsiz javob
+studio-short-page = Birinchi sahifa
+studio-short-modes = Modalar
+studio-short-campbell = Kempbell
+studio-short-stability = Turg‘unlik
+studio-short-forced = Disbalans
+studio-short-nonlinear = Chiziqsiz
 studio-nothing = Bu mashina uchun natija yo‘q.
 
 # Fayl va matn.
