@@ -14,7 +14,7 @@ const studio = other ? join(other, "studio") : join(here, "../crates/laval-studi
 const common = {
   bundle: true, minify: true, target: "es2022", charset: "utf8", legalComments: "none", logLevel: "warning", absWorkingDir: here, metafile: true,
 };
-const note = from => ({ js: `// Built from ${from}; see CONTRIBUTING.md.`, css: `/* Built from ${from}; see CONTRIBUTING.md. */` });
+const note = from => ({ js: `// Built from ${from}; see page/README.md.`, css: `/* Built from ${from}; see page/README.md. */` });
 
 /** Libraries in an output, with their licences. */
 async function licences(inputs) {

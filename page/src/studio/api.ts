@@ -1,6 +1,6 @@
 // Requests to the server beside the page.
 
-import type { Answer, Checked, Edit, Free, Progress, Reached, Set, Start, Want } from "./types";
+import type { Answer, Checked, Free, Progress, Reached, Set, Start, Want } from "./types";
 
 /** An answer that refuses: the sentence of the server, with its status. */
 export class Refused extends Error {
@@ -58,8 +58,6 @@ export const open = (what: "example" | "template" | "file", name: string): Promi
 export const save = (file: string, text: string, base: string, force: boolean): Promise<{ file: string }> =>
   json("save", { file, text, base, force });
 export const check = (text: string, signal: AbortSignal): Promise<Checked> => json("check", { serial: ++serial, text }, signal);
-export const edit = (text: string, set: Set[], signal: AbortSignal | null = null): Promise<{ edits: Edit[] }> =>
-  json("edit", { serial: ++serial, text, set }, signal);
 export const reach = (text: string, target: { what: string; which: unknown; to: number }, free: Free[], signal: AbortSignal): Promise<Reached> =>
   json("reach", { serial: ++serial, text, target, free }, signal);
 export const run = (text: string, study: string): Promise<{ id: string }> => json("runs", { text, study });

@@ -51,14 +51,19 @@ export function bar(studio: Studio, compare: Compare, recoloured: () => void): v
     make("span", { class: "group" }, button("pin", () => compare.pin(), { "data-act": "pin", title: say("pin-help") }), button("share", () => void share(studio, compare), { "data-act": "share", title: say("share-help") })),
     make("span", { class: "group end" }, language, shade));
 
-  let leaving = false;
+  let leaving = false, said = "";
   studio.conflict = sentence => conflictDialog(studio, sentence);
   studio.whenStatus(() => {
     file.textContent = `${studio.file || say("new-file")}${studio.unsaved ? " •" : ""}`;
     file.title = studio.unsaved ? say("unsaved") : "";
     undo.disabled = !studio.editor.undos;
     redo.disabled = !studio.editor.redos;
+    const title = `${studio.machine?.name || studio.file || "laval"} · laval studio`;
+    if (document.title !== title) document.title = title;
     const n = studio.errors, first = studio.diagnostics.find(d => d.severity === "error");
+    const state = `${studio.reachable}|${studio.notice}|${n}|${first?.message}|${first?.from}`;
+    if (state === said) return;
+    said = state;
     status.replaceChildren();
     status.className = "";
     if (!studio.reachable) {
@@ -71,7 +76,6 @@ export function bar(studio: Studio, compare: Compare, recoloured: () => void): v
       status.className = "wrong";
       status.append(make("button", { type: "button", class: "link", onclick: () => studio.editor.goto(first.from) }, `${say("errors", { count: n })}: ${first.message}`));
     }
-    document.title = `${studio.machine?.name || studio.file || "laval"} · laval studio`;
   });
   addEventListener("beforeunload", e => { if (studio.unsaved && !leaving && studio.base) e.preventDefault(); });
   addEventListener("keydown", e => {

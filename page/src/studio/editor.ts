@@ -92,19 +92,15 @@ export class Editor {
   apply(edits: Edit[]): void {
     const length = this.view.state.doc.length;
     if (!edits.length || edits.some(e => e.from > e.to || e.to > length)) return;
+    const changes = this.view.state.changes(edits), first = edits[0].from, { from, to } = this.view.viewport;
+    // a place that is in sight needs no scrolling, which would cost a layout
+    const effects = first < from || first > to ? [EditorView.scrollIntoView(changes.mapPos(first), { y: "center" })] : [];
     if (this.drag) {
-      const changes = this.view.state.changes(edits);
       this.drag.changes = this.drag.changes.compose(changes);
-      this.view.dispatch({ changes, annotations: Transaction.addToHistory.of(false) });
+      this.view.dispatch({ changes, effects, annotations: Transaction.addToHistory.of(false) });
     } else {
-      this.view.dispatch({ changes: edits, annotations: isolateHistory.of("full"), userEvent: "input.edit" });
+      this.view.dispatch({ changes, effects, annotations: isolateHistory.of("full"), userEvent: "input.edit" });
     }
-  }
-
-  /** Shows the place of a change. */
-  show(at: number): void {
-    const end = this.view.state.doc.length;
-    this.view.dispatch({ effects: EditorView.scrollIntoView(Math.min(at, end), { y: "nearest", yMargin: 40 }) });
   }
 
   get dragging(): boolean { return this.drag !== null; }

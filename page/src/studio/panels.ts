@@ -48,6 +48,7 @@ export class Panels {
       find("#contents").append(make("button", { type: "button", onclick: () => p.box.scrollIntoView({ block: "start" }) }, say(`short-${want}`)));
     }
     studio.whenText(() => this.refresh());
+    studio.quick = a => { const p = a.want === "edit" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
     studio.whenMachine(() => { for (const p of this.panels.values()) p.box.classList.toggle("stale", studio.errors > 0); });
   }
 
@@ -74,6 +75,7 @@ export class Panels {
     const key = `${this.studio.speed}|${this.studio.text}`;
     if (p.asked === key) return;
     p.asked = key;
+    if (p.want === "modes" && this.studio.ahead) return;
     p.lane.ask(this.studio.text);
   }
 

@@ -5,7 +5,7 @@ import { Refused, Unreachable } from "./api";
 import { say } from "./dom";
 import type { Editor } from "./editor";
 import { Lane } from "./lane";
-import type { Checked, Diagnostic, Machine, Parameter, Set, Start } from "./types";
+import type { Answer, Checked, Diagnostic, Machine, Parameter, Set, Start } from "./types";
 
 type Listener = () => void;
 
@@ -19,6 +19,10 @@ export class Studio {
   /** Speed at which modes are shown, rad/s; the operating speed where none is chosen. */
   speed: number | null = null;
   reachable = true;
+  /** The text changes now, and its modes are on their way already. */
+  ahead = false;
+  /** Set by the page: shows an answer that came with a change. */
+  quick: (a: Answer) => void = () => {};
   private readonly onText: Listener[] = [];
   private readonly onMachine: Listener[] = [];
   private readonly onStatus: Listener[] = [];
@@ -73,12 +77,20 @@ export class Studio {
   change(set: Set[]): void { this.edits.ask(set); }
 
   private async set(set: Set[], signal: AbortSignal): Promise<void> {
-    const text = this.text, { edits } = await api.edit(text, set, signal);
-    this.answered();
-    if (text !== this.text) return;
-    this.editor.apply(edits);
-    if (edits[0]) this.editor.show(edits[0].from);
-    if (this.notice) this.tell("");
+    const text = this.text, speed = this.speed;
+    let mine = false;
+    // one trip for the new text and its modes
+    await api.answer({ text, want: ["modes"], set, ...(speed !== null ? { speed } : {}) }, signal, a => {
+      if (a.want === "edit") {
+        this.answered();
+        if (a.error !== undefined) return this.tell(a.error);
+        if (text !== this.text || !a.edits) return;
+        mine = this.ahead = true;
+        this.editor.apply(a.edits);
+        this.ahead = false;
+        if (this.notice) this.tell("");
+      } else if (mine) this.quick(a);
+    });
   }
 
   /** A drag begins: what follows becomes one step of undo. */
