@@ -1,7 +1,7 @@
 // Every number of the machine: a slider, the value as the file writes it, and whether it may be moved by the program.
 
 import { say, make } from "./dom";
-import { fromSlider, toSlider } from "./quantity";
+import { fromSlider, toSlider, written } from "./quantity";
 import type { Studio } from "./studio";
 import type { Free, Parameter } from "./types";
 
@@ -13,6 +13,10 @@ interface Row {
   low: HTMLInputElement;
   high: HTMLInputElement;
   of: Parameter;
+  /** Range of the slider: it stays as long as the value is inside, so that a thumb that is moved does not shift its own scale. */
+  from: number;
+  to: number;
+  unit: HTMLElement;
 }
 
 export class Parameters {
@@ -27,12 +31,19 @@ export class Parameters {
   /** Parameters that the program may move, with their ranges. */
   free(): Free[] {
     return [...this.rows.values()].filter(r => r.free.checked)
-      .map(r => ({ path: r.of.path, low: this.bound(r.low, r.of.low), high: this.bound(r.high, r.of.high) }));
+      .map(r => ({ path: r.of.path, low: this.bound(r, r.low, r.from), high: this.bound(r, r.high, r.to) }));
   }
 
-  private bound(input: HTMLInputElement, otherwise: number): number {
-    const v = input.value.trim() === "" ? NaN : +input.value;
-    return isFinite(v) ? v : otherwise;
+  /** A bound is written in the units of the file. */
+  private bound(r: Row, input: HTMLInputElement, otherwise: number): number {
+    const v = input.value.trim() === "" ? NaN : +input.value.replace(",", ".");
+    return isFinite(v) ? v / written(r.of).factor : otherwise;
+  }
+
+  /** Another machine: nothing of the last one stays. */
+  forget(): void {
+    for (const row of this.rows.values()) row.box.remove();
+    this.rows.clear();
   }
 
   private update(): void {
@@ -41,8 +52,9 @@ export class Parameters {
     for (const p of all) {
       const row = this.rows.get(p.path) ?? this.add(p);
       row.of = p;
+      if (p.value < row.from || p.value > row.to) { row.from = p.low; row.to = p.high; }
       const slides = this.sliding && document.activeElement === row.slider;
-      if (!slides) row.slider.value = String(toSlider(p.value, p.low, p.high));
+      if (!slides) row.slider.value = String(toSlider(p.value, row.from, row.to));
       if (document.activeElement !== row.written) row.written.value = p.shown;
       row.slider.setAttribute("aria-valuetext", p.shown);
     }
@@ -66,31 +78,36 @@ export class Parameters {
 
   private add(p: Parameter): Row {
     const slider = make("input", { type: "range", min: 0, max: 1000, "aria-label": p.label, title: p.doc });
-    const written = make("input", { type: "text", class: "written", spellcheck: "false", autocomplete: "off", "aria-label": `${p.label}, ${say("value")}` });
+    const field = make("input", { type: "text", class: "written", spellcheck: "false", autocomplete: "off", "aria-label": `${p.label}, ${say("value")}` });
     const free = make("input", { type: "checkbox", "aria-label": `${p.label}, ${say("released")}`, title: say("released-help") });
     const end = (key: string) => make("input", { type: "text", inputmode: "decimal", class: "bound", "aria-label": `${p.label}, ${say(key)}`, title: p.unit });
+    const unit = make("span", {});
     const low = end("from"), high = end("to");
-    const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", p.unit);
+    const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", unit);
     const box = make("div", { class: "row", "data-path": p.path },
-      make("label", { class: "name", title: p.doc }, p.label), slider, written, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
-    const row: Row = { box, slider, written, free, low, high, of: p };
+      make("label", { class: "name", title: p.doc }, p.label), slider, field, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
+    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, unit };
     slider.addEventListener("input", () => {
       if (!this.sliding) { this.sliding = true; this.studio.begin(); }
-      this.studio.change([{ path: row.of.path, value: fromSlider(+slider.value, row.of.low, row.of.high) }]);
+      this.studio.change([{ path: row.of.path, value: fromSlider(+slider.value, row.from, row.to) }]);
     });
     const done = () => { if (this.sliding) { this.sliding = false; this.studio.end(); } };
     slider.addEventListener("change", done);
     slider.addEventListener("blur", done);
-    written.addEventListener("change", () => {
-      const text = written.value.trim();
+    field.addEventListener("change", () => {
+      const text = field.value.trim();
       if (text && text !== row.of.shown) this.studio.change([{ path: row.of.path, written: text }]);
-      else written.value = row.of.shown;
+      else field.value = row.of.shown;
     });
-    written.addEventListener("keydown", e => { if (e.key === "Escape") { written.value = row.of.shown; written.blur(); } });
+    field.addEventListener("keydown", e => { if (e.key === "Escape") { field.value = row.of.shown; field.blur(); } });
     free.addEventListener("change", () => {
       range.hidden = !free.checked;
       box.classList.toggle("free", free.checked);
-      if (free.checked && !low.value) { low.value = String(row.of.low); high.value = String(row.of.high); }
+      if (free.checked && !low.value) {
+        const { unit, factor } = written(row.of);
+        row.unit.textContent = unit;
+        [low.value, high.value] = [row.from, row.to].map(v => String(+(v * factor).toPrecision(4)));
+      }
       this.released();
     });
     this.rows.set(p.path, row);

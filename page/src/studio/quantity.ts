@@ -1,6 +1,7 @@
 // Sliders of values: linear, or logarithmic where the range spans decades.
 
 import { number } from "../report/numbers";
+import type { Parameter } from "./types";
 
 const STEPS = 1000;
 
@@ -21,5 +22,20 @@ export function fromSlider(k: number, low: number, high: number): number {
   return k === 0 ? low : k === STEPS ? high : +(Math.round(v / p) * p).toPrecision(12);
 }
 
+/** Units in which the file writes a parameter: their name, and how many make one SI unit. */
+export function written(p: Parameter): { unit: string; factor: number } {
+  const n = parseFloat(p.shown.replace(",", "."));
+  // a default is not written: its text is rounded
+  if (p.from === null || !isFinite(n) || n === 0 || p.value === 0) return { unit: p.unit, factor: 1 };
+  return { unit: p.display_unit ?? p.unit, factor: +(n / p.value).toPrecision(9) };
+}
+
 /** A value in SI units as text. */
 export const plain = (v: number, unit: string): string => unit ? `${number(v)} ${unit}` : number(v);
+
+/** A value of a parameter as text, in the units of the file. */
+export function inFile(p: Parameter | undefined, v: number): string {
+  if (!p) return number(v);
+  const { unit, factor } = written(p);
+  return plain(+(v * factor).toPrecision(5), unit);
+}

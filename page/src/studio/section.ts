@@ -5,7 +5,7 @@ import { follow, steps } from "./drag";
 import { say } from "./dom";
 import type { Studio } from "./studio";
 import type { Handle } from "./types";
-import { plain } from "./quantity";
+import { inFile } from "./quantity";
 
 export class Section {
   private active: string | null = null;
@@ -32,7 +32,7 @@ export class Section {
   }
 
   private handle(svg: SVGSVGElement, h: Handle): SVGGElement {
-    const p = this.studio.parameter(h.path), shown = p?.shown || plain(h.value, p?.unit ?? "");
+    const p = this.studio.parameter(h.path), shown = p?.shown || inFile(p, h.value);
     const g = el("g", {
       class: "handle" + (this.active === h.path ? " active" : ""), role: "slider", tabindex: 0, "data-path": h.path, "data-axis": h.axis,
       transform: `translate(${h.x} ${h.y})`,

@@ -21,6 +21,8 @@ export class Studio {
   reachable = true;
   /** The text changes now, and its modes are on their way already. */
   ahead = false;
+  /** Set by the page: another machine follows. */
+  opened: () => void = () => {};
   /** Set by the page: shows an answer that came with a change. */
   quick: (a: Answer) => void = () => {};
   private readonly onText: Listener[] = [];
@@ -119,6 +121,7 @@ export class Studio {
       const { file, text } = await api.open(what, name);
       this.file = file;
       this.base = what === "file" ? text : "";
+      this.opened();
       this.editor.open(text, true);
       this.tell("");
     } catch (e) { this.failed(e); }

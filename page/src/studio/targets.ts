@@ -11,8 +11,8 @@ import type { Target } from "./types";
 export interface Pulled {
   /** A pull begins; false where nothing is released. */
   begin(t: Target): boolean;
-  /** Value on the axis, and as text. */
-  move(t: Target, v: number, text: string): void;
+  /** Value on the axis, as text, and its unit. */
+  move(t: Target, v: number, text: string, unit: string): void;
   end(t: Target, kept: boolean): void;
 }
 
@@ -71,7 +71,7 @@ function handle(f: Figure, v: View, host: HTMLElement, t: Target, n: number, to:
         moved = true;
         const q = Math.min(1, Math.max(0, shift(px)));
         mark(q);
-        to.move(t, at(q), shownOn(f, t, at(q)));
+        to.move(t, at(q), shownOn(f, t, at(q)), ax.ul);
       },
       end: kept => { ghost.setAttribute("visibility", "hidden"); to.end(t, kept && moved); },
     });
@@ -83,7 +83,7 @@ function handle(f: Figure, v: View, host: HTMLElement, t: Target, n: number, to:
     e.stopPropagation();
     if (!to.begin(t)) return;
     const q = Math.min(1, Math.max(0, start + by / 100));
-    to.move(t, at(q), shownOn(f, t, at(q)));
+    to.move(t, at(q), shownOn(f, t, at(q)), ax.ul);
     to.end(t, true);
   });
   return g;

@@ -36,6 +36,8 @@ export interface Parameter {
   /** Range of the slider. */
   low: number;
   high: number;
+  /** Unit of `shown`. */
+  display_unit?: string;
 }
 
 export interface Handle { path: string; label: string; x: number; y: number; axis: "x" | "y"; scale: number; value: number }
@@ -108,7 +110,10 @@ export interface Reached {
   to: number;
   moved: { path: string; from: number; to: number; share: number; at_bound: boolean }[];
   impossible: { sentence: string; bounds: string[] } | null;
-  trade: { path: string; value: number; target: number }[];
+  /** Each parameter alone: its value, and the result there. */
+  trade: { path: string; value: number; target: number; reached: boolean }[];
+  /** Results on the way, and the change of the parameters that each takes, as share of their ranges. */
+  curve?: [number, number][];
 }
 
 export interface Progress { state: string; done: number; total: number; error?: string }

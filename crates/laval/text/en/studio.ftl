@@ -82,7 +82,11 @@ studio-not-reached = { $name }: { $value } is not reached.
 studio-share-column = Share
 studio-at-bound = at its bound
 studio-take-nearest = Use the nearest values
-studio-trade = Each parameter alone
+studio-trade = Trade-off
+studio-trade-curve = Change of the free parameters over the result
+studio-change = change of the parameters,
+studio-alone = Alone
+studio-result = Result
 
 # Comparison and sharing.
 studio-pin = Pin

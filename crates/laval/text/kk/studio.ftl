@@ -82,7 +82,11 @@ studio-not-reached = { $name }: { $value } мәніне жетпеді.
 studio-share-column = Үлесі
 studio-at-bound = шекарада
 studio-take-nearest = Ең жақын мәндерді алу
-studio-trade = Әр параметр жеке
+studio-trade = Өзгеріс құны
+studio-trade-curve = Бос параметрлер өзгерісінің нәтижеге тәуелділігі
+studio-change = параметрлер өзгерісі,
+studio-alone = Жеке
+studio-result = Нәтиже
 
 # Салыстыру мен бөлісу.
 studio-pin = Бекіту

@@ -82,7 +82,11 @@ studio-not-reached = { $name }: значение { $value } не достигн�
 studio-share-column = Доля
 studio-at-bound = на границе
 studio-take-nearest = Взять ближайшие значения
-studio-trade = Каждый параметр отдельно
+studio-trade = Цена изменения
+studio-trade-curve = Изменение свободных параметров в зависимости от результата
+studio-change = изменение параметров,
+studio-alone = Отдельно
+studio-result = Результат
 
 # Сравнение и передача.
 studio-pin = Закрепить

@@ -82,7 +82,11 @@ studio-not-reached = { $name }: { $value } qiymatiga erishilmadi.
 studio-share-column = Ulushi
 studio-at-bound = chegarada
 studio-take-nearest = Eng yaqin qiymatlarni olish
-studio-trade = Har bir parametr alohida
+studio-trade = O‘zgarish bahosi
+studio-trade-curve = Erkin parametrlar o‘zgarishining natijaga bog‘liqligi
+studio-change = parametrlar o‘zgarishi,
+studio-alone = Alohida
+studio-result = Natija
 
 # Taqqoslash va ulashish.
 studio-pin = Mahkamlash
