@@ -50,7 +50,7 @@ test("typing in the editor changes machine and figures", async () => {
 
 test("a drag of the free surface is one step of undo, and figures follow it", async () => {
   await panel(page, "modes");
-  const was = await text(page), handle = page.locator('.handle[data-path="oil.free_surface_radius"] .knob');
+  const was = await text(page), handle = page.locator('.handle[data-path="oil.free_surface_radius"] .hit');
   let drawn = 0;
   await page.exposeFunction("drawn", () => { drawn++; });
   await page.evaluate(() => new MutationObserver(() => window.drawn()).observe(document.querySelector("#panel-modes .body"), { childList: true }));
@@ -76,7 +76,7 @@ test("a slider is one step of undo; Escape gives a drag up", async () => {
   await page.waitForTimeout(300);
   await undo();
   await page.waitForTimeout(100);
-  const handle = page.locator('.handle[data-path="oil.free_surface_radius"] .knob');
+  const handle = page.locator('.handle[data-path="oil.free_surface_radius"] .hit');
   const box = await handle.boundingBox();
   await page.mouse.move(box.x + 4, box.y + 4);
   await page.mouse.down();

@@ -60,7 +60,7 @@ export const save = (file: string, text: string, base: string, force: boolean): 
 export const check = (text: string, signal: AbortSignal): Promise<Checked> => json("check", { serial: ++serial, text }, signal);
 export const reach = (text: string, target: { what: string; which: unknown; to: number }, free: Free[], signal: AbortSignal): Promise<Reached> =>
   json("reach", { serial: ++serial, text, target, free }, signal);
-export const run = (text: string, study: string): Promise<{ id: string }> => json("runs", { text, study });
+export const run = (text: string, study: string, file: string): Promise<{ id: string }> => json("runs", { text, study, file });
 export const steer = (id: string, what: "pause" | "resume" | "cancel"): Promise<unknown> => json(`runs/${encodeURIComponent(id)}/${what}`, {});
 
 export async function share(text: string, pins: { name: string; text: string }[]): Promise<Blob> {

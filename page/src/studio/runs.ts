@@ -31,7 +31,7 @@ export class Runs {
 
   private async start(s: Study): Promise<void> {
     try {
-      const { id } = await api.run(this.studio.text, s.name);
+      const { id } = await api.run(this.studio.text, s.name, this.studio.file);
       this.follow(id, s.name);
     } catch (e) { this.studio.failed(e); }
   }
