@@ -15,7 +15,7 @@ const shows = (path, value) => page.waitForFunction(([path, value]) => document.
 
 test("the machine is shown: text, section, parameters, first page, all figures", async () => {
   assert.match(await text(page), /name\s+= "oil separator"/);
-  assert.ok(await page.locator("#section svg .steel").count() > 0);
+  assert.ok(await page.locator("#section svg .solid").count() > 0);
   assert.equal(await parameter(page, "drum.mass").locator(".written").inputValue(), "2.4 kg");
   for (const want of ["page", "modes", "campbell", "stability", "forced", "nonlinear"]) await panel(page, want);
   assert.match(await page.locator("#panel-page .verdict .v").textContent(), /3000/);

@@ -95,12 +95,12 @@ export class Motion {
     this.choose();
   }
 
-  private title(s: Shape): string { return `${s.name} · ${number(+(s.frequency / (2 * Math.PI)).toPrecision(4))}${unit(say("hertz"))}`; }
+  private title(s: Shape): string { return `${/^\d+$/.test(s.name) ? say("mode", { count: s.name }) : s.name} · ${number(+(s.frequency / (2 * Math.PI)).toPrecision(4))}${unit(say("hertz"))}`; }
 
   private choose(): void {
     const s = this.all()[this.pick.selectedIndex] ?? null;
     this.view?.whirls(s);
-    this.fact.textContent = s ? `${s.whirl}, ${say(s.growth > 0 ? "grows" : "decays", { value: number(+Math.abs(s.growth).toPrecision(3)) })}` : "";
+    this.fact.textContent = s ? `${say(`whirl-${s.whirl}`)}, ${say(s.growth > 0 ? "grows" : "decays", { value: number(+Math.abs(s.growth).toPrecision(3)) })}` : "";
     this.panels.box("modes").querySelectorAll(".mode").forEach((c, i) => c.setAttribute("aria-pressed", String(i === this.pick.selectedIndex)));
   }
 

@@ -44,6 +44,8 @@ export class Section {
       el("circle", { class: "hit", r: 13 }), el("circle", { class: "knob", r: 6.5 }),
       el("path", { class: "arrows", d: h.axis === "x" ? "M-7 -3.5L-11 0L-7 3.5M7 -3.5L11 0L7 3.5" : "M-3.5 -7L0 -11L3.5 -7M-3.5 7L0 11L3.5 7" }),
     );
+    const { width } = svg.viewBox.baseVal, left = h.x > width / 2;
+    g.append(el("text", { class: "value", x: left ? -13 : 13, y: -11, "text-anchor": left ? "end" : "start" }, `${h.label} ${shown}`));
     g.addEventListener("pointerdown", e => this.pull(svg, h, e));
     g.addEventListener("keydown", e => {
       const by = steps(e);

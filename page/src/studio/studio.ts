@@ -92,6 +92,7 @@ export class Studio {
         this.ahead = false;
         if (this.notice) this.tell("");
       } else if (mine) this.quick(a);
+      else if (a.error !== undefined) this.tell(a.error);
     });
   }
 

@@ -59,6 +59,13 @@ studio-drag-this = Drag: { $name }, { $value }
 
 # Motion in 3-D.
 studio-motion = Motion
+studio-mode = Mode { $count }
+studio-whirl-forward = forward
+studio-whirl-backward = backward
+studio-whirl-mixed = mixed
+studio-whirl-axial = along the axis
+studio-whirl-torsional = torsional
+studio-whirl-none = no whirl
 studio-play = Play
 studio-pause = Pause
 studio-amplitude = Amplitude

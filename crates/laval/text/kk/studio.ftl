@@ -59,6 +59,13 @@ studio-drag-this = Сүйреңіз: { $name }, { $value }
 
 # Үш өлшемді қозғалыс.
 studio-motion = Қозғалыс
+studio-mode = { $count }-мода
+studio-whirl-forward = тура прецессия
+studio-whirl-backward = кері прецессия
+studio-whirl-mixed = аралас прецессия
+studio-whirl-axial = осьтік
+studio-whirl-torsional = бұралу
+studio-whirl-none = прецессиясыз
 studio-play = Ойнату
 studio-pause = Кідірту
 studio-amplitude = Амплитуда

@@ -59,6 +59,13 @@ studio-drag-this = Перетащите: { $name }, { $value }
 
 # Движение в объёме.
 studio-motion = Движение
+studio-mode = Мода { $count }
+studio-whirl-forward = прямая прецессия
+studio-whirl-backward = обратная прецессия
+studio-whirl-mixed = смешанная прецессия
+studio-whirl-axial = осевая
+studio-whirl-torsional = крутильная
+studio-whirl-none = без прецессии
 studio-play = Пуск
 studio-pause = Пауза
 studio-amplitude = Амплитуда

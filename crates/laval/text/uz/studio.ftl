@@ -59,6 +59,13 @@ studio-drag-this = Suring: { $name }, { $value }
 
 # Uch o‘lchamli harakat.
 studio-motion = Harakat
+studio-mode = { $count }-moda
+studio-whirl-forward = to‘g‘ri pretsessiya
+studio-whirl-backward = teskari pretsessiya
+studio-whirl-mixed = aralash pretsessiya
+studio-whirl-axial = o‘q bo‘ylab
+studio-whirl-torsional = buralma
+studio-whirl-none = pretsessiyasiz
 studio-play = Boshlash
 studio-pause = Pauza
 studio-amplitude = Amplituda
