@@ -90,9 +90,10 @@ export async function answer(body: { text: string; want: Want[]; speed?: number;
 }
 
 /** Progress of a run until it ends; the answer closes it. */
-export function events(id: string, each: (p: Progress) => void, lost: () => void): () => void {
+export function events(id: string, each: (p: Progress) => void, lost: (forGood: boolean) => void): () => void {
   const source = new EventSource(address(`runs/${encodeURIComponent(id)}/events`));
   source.onmessage = e => each(JSON.parse(String(e.data)) as Progress);
-  source.onerror = lost;
+  // the browser connects again by itself, unless the server does not know the run any more
+  source.onerror = () => lost(source.readyState === EventSource.CLOSED);
   return () => source.close();
 }

@@ -44,6 +44,7 @@ const look = EditorView.theme({
 
 export class Editor {
   readonly view: EditorView;
+  private marked = false;
   /** State before a drag, and everything that the drag changed. */
   private drag: { before: EditorState["doc"]; changes: ChangeSet } | null = null;
 
@@ -127,6 +128,8 @@ export class Editor {
   }
 
   marks(all: Diagnostic[]): void {
+    if (!all.length && !this.marked) return;
+    this.marked = all.length > 0;
     const end = this.view.state.doc.length;
     const marks = all.map((d): Mark => {
       const from = Math.min(d.from, end), to = Math.min(Math.max(d.to, d.from), end);

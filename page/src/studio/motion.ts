@@ -12,6 +12,7 @@ const RPM = 30 / Math.PI;
 export class Motion {
   private view: SpaceView | null = null;
   private loading = false;
+  private playing = true;
   private shapes: Shape[] = [];
   private orbits: Shape[] = [];
   private readonly pick: HTMLSelectElement;
@@ -24,11 +25,14 @@ export class Motion {
   constructor(private readonly host: HTMLElement, controls: HTMLElement, private readonly studio: Studio, private readonly panels: Panels) {
     this.pick = make("select", { "aria-label": say("motion"), onchange: () => this.choose() });
     this.fact = make("span", { class: "fact", role: "status" });
-    const play = make("button", { type: "button", "aria-pressed": "true" }, say("pause"));
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.playing = !still;
+    const play = make("button", { type: "button", "aria-pressed": String(!still) }, say(still ? "play" : "pause"));
     play.addEventListener("click", () => {
       const on = play.getAttribute("aria-pressed") !== "true";
       play.setAttribute("aria-pressed", String(on));
       play.textContent = say(on ? "pause" : "play");
+      this.playing = on;
       this.view?.play(on);
     });
     const amplitude = make("input", { type: "range", min: 10, max: 300, value: 100, "aria-label": say("amplitude") });
@@ -67,6 +71,7 @@ export class Motion {
     try {
       const { open } = await import("./scene.js" as string) as typeof import("./scene");
       this.view = open(this.host);
+      this.view.play(this.playing);
       this.host.dataset.ready = "";
       this.draw();
       this.choose();

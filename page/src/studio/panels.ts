@@ -82,7 +82,6 @@ export class Panels {
   private async answer(p: Panel, text: string, signal: AbortSignal): Promise<void> {
     const speed = this.studio.speed;
     await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, signal, a => { if (a.want === p.want) this.show(p, a); });
-    if (signal.aborted) p.asked = null;
   }
 
   private show(p: Panel, a: Answer): void {

@@ -59,9 +59,10 @@ export class Runs {
       const remove = button("remove", () => job.remove(), { "aria-label": say("remove-this", { name }) });
       acts.replaceChildren(...(p.state === "done" ? [report, remove] : [remove]));
     };
-    const close = api.events(id, show, () => {
-      // the browser connects again by itself; a run that the server no longer knows is over
-      if (last && OVER.has(last.state)) close(); else state.textContent = say("state-waiting");
+    const close = api.events(id, show, forGood => {
+      if (last && OVER.has(last.state)) close();
+      else if (forGood) show({ state: "failed", done: 0, total: 0 });
+      else state.textContent = say("state-waiting");
     });
   }
 }
