@@ -49,7 +49,7 @@ export function bar(studio: Studio, compare: Compare, recoloured: () => void): v
     make("span", { class: "group" }, button("open", () => openDialog(studio), { "data-act": "open" }), save, button("save-as", () => saveAs(studio), { "data-act": "save-as" })),
     make("span", { class: "group" }, undo, redo),
     make("span", { class: "group" }, button("pin", () => compare.pin(), { "data-act": "pin", title: say("pin-help") }), button("share", () => void share(studio, compare), { "data-act": "share", title: say("share-help") })),
-    make("span", { class: "group end" }, language, shade));
+    make("span", { class: "group right" }, language, shade));
 
   let leaving = false, said = "";
   studio.conflict = sentence => conflictDialog(studio, sentence);

@@ -5,6 +5,12 @@ import { fromSlider, toSlider, written } from "./quantity";
 import type { Studio } from "./studio";
 import type { Free, Parameter } from "./types";
 
+/** The label without the name of the part, which stands above. */
+function short(p: Parameter): string {
+  const part = p.path.split(".")[0].replaceAll("_", " "), label = p.label.replaceAll("_", " ");
+  return label.length > part.length + 1 && label.startsWith(part) ? label.slice(part.length).replace(/^[,\s]+/, "") : label;
+}
+
 interface Row {
   box: HTMLElement;
   slider: HTMLInputElement;
@@ -85,7 +91,7 @@ export class Parameters {
     const low = end("from"), high = end("to");
     const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", unit);
     const box = make("div", { class: "row", "data-path": p.path },
-      make("label", { class: "name", title: p.doc }, p.label), slider, field, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
+      make("label", { class: "name", title: p.doc }, short(p)), slider, field, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
     const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, unit };
     slider.addEventListener("input", () => {
       if (!this.sliding) { this.sliding = true; this.studio.begin(); }
