@@ -60,7 +60,8 @@ pub fn studio(args: &Args) -> u8 {
         Err(d) => return complain(&d),
     };
     let examples = TEMPLATES.iter().map(|t| Example { name: t.name, title: t.about, text: t.text }).collect();
-    let options = Options { folder, file, port: args.port, token: args.token.clone(), language: language::current(), examples };
+    let (port, token, language) = (args.port, args.token.clone(), language::current());
+    let options = Options { folder, file, port, token, language, examples, ..Options::default() };
     let server = match Server::new(options) {
         Ok(server) => server,
         Err(d) => return complain(&d),

@@ -43,7 +43,7 @@ fn a_mistake_is_reported_at_its_place_in_code_units() {
     let d = &a["diagnostics"][0];
     let units: Vec<u16> = text.encode_utf16().collect();
     let [from, to] = ["from", "to"].map(|k| d[k].as_u64().unwrap() as usize);
-    assert_eq!(String::from_utf16(&units[from..to]).unwrap(), "\"2.4 mm\"");
+    assert_eq!(String::from_utf16(&units[from - 5..to + 1]).unwrap(), "\"2.4 mm\"");
     assert_eq!((&d["severity"], &d["code"]), (&json!("error"), &json!("unit.dimension")));
     let russian = s.post("api/check?lang=ru", &json!({ "text": text })).json();
     assert_ne!(russian["diagnostics"][0]["message"], d["message"]);

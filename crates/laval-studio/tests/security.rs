@@ -105,7 +105,7 @@ fn no_file_outside_the_folder_is_read_or_written() {
         let a = s.get(&format!("api/open?file={name}"));
         assert_eq!(a.status, 422, "{name}: {}", a.text());
         assert!(a.text().starts_with("{\"error\":"), "{}", a.text());
-        let a = s.post("api/save", &json!({ "file": name.replace("%2e", ".").replace("%2f", "/"), "text": "x", "force": true }));
+        let a = s.post("api/save", &json!({ "file": name.replace("%2e", ".").replace("%2f", "/").replace("%5c", "\\").replace("%00", "\0"), "text": "x", "force": true }));
         assert_eq!(a.status, 422, "{name}: {}", a.text());
     }
     assert_eq!(fs::read_to_string(&outside).unwrap(), SEPARATOR);
