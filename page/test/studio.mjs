@@ -76,6 +76,10 @@ export async function open(b, server, { width = 1440, height = 900, query = "", 
     // a request that is abandoned, a server that is away and software rendering are no defects of the page
     if (m.type() === "error" && !/Failed to load resource|ERR_/.test(m.text())) page.complaints.push(m.text());
   });
+  if (process.env.LAVAL_ASSETS) await page.route(/\/assets\/[\w.]+$|\/[0-9a-f]{32}\/(\?.*)?$/, (route, request) => {
+    const name = /assets\/([\w.]+)$/.exec(request.url())?.[1] ?? "index.html";
+    return route.fulfill({ path: join(process.env.LAVAL_ASSETS, name), contentType: { html: "text/html", css: "text/css", js: "text/javascript" }[name.split(".").pop()] });
+  });
   // the editor hangs on its element
   await page.addInitScript(() => { window.editorView = () => document.querySelector("#editor").shadowRoot.querySelector(".cm-content").cmTile.view; });
   await page.goto(server.address + query);

@@ -6,7 +6,7 @@ import { HighlightStyle, StreamLanguage, bracketMatching, syntaxHighlighting } f
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { Diagnostic as Mark, lintGutter, lintKeymap, nextDiagnostic, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, ChangeSet, EditorState, Transaction } from "@codemirror/state";
+import { Annotation, EditorState, Transaction } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { complete } from "./completion";
@@ -45,10 +45,12 @@ const look = EditorView.theme({
 export class Editor {
   readonly view: EditorView;
   private marked = false;
-  /** State before a drag, and everything that the drag changed. */
-  private drag: { before: EditorState["doc"]; changes: ChangeSet } | null = null;
+  /** The last change came from the keys: only then something is offered. */
+  private typed = false;
+  /** A drag goes on, and has changed the text. */
+  private drag: { changed: boolean } | null = null;
 
-  constructor(host: HTMLElement, completion: () => Completion, private readonly changed: (dragging: boolean) => void, save: () => void) {
+  constructor(host: HTMLElement, completion: () => Completion, private readonly changed: () => void, save: () => void) {
     // styles of the editor come as adopted sheets of a shadow root: the page allows no style elements
     const root = host.attachShadow({ mode: "open" });
     this.view = new EditorView({
@@ -58,7 +60,7 @@ export class Editor {
         extensions: [
           lineNumbers(), history(), drawSelection(), highlightActiveLine(), bracketMatching(), closeBrackets(), highlightSelectionMatches(),
           StreamLanguage.define(toml), syntaxHighlighting(colours), look, lintGutter(),
-          autocompletion({ override: [c => complete(c, completion())] }),
+          autocompletion({ override: [c => this.typed || c.explicit ? complete(c, completion()) : null] }),
           keymap.of([
             { key: "Mod-s", run: () => { save(); return true; } },
             { key: "F8", run: nextDiagnostic },
@@ -66,7 +68,8 @@ export class Editor {
             indentWithTab,
           ]),
           EditorView.contentAttributes.of({ "aria-label": say("text"), "data-testid": "text" }),
-          EditorView.updateListener.of(u => { if (u.docChanged) this.changed(this.drag !== null); }),
+          EditorView.updateListener.of(u => { if (u.docChanged) this.changed(); }),
+          EditorView.inputHandler.of(() => { this.typed = true; return false; }),
         ],
       }),
     });
@@ -96,35 +99,26 @@ export class Editor {
     const changes = this.view.state.changes(edits), first = edits[0].from, { from, to } = this.view.viewport;
     // a place that is in sight needs no scrolling, which would cost a layout
     const effects = first < from || first > to ? [EditorView.scrollIntoView(changes.mapPos(first), { y: "center" })] : [];
-    if (this.drag) {
-      this.drag.changes = this.drag.changes.compose(changes);
-      this.view.dispatch({ changes, effects, annotations: Transaction.addToHistory.of(false) });
-    } else {
-      this.view.dispatch({ changes, effects, annotations: isolateHistory.of("full"), userEvent: "input.edit" });
-    }
+    // the history joins what is composed to the step before it, however much time has passed
+    const joined = this.drag?.changed === true;
+    this.typed = false;
+    this.view.dispatch({ changes, effects, userEvent: joined ? "input.type.compose" : "input.drag", annotations: joined ? [] : isolateHistory.of("before") });
+    if (this.drag) this.drag.changed = true;
+    else this.apart();
   }
 
-  get dragging(): boolean { return this.drag !== null; }
+  /** What comes next is a step of its own. */
+  private apart(): void { this.view.dispatch({ annotations: isolateHistory.of("full") }); }
 
-  begin(): void {
-    const doc = this.view.state.doc;
-    this.drag ??= { before: doc, changes: ChangeSet.empty(doc.length) };
-  }
+  begin(): void { this.drag ??= { changed: false }; }
 
-  /** All that a drag changed becomes one step of undo; `keep` false takes it back. */
+  /** All that a drag changed is one step of undo; `keep` false takes it back. */
   end(keep = true): void {
     const drag = this.drag;
-    if (!drag) return;
-    const all = drag.changes;
-    if (!all.empty && all.newLength === this.view.state.doc.length) {
-      const after = this.view.state.doc;
-      this.view.dispatch({ changes: all.invert(drag.before), annotations: Transaction.addToHistory.of(false) });
-      this.drag = null;
-      if (keep && !after.eq(drag.before)) {
-        this.view.dispatch({ changes: all, annotations: isolateHistory.of("full"), userEvent: "input.drag" });
-      }
-    }
     this.drag = null;
+    if (!drag?.changed) return;
+    if (!keep) undo(this.view);
+    this.apart();
   }
 
   marks(all: Diagnostic[]): void {
