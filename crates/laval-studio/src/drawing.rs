@@ -112,7 +112,9 @@ fn handles(system: &System, section: &Section, numbers: &[Number], view: &View) 
     let mut handle = |n: &Number, z: f64, r: f64, axis: &str, per: f64| {
         let (x, y) = view.point(z, r);
         let label = n.path.replace('_', " ").replacen('.', " ", 1);
-        out.push(json!({ "path": n.path, "label": label, "x": px(x), "y": px(y), "axis": axis, "scale": per / view.scale, "value": n.value }));
+        out.push(
+            json!({ "path": n.path, "label": label, "x": px(x), "y": px(y), "axis": axis, "scale": per / view.scale, "value": n.value }),
+        );
     };
     for n in numbers {
         let part = n.path.split('.').next().unwrap_or_default();

@@ -60,7 +60,9 @@ fn goal(target: &Target) -> Result<Goal, Diagnostic> {
         "stability_limit" => Goal::StabilityLimit { at: *at },
         "peak" => Goal::Peak { at: *at, body: body.clone(), of: if *size { Of::Size } else { Of::Speed } },
         "jump" => Goal::Jump { at: *at },
-        other => return Err(Diagnostic::error("reach.goal", text!("there is no result {what} that can be moved", what = text::quoted(&other)))),
+        other => {
+            return Err(Diagnostic::error("reach.goal", text!("there is no result {what} that can be moved", what = text::quoted(&other))));
+        }
     })
 }
 
@@ -75,7 +77,8 @@ pub(crate) fn reach(machines: &Machines, request: &Request, language: Language, 
     let changes: Vec<(String, Change)> = changed.map(|m| (m.path.clone(), Change::Value(m.to, DIGITS))).collect();
     let edits = file::edits(&request.text, &loaded.spec, &CATALOG, &changes)?;
     let units: Vec<String> = file::written_units(&request.text).into_iter().map(|u| u.0).collect();
-    let impossible = found.impossible.as_ref().map(|(sentence, bounds)| json!({ "sentence": language.said_in(sentence, &units), "bounds": bounds }));
+    let impossible =
+        found.impossible.as_ref().map(|(sentence, bounds)| json!({ "sentence": language.said_in(sentence, &units), "bounds": bounds }));
     let moved: Vec<Json> = found
         .moved
         .iter()

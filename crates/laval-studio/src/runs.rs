@@ -103,8 +103,7 @@ impl Runs {
             Some(name) if !name.is_empty() => crate::folder::path(&self.folder, name).map_err(one)?,
             _ => self.file.clone().unwrap_or_else(|| self.folder.join(format!("{}.toml", loaded.system.machine.name))),
         };
-        let status =
-            Status { wanted: Wanted::Going, resting: false, ending: None, done: 0, total: 0, cancel: Cancel::default() };
+        let status = Status { wanted: Wanted::Going, resting: false, ending: None, done: 0, total: 0, cancel: Cancel::default() };
         let id = self.next.fetch_add(1, Ordering::Relaxed).to_string();
         let run = Arc::new(Run { id: id.clone(), chunks, status: Mutex::new(status), changed: Condvar::new() });
         let inside = file.strip_prefix(&self.folder).unwrap_or(&file).to_path_buf();
@@ -118,7 +117,8 @@ impl Runs {
             run: run.clone(),
         };
         let thread = thread::Builder::new().spawn(move || job.work());
-        let thread = thread.map_err(|e| one(Diagnostic::error("studio.run", text!("the study cannot be started: {e}", e = e.to_string()))))?;
+        let thread =
+            thread.map_err(|e| one(Diagnostic::error("studio.run", text!("the study cannot be started: {e}", e = e.to_string()))))?;
         let mut all = held(&self.all);
         if all.len() >= MOST
             && let Some(at) = all.iter().position(|r| r.0.over())
@@ -309,8 +309,7 @@ mod tests {
 
     #[test]
     fn a_run_that_is_over_stays_so() {
-        let status =
-            Status { wanted: Wanted::Going, resting: false, ending: None, done: 0, total: 0, cancel: Cancel::default() };
+        let status = Status { wanted: Wanted::Going, resting: false, ending: None, done: 0, total: 0, cancel: Cancel::default() };
         let run = Run { id: "1".into(), chunks: true, status: Mutex::new(status), changed: Condvar::new() };
         run.pause();
         assert!(held(&run.status).cancel.load(Ordering::Relaxed));

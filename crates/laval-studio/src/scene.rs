@@ -94,11 +94,12 @@ impl Section {
     pub fn radius(&self, z: f64) -> f64 {
         let at = |s: &Solid| {
             let edges = s.outline.windows(2).filter(|w| (w[0][0] - z) * (w[1][0] - z) <= 0.0);
-            edges.map(|w| {
-                let t = if w[1][0] == w[0][0] { 0.5 } else { (z - w[0][0]) / (w[1][0] - w[0][0]) };
-                w[0][1] + t * (w[1][1] - w[0][1])
-            })
-            .fold(0.0, f64::max)
+            edges
+                .map(|w| {
+                    let t = if w[1][0] == w[0][0] { 0.5 } else { (z - w[0][0]) / (w[1][0] - w[0][0]) };
+                    w[0][1] + t * (w[1][1] - w[0][1])
+                })
+                .fold(0.0, f64::max)
         };
         self.solids.iter().filter(|s| s.kind == "shaft").map(at).fold(0.0, f64::max)
     }
@@ -191,7 +192,11 @@ impl Section {
         let inner = self.radius(z).max(0.12 * size);
         let half = (0.5 * inner).clamp(0.04 * size, 0.12 * size);
         // below a body without a shaft
-        let below = self.solids.iter().find(|s| s.body.as_deref() == Some(&own.0) && s.kind == "disc").map(|s| s.outline.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min));
+        let below = self
+            .solids
+            .iter()
+            .find(|s| s.body.as_deref() == Some(&own.0) && s.kind == "disc")
+            .map(|s| s.outline.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min));
         let z = match below {
             Some(low) if self.radius(z) == 0.0 => (low - 1.6 * half).min(z),
             _ => z,
@@ -234,7 +239,13 @@ fn places(system: &System, blocks: &[Block]) -> Vec<(String, f64)> {
     let (mut out, mut top) = (Vec::new(), 0.0);
     for (k, (name, rotor, cavity, _)) in sorted.into_iter().enumerate() {
         let own = if rotor { half(name, cavity).0 } else { 0.2 * size };
-        let gap = if k == 0 { 0.0 } else if rotor { 0.2 * size } else { 0.45 * size };
+        let gap = if k == 0 {
+            0.0
+        } else if rotor {
+            0.2 * size
+        } else {
+            0.45 * size
+        };
         let z = if k == 0 { 0.0 } else { top - gap - own };
         top = z - own;
         out.push((name.clone(), z));

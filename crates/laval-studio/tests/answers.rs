@@ -77,7 +77,8 @@ fn a_machine_has_parameters_a_section_and_studies() {
     let (x, scale, value) = at(SEPARATOR);
     let (x2, _, value2) = at(&SEPARATOR.replace("46.7 mm", "50 mm"));
     assert!(((value2 - value) - scale * (x2 - x)).abs() < 0.02 * (value2 - value), "{x} {x2} {scale}");
-    let kinds: Vec<(&str, bool)> = m["studies"].as_array().unwrap().iter().map(|s| (s["kind"].as_str().unwrap(), s["quick"].as_bool().unwrap())).collect();
+    let kinds: Vec<(&str, bool)> =
+        m["studies"].as_array().unwrap().iter().map(|s| (s["kind"].as_str().unwrap(), s["quick"].as_bool().unwrap())).collect();
     assert!(kinds.contains(&("modes", true)), "{kinds:?}");
 }
 
@@ -92,7 +93,8 @@ fn an_edit_keeps_comments_units_and_everything_else() {
     assert_eq!(changed.len(), 2);
     assert_eq!(changed[0].1, changed[0].0.replace("3000 rpm", "1909.86 rpm"));
     assert_eq!(changed[1].1, changed[1].0.replace("46.7 mm", "5 cm"));
-    let wrong = [json!([{ "path": "oil.none", "value": 1 }]), json!([{ "path": "drum.mass", "value": -1 }]), json!([{ "path": "drum.mass" }])];
+    let wrong =
+        [json!([{ "path": "oil.none", "value": 1 }]), json!([{ "path": "drum.mass", "value": -1 }]), json!([{ "path": "drum.mass" }])];
     for set in wrong {
         let a = s.post("api/edit", &json!({ "text": SEPARATOR, "set": set }));
         assert_eq!(a.status, 422, "{}", a.text());
@@ -103,7 +105,9 @@ fn an_edit_keeps_comments_units_and_everything_else() {
 fn answers_come_line_by_line_with_figures_shapes_and_targets() {
     let s = Studio::new("answer");
     let want = ["modes", "campbell", "stability", "forced", "nonlinear", "page"];
-    let lines = s.post("api/answer", &json!({ "serial": 3, "text": SEPARATOR, "want": want, "set": [{ "path": "drum.mass", "value": 2.5 }] })).lines();
+    let lines = s
+        .post("api/answer", &json!({ "serial": 3, "text": SEPARATOR, "want": want, "set": [{ "path": "drum.mass", "value": 2.5 }] }))
+        .lines();
     let words: Vec<&str> = lines.iter().map(|l| l["want"].as_str().unwrap()).collect();
     assert_eq!(words, [&["edit"], &want[..]].concat());
     assert!(applied(SEPARATOR, &lines[0]["edits"]).contains("mass = \"2.5 kg\""));
@@ -113,7 +117,11 @@ fn answers_come_line_by_line_with_figures_shapes_and_targets() {
     let shapes = lines[1]["shapes"].as_array().unwrap();
     assert!(shapes.len() > 3);
     for shape in shapes {
-        let sizes = shape["stations"].as_array().unwrap().iter().flat_map(|s| ["x", "y"].map(|k| s[k][0].as_f64().unwrap().hypot(s[k][1].as_f64().unwrap())));
+        let sizes = shape["stations"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .flat_map(|s| ["x", "y"].map(|k| s[k][0].as_f64().unwrap().hypot(s[k][1].as_f64().unwrap())));
         let largest = sizes.fold(0.0, f64::max);
         assert!((largest - 1.0).abs() < 1e-9, "{shape}");
     }
@@ -125,7 +133,8 @@ fn answers_come_line_by_line_with_figures_shapes_and_targets() {
     let campbell = lines[2]["targets"].as_array().unwrap();
     let speed = campbell[0]["x"].as_f64().unwrap() / campbell[0]["factor"].as_f64().unwrap();
     assert!((campbell[0]["which"]["at"].as_f64().unwrap() - speed).abs() < 1e-9 * speed);
-    let kinds = |k: usize| lines[k]["targets"].as_array().unwrap().iter().map(|t| t["what"].as_str().unwrap().to_string()).collect::<Vec<_>>();
+    let kinds =
+        |k: usize| lines[k]["targets"].as_array().unwrap().iter().map(|t| t["what"].as_str().unwrap().to_string()).collect::<Vec<_>>();
     assert!(kinds(3).contains(&"stability_limit".to_string()), "{:?}", kinds(3));
     assert!(kinds(4).contains(&"peak".to_string()), "{:?}", kinds(4));
     // a text with a mistake has none
@@ -163,7 +172,8 @@ fn what_is_no_longer_wanted_is_cancelled() {
     let heavy = |k: usize| {
         // each is another text, so that none is remembered
         let text = SEPARATOR.replace("points = 20", &format!("points = {}", 20 + k));
-        json!({ "text": format!("{text}\n# {k}"), "want": ["nonlinear", "stability", "campbell", "forced", "page"], "points": 2000 }).to_string()
+        json!({ "text": format!("{text}\n# {k}"), "want": ["nonlinear", "stability", "campbell", "forced", "page"], "points": 2000 })
+            .to_string()
     };
     let path = format!("/{TOKEN}/api/answer");
     let alone = Instant::now();

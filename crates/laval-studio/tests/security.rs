@@ -8,7 +8,9 @@ use std::time::Duration;
 fn nothing_is_answered_without_the_token() {
     let s = Studio::new("token");
     assert_eq!(s.get("").status, 200);
-    for path in ["/", "/api/start", "/0123456789abcdee/", "/0123456789abcde/", "/0123456789abcdef0/api/start", "//", "/../", "/%30123456789abcdef/"] {
+    for path in
+        ["/", "/api/start", "/0123456789abcdee/", "/0123456789abcde/", "/0123456789abcdef0/api/start", "//", "/../", "/%30123456789abcdef/"]
+    {
         let a = s.request("GET", path, &[], b"");
         assert_eq!((a.status, a.body.len()), (403, 0), "{path}");
     }
@@ -41,7 +43,17 @@ fn other_origins_and_hosts_are_refused() {
     for kind in ["text/plain", "application/x-www-form-urlencoded", "", "multipart/form-data; boundary=x"] {
         assert_eq!(post(&[("Content-Type", kind)]), 415, "{kind}");
     }
-    assert_eq!(s.request("POST", &format!("/{TOKEN}/api/check"), &[("Host", &format!("127.0.0.1:{}\r\nHost: 127.0.0.1:{}", s.port, s.port))], b"{}").status / 100, 4);
+    assert_eq!(
+        s.request(
+            "POST",
+            &format!("/{TOKEN}/api/check"),
+            &[("Host", &format!("127.0.0.1:{}\r\nHost: 127.0.0.1:{}", s.port, s.port))],
+            b"{}"
+        )
+        .status
+            / 100,
+        4
+    );
 }
 
 #[test]
@@ -140,8 +152,17 @@ fn oversized_and_malformed_bodies_are_refused() {
     let large = json!({ "text": "x".repeat(2 << 20) }).to_string();
     let send = |body: &[u8]| s.request("POST", &format!("/{TOKEN}/api/check"), &[], body).status;
     assert_eq!(send(large.as_bytes()), 413);
-    let bodies: [&[u8]; 9] =
-        [b"", b"{", b"[]", b"null", b"{\"text\": 3}", b"{\"serial\": 1}", b"\xff\xfe", b"{\"text\": \"\", \"more\": 1}", b"{\"text\": \"\\ud800\"}"];
+    let bodies: [&[u8]; 9] = [
+        b"",
+        b"{",
+        b"[]",
+        b"null",
+        b"{\"text\": 3}",
+        b"{\"serial\": 1}",
+        b"\xff\xfe",
+        b"{\"text\": \"\", \"more\": 1}",
+        b"{\"text\": \"\\ud800\"}",
+    ];
     for body in bodies {
         assert_eq!(send(body), 400, "{}", String::from_utf8_lossy(body));
     }

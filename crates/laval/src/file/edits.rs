@@ -299,7 +299,10 @@ fill = { volume_fraction = "50 %" }
         let inline = "machine = { name = \"a\" }\npart = [{ kind = \"disc\", name = \"d\", mass = 1 }]\n";
         let loaded = load(inline).unwrap();
         let e = edits(inline, &loaded.spec, &catalog(), &[("d.eccentricity".into(), value(1e-3))]).unwrap();
-        assert_eq!(edited(inline, &e).lines().nth(1), Some("part = [{ kind = \"disc\", name = \"d\", mass = 1, eccentricity = \"1 mm\" }]"));
+        assert_eq!(
+            edited(inline, &e).lines().nth(1),
+            Some("part = [{ kind = \"disc\", name = \"d\", mass = 1, eccentricity = \"1 mm\" }]")
+        );
     }
 
     #[test]

@@ -45,7 +45,9 @@ impl CriticalSpeed {
             return Err(Diagnostic::error("reach.goal", text!("a critical speed has an order above 0 and a speed")));
         }
         let found = near(system, order, at, context)?;
-        let found = found.ok_or_else(|| Diagnostic::error("reach.goal", text!("there is no such critical speed near {at}", at = text::quantity(at, "rad/s"))))?;
+        let found = found.ok_or_else(|| {
+            Diagnostic::error("reach.goal", text!("there is no such critical speed near {at}", at = text::quantity(at, "rad/s")))
+        })?;
         Ok(CriticalSpeed { order, speed: found.speed, growth: found.growth, sector: found.sector })
     }
 }

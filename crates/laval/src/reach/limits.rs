@@ -54,8 +54,9 @@ impl StabilityLimit {
         if !(at.is_finite() && at != 0.0) {
             return Err(Diagnostic::error("reach.goal", text!("a limit of stability has a speed")));
         }
-        near(system, at, context)?
-            .ok_or_else(|| Diagnostic::error("reach.goal", text!("there is no limit of stability near {at}", at = text::quantity(at, "rad/s"))))
+        near(system, at, context)?.ok_or_else(|| {
+            Diagnostic::error("reach.goal", text!("there is no limit of stability near {at}", at = text::quantity(at, "rad/s")))
+        })
     }
 
     /// Where the growth of the mode is zero, and its derivative there.

@@ -69,10 +69,8 @@ impl<'a> Varied<'a> {
     pub fn at(&self, p: &[f64]) -> Result<System, Diagnostic> {
         let changed = || self.free.iter().zip(&self.start).zip(p).zip(&self.indices).filter(|(((_, a), b), _)| a != b);
         let written = changed().any(|(_, own)| own.is_empty());
-        let by_text: Vec<(String, Change)> = changed()
-            .filter(|(_, own)| own.is_empty())
-            .map(|(((f, _), x), _)| (f.path.clone(), Change::Value(*x, DIGITS)))
-            .collect();
+        let by_text: Vec<(String, Change)> =
+            changed().filter(|(_, own)| own.is_empty()).map(|(((f, _), x), _)| (f.path.clone(), Change::Value(*x, DIGITS))).collect();
         let by_path: Vec<(&str, f64)> =
             changed().filter(|(_, own)| !own.is_empty()).map(|(((f, _), x), _)| (f.path.as_str(), *x)).collect();
         if !written {

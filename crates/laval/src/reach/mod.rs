@@ -90,7 +90,15 @@ const CURVE: usize = 6;
 ///
 /// # Errors
 /// A path that names no number, a range that is none, a result that the machine does not have.
-pub fn reach(text: &str, loaded: &Loaded, catalog: &Catalog, goal: &Goal, wanted: f64, free: &[Free], context: &Context) -> Result<Reached, Diagnostics> {
+pub fn reach(
+    text: &str,
+    loaded: &Loaded,
+    catalog: &Catalog,
+    goal: &Goal,
+    wanted: f64,
+    free: &[Free],
+    context: &Context,
+) -> Result<Reached, Diagnostics> {
     let one = |d| Diagnostics(vec![d]);
     if free.is_empty() {
         return Err(one(Diagnostic::error("reach.free", text!("no parameter is released"))));
@@ -148,7 +156,9 @@ fn finished(machine: &Varied, found: Found, alone: Vec<Alone>, curve: Vec<(f64, 
         let names = bounds.join(", ");
         let sentence = match bounds.as_slice() {
             _ if found.slopes.iter().all(|s| *s == 0.0) => text!("the released parameters do not move this result"),
-            [] => text!("the search ended at {value}: beyond, this result does not exist or no longer follows the released parameters", value),
+            [] => {
+                text!("the search ended at {value}: beyond, this result does not exist or no longer follows the released parameters", value)
+            }
             [_] => text!("{value} is the nearest that can be reached: {names} stands at its bound", value, names),
             _ => text!("{value} is the nearest that can be reached: {names} stand at their bounds", value, names),
         };

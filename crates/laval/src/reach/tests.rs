@@ -43,7 +43,8 @@ fn of_two_parameters_the_change_is_the_least() {
     let wanted = 400.0;
     let r = reached(&undamped, &Goal::CriticalSpeed { order: 1.0, at: 316.0 }, wanted, &all);
     let far = |k: f64, m: f64| (((k - 3e5) / 8e5).powi(2) + ((m - 3.0) / 8.0).powi(2)).sqrt();
-    let best = (0..200_000).map(|i| 1.0 + 3.0 * f64::from(i) / 200_000.0).map(|m| far(m * wanted * wanted, m)).fold(f64::INFINITY, f64::min);
+    let best =
+        (0..200_000).map(|i| 1.0 + 3.0 * f64::from(i) / 200_000.0).map(|m| far(m * wanted * wanted, m)).fold(f64::INFINITY, f64::min);
     let own = far(r.moved[0].to, r.moved[1].to);
     assert!(r.reached && own < best * (1.0 + 1e-6), "{own} instead of {best}: {r:?}");
     // each alone is farther, and the curve rises to the whole change

@@ -106,7 +106,8 @@ pub fn designs(all: &[(String, Report)]) -> String {
         s.push_str(&format!("<th><a href=\"#d{k}\">{}</a></th>", prose(&shown)));
     }
     s.push_str("</tr></thead><tbody>\n");
-    let checks: Vec<Vec<[String; 4]>> = all.iter().map(|d| d.1.overview.as_ref().map(|p| self::checks(p, style)).unwrap_or_default()).collect();
+    let checks: Vec<Vec<[String; 4]>> =
+        all.iter().map(|d| d.1.overview.as_ref().map(|p| self::checks(p, style)).unwrap_or_default()).collect();
     let mut rows: Vec<&String> = Vec::new();
     for check in checks.iter().flatten() {
         if !rows.contains(&&check[0]) {
@@ -129,7 +130,11 @@ pub fn designs(all: &[(String, Report)]) -> String {
         let over = over_speed(r);
         html::answer_as(&mut s, page, over.as_ref(), PIXEL, &r.style, &format!("over{k}"));
         if let Some(input) = &r.input {
-            s.push_str(&format!("<details><summary>{}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n", html::say(style, "page-input"), escape(input)));
+            s.push_str(&format!(
+                "<details><summary>{}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
+                html::say(style, "page-input"),
+                escape(input)
+            ));
         }
         s.push_str("</section>\n");
     }
