@@ -12,6 +12,7 @@ use laval::outcome::{Outcome, Overview};
 use laval::report::{Language, Style, fragment};
 use laval::run;
 use laval::study::modes::Modes;
+use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::stations::Stations;
 use laval::study::{self, Cancel, Context, Silent, TypedStudy};
 use laval::text;
@@ -81,7 +82,7 @@ pub(crate) fn answer(machines: &Machines, request: &Request, language: Language,
         send(json!({ "want": "edit", "serial": request.serial, "edits": edit::shown(&request.text, &edits) }));
     }
     let style = run::style(&text, &loaded, language);
-    let answers = Answers { text: &text, loaded: &loaded, style, request, cancel };
+    let answers = Answers { machines, text: &text, loaded: &loaded, style, request, cancel };
     for want in &request.want {
         let begun = Instant::now();
         let found = answers.of(*want);
@@ -102,6 +103,7 @@ pub(crate) fn answer(machines: &Machines, request: &Request, language: Language,
 }
 
 struct Answers<'a> {
+    machines: &'a Machines,
     text: &'a str,
     loaded: &'a Loaded,
     style: Style,
@@ -114,6 +116,7 @@ impl Answers<'_> {
         match want {
             Want::Page => Ok(self.page()),
             Want::Modes => self.modes(),
+            Want::Nonlinear => self.nonlinear(),
             _ => self.over_speed(want),
         }
     }
@@ -194,6 +197,32 @@ impl Answers<'_> {
         let study = construct_kind(want.kind(), system, &self.fields(want))?;
         let outcome = study.run(system, &self.context(want.word())).map_err(|d| Diagnostics(vec![d]))?;
         self.shown(want, &outcome)
+    }
+
+    /// The response with as many orders as sufficed for a machine of the same parts: finding their number anew would follow all branches twice.
+    fn nonlinear(&self) -> Result<Json, Diagnostics> {
+        let system = &self.loaded.system;
+        let one = |d| Diagnostics(vec![d]);
+        let mut fields = self.fields(Want::Nonlinear);
+        let context = self.context("nonlinear");
+        let automatic = fields.get("harmonics").is_none_or(|h| h == "auto");
+        let parts: String = system.slots().iter().map(|s| format!("{} {}\n", s.part.kind(), s.name)).collect();
+        if let Some(orders) = self.machines.orders(&parts).filter(|_| automatic) {
+            fields["harmonics"] = orders.into();
+            let study: NonlinearResponse = construct(system, &fields)?;
+            let result = study.result(system, &context).map_err(one)?;
+            let dropped = result.response.branches.iter().flat_map(|b| &b.points).map(|p| p.truncation).fold(0.0, f64::max);
+            if dropped <= study.request().truncation {
+                return self.shown(Want::Nonlinear, &study.outcome(system, &result, context.name).map_err(one)?);
+            }
+            fields["harmonics"] = "auto".into();
+        }
+        let study: NonlinearResponse = construct(system, &fields)?;
+        let result = study.result(system, &context).map_err(one)?;
+        if automatic && result.end.is_complete() {
+            self.machines.remember(parts, result.response.discretisation.harmonics);
+        }
+        self.shown(Want::Nonlinear, &study.outcome(system, &result, context.name).map_err(one)?)
     }
 
     fn shown(&self, want: Want, outcome: &Outcome) -> Result<Json, Diagnostics> {

@@ -119,9 +119,11 @@ fn handles(system: &System, section: &Section, numbers: &[Number], view: &View) 
     for n in numbers {
         let part = n.path.split('.').next().unwrap_or_default();
         if let Some(body) = n.on.as_deref() {
-            // along a body without extent nothing can be moved
-            let long = system.slot(body).is_some_and(|s| s.part.body().is_some_and(|b| b.nodes().is_some() || b.without_tilt().is_none()));
-            if long {
+            // along a body that does not tilt nothing can be moved; on others what is drawn
+            let body_part = system.slot(body).and_then(|s| s.part.body());
+            let long = body_part.is_some_and(|b| b.turns() && (b.nodes().is_some() || b.without_tilt().is_none()));
+            let drawn = section.solids.iter().any(|s| s.name == part);
+            if long && drawn {
                 let z = section.place(body, n.value);
                 let own = section.solids.iter().find(|s| s.name == part || s.body.as_deref() == Some(part));
                 let rim = own.map_or(0.0, |s| s.outline.iter().map(|p| p[1]).fold(0.0, f64::max));

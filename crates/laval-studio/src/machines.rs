@@ -10,9 +10,12 @@ const KEPT: usize = 12;
 /// What a file is.
 pub(crate) type Read = Result<Arc<Loaded>, Arc<Diagnostics>>;
 
-/// The files read last, newest first.
+/// The files read last, newest first, and the orders of the last nonlinear response with the parts of its machine.
 #[derive(Default)]
-pub(crate) struct Machines(Mutex<Vec<(Arc<str>, Read)>>);
+pub(crate) struct Machines {
+    files: Mutex<Vec<(Arc<str>, Read)>>,
+    orders: Mutex<Option<(String, usize)>>,
+}
 
 /// All kinds of parts and studies.
 pub(crate) static CATALOG: LazyLock<Catalog> = LazyLock::new(file::catalog);
@@ -36,7 +39,17 @@ impl Machines {
         read
     }
 
+    /// The orders that sufficed for a machine of these parts.
+    pub fn orders(&self, parts: &str) -> Option<usize> {
+        let last = self.orders.lock().unwrap_or_else(PoisonError::into_inner);
+        last.as_ref().filter(|l| l.0 == parts).map(|l| l.1)
+    }
+
+    pub fn remember(&self, parts: String, orders: usize) {
+        *self.orders.lock().unwrap_or_else(PoisonError::into_inner) = Some((parts, orders));
+    }
+
     fn held<R>(&self, f: impl FnOnce(&mut Vec<(Arc<str>, Read)>) -> R) -> R {
-        f(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+        f(&mut self.files.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }

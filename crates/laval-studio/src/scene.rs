@@ -33,6 +33,8 @@ pub(crate) struct Solid {
 pub(crate) struct Section {
     pub solids: Vec<Solid>,
     pub horizontal: bool,
+    /// The file gives distances along the axis.
+    to_scale: bool,
     /// Places of the reference points of the bodies, m.
     places: Vec<(String, f64)>,
 }
@@ -64,9 +66,13 @@ fn disc(system: &System, body: &str) -> (f64, f64) {
 
 impl Section {
     pub fn of(system: &System, blocks: &[Block], horizontal: bool) -> Section {
-        let mut out = Section { solids: Vec::new(), horizontal, places: places(system, blocks) };
+        let to_scale = Stations::of(system).to_scale;
+        let mut out = Section { solids: Vec::new(), horizontal, to_scale, places: places(system, blocks, to_scale) };
         for block in blocks {
             out.rotor(system, block);
+        }
+        for block in blocks.iter().filter(|_| to_scale) {
+            out.spindle(block, blocks);
         }
         let size = out.extent().1.max(0.02);
         for block in blocks {
@@ -90,8 +96,13 @@ impl Section {
         (ends, points().map(|p| p.1).fold(0.0, f64::max))
     }
 
-    /// The largest radius of what turns at a place.
+    /// The largest radius of shafts at a place.
     pub fn radius(&self, z: f64) -> f64 {
+        self.widest(z, &["shaft"])
+    }
+
+    /// The largest radius of solids of these kinds at a place.
+    fn widest(&self, z: f64, kinds: &[&str]) -> f64 {
         let at = |s: &Solid| {
             let edges = s.outline.windows(2).filter(|w| (w[0][0] - z) * (w[1][0] - z) <= 0.0);
             edges
@@ -101,7 +112,7 @@ impl Section {
                 })
                 .fold(0.0, f64::max)
         };
-        self.solids.iter().filter(|s| s.kind == "shaft").map(at).fold(0.0, f64::max)
+        self.solids.iter().filter(|s| kinds.contains(&s.kind)).map(at).fold(0.0, f64::max)
     }
 
     fn rotor(&mut self, system: &System, block: &Block) {
@@ -152,6 +163,24 @@ impl Section {
         }
     }
 
+    /// The axis of a rigid body that is held at a distance from its reference point: no file gives its diameter.
+    fn spindle(&mut self, block: &Block, blocks: &[Block]) {
+        let Block::Body { name, rotor: true, flexible: false, axis, .. } = block else { return };
+        let heights = || {
+            blocks.iter().flat_map(|b| match b {
+                Block::Link { ends, .. } => ends.iter().flatten().filter(|e| e.0 == *name).map(|e| e.1).collect::<Vec<f64>>(),
+                _ => Vec::new(),
+            })
+        };
+        let (low, high) = heights().fold((0.0f64, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
+        if low == high {
+            return;
+        }
+        let radius = 0.08 * self.extent().1;
+        let outline = rectangle((self.place(name, low) - radius, self.place(name, high) + radius), (0.0, radius));
+        self.solids.push(Solid { name: name.clone(), body: Some(name.clone()), kind: "shaft", outline, at: *axis });
+    }
+
     /// What stands still or on springs: where a rotor is joined to it a ring about it, else a block.
     fn housing(&mut self, block: &Block, blocks: &[Block], size: f64) {
         let Block::Body { name, rotor: false, flexible: false, axis, .. } = block else { return };
@@ -164,7 +193,7 @@ impl Section {
         let ring = joined.filter(|z| (z - own).abs() < 0.5 * size);
         let outline = match ring {
             Some(z) => {
-                let inner = (1.9 * self.radius(z)).max(0.35 * size);
+                let inner = (1.9 * self.radius(z)).max(1.1 * self.widest(z, &["disc"])).max(0.35 * size);
                 rectangle((z - 0.12 * size, z + 0.12 * size), (inner, inner + 0.25 * size))
             }
             None => rectangle((own - 0.2 * size, own + 0.2 * size), (0.0, 0.9 * size)),
@@ -198,7 +227,7 @@ impl Section {
             .find(|s| s.body.as_deref() == Some(&own.0) && s.kind == "disc")
             .map(|s| s.outline.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min));
         let z = match below {
-            Some(low) if self.radius(z) == 0.0 => (low - 1.6 * half).min(z),
+            Some(low) if !self.to_scale => (low - 1.6 * half).min(z),
             _ => z,
         };
         let outline = rectangle((z - half, z + half), (inner, inner + 1.4 * half.max(0.3 * inner)));
@@ -216,14 +245,14 @@ impl Section {
 }
 
 /// Places of the bodies: those of the machine, or one below the other where the file gives no distances.
-fn places(system: &System, blocks: &[Block]) -> Vec<(String, f64)> {
+fn places(system: &System, blocks: &[Block], to_scale: bool) -> Vec<(String, f64)> {
     let bodies = || {
         blocks.iter().filter_map(|b| match b {
             Block::Body { name, rotor, cavity, place, .. } => Some((name, *rotor, cavity, *place)),
             _ => None,
         })
     };
-    if Stations::of(system).to_scale {
+    if to_scale {
         return bodies().map(|b| (b.0.clone(), b.3)).collect();
     }
     let mut sorted: Vec<_> = bodies().collect();

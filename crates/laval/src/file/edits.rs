@@ -124,8 +124,8 @@ impl Writer<'_> {
             return Ok(x);
         }
         let message = text!(
-            "{path} is {value}; it must be {bounds}",
-            path = n.path,
+            "{who} is {value}; it must be {bounds}",
+            who = n.path,
             value = text::quantity(x, n.unit.to_string()),
             bounds = n.bounds.text(n.unit)
         );
@@ -153,7 +153,7 @@ impl Writer<'_> {
                 let value = self.in_unit(x, unit);
                 let shown = format!("{}{gap}{unit}", style(value, number, *digits));
                 // the unit may be read in another way than it converts
-                let read = read_quantity(&shown, self.number.unit).map_err(|e| Diagnostic::error("edit.unit", e.sentence()))?;
+                let read = read_quantity(&shown, self.number.unit).map_err(|e| Diagnostic::error(e.code, e.sentence()))?;
                 let near = (read - x).abs() <= 10f64.powi(1 - i32::from(*digits)) * x.abs();
                 let shown = if near { shown } else { self.plain(x, *digits) };
                 Ok(format!("{quote}{shown}{quote}"))
@@ -236,10 +236,15 @@ diametral_inertia = 0.01
 polar_inertia = 0.015
 
 [[part]]
-kind = "bearing_linear"
+kind = "shaft_lumped"
 name = "lower"
 between = ["drum", "ground"]
 stiffness = { x = "1.1e7 N/m", y = '2e7 N/m' }   # stiff in y
+
+[[part]]
+kind = "damper"
+name = "air"
+between = ["drum", "ground"]
 damping = "100 N s/m"
 
 [[part]]
@@ -295,7 +300,7 @@ fill = { volume_fraction = "50 %" }
         let after = changed(&[("drum.eccentricity", value(2e-5)), ("lower.between[1].at", value(-0.03))]).unwrap();
         assert!(after.contains("polar_inertia = 0.015\neccentricity = \"0.02 mm\"\n\n[[part]]"), "{after}");
         assert!(after.contains("between = [{ body = \"drum\", at = \"-30 mm\" }, \"ground\"]"), "{after}");
-        assert_eq!(lines(&[("lower.damping.y", value(50.0))]), ["damping = { x = \"100 N s/m\", y = \"50 N s/m\" }"]);
+        assert_eq!(lines(&[("air.damping.y", value(50.0))]), ["damping = { x = \"100 N s/m\", y = \"50 N s/m\" }"]);
         let inline = "machine = { name = \"a\" }\npart = [{ kind = \"disc\", name = \"d\", mass = 1 }]\n";
         let loaded = load(inline).unwrap();
         let e = edits(inline, &loaded.spec, &catalog(), &[("d.eccentricity".into(), value(1e-3))]).unwrap();

@@ -72,7 +72,7 @@ fn a_limit_of_stability_is_moved_to_the_closed_form() {
     let text = RIGID.replace(
         "{ kind = \"damper\", name = \"air\", between = [\"drum\", \"ground\"], damping = \"20 N s/m\" },",
         "{ kind = \"damper\", name = \"air\", between = [\"drum\", \"ground\"], damping = \"20 N s/m\" },
-         { kind = \"damper\", name = \"inner\", between = [\"drum\", \"ground\"], damping = \"40 N s/m\", frame = \"rotating\" },",
+         { kind = \"damper\", name = \"inner\", between = [\"drum\", \"ground\"], damping = \"40 N s/m\", axes = \"rotating\" },",
     );
     let w = (3e5f64 / 3.0).sqrt();
     let r = reached(&text, &Goal::StabilityLimit { at: 1.45 * w }, 2.0 * w, &[free("air.damping", 1.0, 100.0)]);
