@@ -15,12 +15,12 @@ afterEach(async () => { assert.deepEqual(page.complaints, []); await page.contex
 test("a limit of stability is pulled: the released parameter moves, as one step", async () => {
   const was = await text(page), p = await panel(page, "stability");
   await p.locator("svg:visible .target").first().waitFor();
-  await pull(page, p.locator("svg:visible .target .hit").first(), -20, 0);
+  await pull(page, p.locator("svg:visible .target .hit").nth(2), -20, 0);
   assert.match(await page.locator("#status").textContent(), /free/);
   assert.equal(await text(page), was);
   await parameter(page, "oil.free_surface_radius").locator(".release input").check();
   await panel(page, "stability");
-  await pull(page, p.locator("svg:visible .target .hit").first(), -12, 0);
+  await pull(page, p.locator("svg:visible .target .hit").nth(2), 20, 0);
   await page.waitForSelector("#reach .ok, #reach .bad");
   await picture(page, "reach");
   assert.equal(await page.locator("#reach .ok").count(), 1, await page.locator("#reach").textContent());
@@ -34,10 +34,10 @@ test("what cannot be reached has a sentence, and changes nothing", async () => {
   const was = await text(page);
   await parameter(page, "oil.free_surface_radius").locator(".release input").check();
   const [low, high] = await parameter(page, "oil.free_surface_radius").locator(".bound").all();
-  await low.fill("0.0465");
-  await high.fill("0.0468");
+  await low.fill("46.5");
+  await high.fill("46.8");
   const p = await panel(page, "stability");
-  await pull(page, p.locator("svg:visible .target .hit").first(), 150, 0);
+  await pull(page, p.locator("svg:visible .target .hit").nth(2), 60, 0);
   await page.waitForSelector("#reach .bad");
   assert.ok((await page.locator("#reach .bad").textContent()).length > 20);
   await picture(page, "impossible");

@@ -49,6 +49,7 @@ export class Panels {
     }
     studio.whenText(() => this.refresh());
     studio.quick = a => { const p = a.want === "edit" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
+    studio.quickFits = () => { const p = this.panels.get("modes"); if (p) p.asked = this.key(); };
     studio.whenMachine(() => { for (const p of this.panels.values()) p.box.classList.toggle("stale", studio.errors > 0); });
   }
 
@@ -69,13 +70,15 @@ export class Panels {
   /** Asks for all figures that can be seen. */
   refresh(): void { for (const p of this.panels.values()) this.ask(p); }
 
+  private key(): string { return `${this.studio.speed}|${this.studio.text}`; }
+
   private ask(p: Panel): void {
     // modes feed the view in space too
     if (!p.seen && p.want !== "modes") return;
-    const key = `${this.studio.speed}|${this.studio.text}`;
+    const key = this.key();
     if (p.asked === key) return;
+    if (p.want === "modes" && this.studio.promised === this.studio.text) return;
     p.asked = key;
-    if (p.want === "modes" && this.studio.ahead) return;
     p.lane.ask(this.studio.text);
   }
 
@@ -87,11 +90,13 @@ export class Panels {
   private show(p: Panel, a: Answer): void {
     if (a.error !== undefined) {
       p.box.classList.add("stale");
+      p.box.classList.add("filled");
       if (!p.last) p.body.replaceChildren(make("p", { class: "none" }, a.error));
       p.took.textContent = "";
       return;
     }
     p.last = a;
+    p.box.classList.add("filled");
     p.box.classList.remove("stale");
     p.took.textContent = a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`;
     this.draw(p, a);

@@ -23,6 +23,8 @@ interface Row {
   from: number;
   to: number;
   unit: HTMLElement;
+  /** Text that stands in the field. */
+  shown: string;
 }
 
 export class Parameters {
@@ -53,15 +55,17 @@ export class Parameters {
   }
 
   private update(): void {
-    const all = this.studio.machine?.parameters ?? [], known = new Set(all.map(p => p.path));
+    const all = this.studio.machine?.parameters ?? [], known = new Set(all.map(p => p.path)), active = document.activeElement;
     for (const [path, row] of this.rows) if (!known.has(path)) { row.box.remove(); this.rows.delete(path); }
     for (const p of all) {
       const row = this.rows.get(p.path) ?? this.add(p);
       row.of = p;
       if (p.value < row.from || p.value > row.to) { row.from = p.low; row.to = p.high; }
-      const slides = this.sliding && document.activeElement === row.slider;
-      if (!slides) row.slider.value = String(toSlider(p.value, row.from, row.to));
-      if (document.activeElement !== row.written) row.written.value = p.shown;
+      // an input that is written to is laid out anew even when nothing changes
+      const slides = this.sliding && row.slider === active, at = String(toSlider(p.value, row.from, row.to));
+      if (!slides && row.slider.value !== at) row.slider.value = at;
+      if (row.shown === p.shown || row.written === active) continue;
+      row.shown = row.written.value = p.shown;
       row.slider.setAttribute("aria-valuetext", p.shown);
     }
     for (const [name, group] of this.groups) {
@@ -92,7 +96,7 @@ export class Parameters {
     const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", unit);
     const box = make("div", { class: "row", "data-path": p.path },
       make("label", { class: "name", title: p.doc }, short(p)), slider, field, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
-    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, unit };
+    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, unit, shown: "" };
     slider.addEventListener("input", () => {
       if (!this.sliding) { this.sliding = true; this.studio.begin(); }
       this.studio.change([{ path: row.of.path, value: fromSlider(+slider.value, row.from, row.to) }]);
@@ -102,8 +106,9 @@ export class Parameters {
     slider.addEventListener("blur", done);
     field.addEventListener("change", () => {
       const text = field.value.trim();
+      row.shown = field.value;
       if (text && text !== row.of.shown) this.studio.change([{ path: row.of.path, written: text }]);
-      else field.value = row.of.shown;
+      else row.shown = field.value = row.of.shown;
     });
     field.addEventListener("keydown", e => { if (e.key === "Escape") { field.value = row.of.shown; field.blur(); } });
     free.addEventListener("change", () => {

@@ -5,7 +5,7 @@ import { Refused, Unreachable } from "./api";
 import { say } from "./dom";
 import type { Editor } from "./editor";
 import { Lane } from "./lane";
-import type { Answer, Checked, Diagnostic, Machine, Parameter, Set, Start } from "./types";
+import type { Answer, Checked, Diagnostic, Edit, Machine, Parameter, Set, Start } from "./types";
 
 type Listener = () => void;
 
@@ -19,24 +19,27 @@ export class Studio {
   /** Speed at which modes are shown, rad/s; the operating speed where none is chosen. */
   speed: number | null = null;
   reachable = true;
-  /** The text changes now, and its modes are on their way already. */
-  ahead = false;
+  /** The text whose modes are on their way already. */
+  promised: string | null = null;
   /** Set by the page: another machine follows. */
   opened: () => void = () => {};
   /** Set by the page: shows an answer that came with a change. */
   quick: (a: Answer) => void = () => {};
+  /** Set by the page: that answer is the one of the text. */
+  quickFits: () => void = () => {};
   private readonly onText: Listener[] = [];
   private readonly onMachine: Listener[] = [];
   private readonly onStatus: Listener[] = [];
   private readonly checks: Lane<string>;
   private readonly edits: Lane<Set[]>;
+  private applying = false;
   private ended: { keep: boolean } | null = null;
   /** Last sentence about something that was not done. */
   notice = "";
 
   constructor(readonly start: Start) {
     this.checks = new Lane((text, signal) => this.check(text, signal), e => this.failed(e));
-    this.edits = new Lane((set, signal) => this.set(set, signal), e => this.failed(e));
+    this.edits = new Lane((set, signal) => this.set(set, signal), e => { this.promised = null; this.failed(e); });
     this.edits.idled = () => this.finish();
   }
 
@@ -54,6 +57,11 @@ export class Studio {
   parameter(path: string): Parameter | undefined { return this.machine?.parameters.find(p => p.path === path); }
 
   changed(): void {
+    // the modes that came with a change are drawn before anything else is asked for
+    if (this.applying) setTimeout(() => this.spread(), 0); else this.spread();
+  }
+
+  private spread(): void {
     this.checks.ask(this.text);
     this.onText.forEach(f => f());
     this.status();
@@ -80,20 +88,31 @@ export class Studio {
 
   private async set(set: Set[], signal: AbortSignal): Promise<void> {
     const text = this.text, speed = this.speed;
-    let mine = false;
-    // one trip for the new text and its modes
+    let edits: Edit[] | null = null, drawn = false;
+    const apply = () => {
+      const now = edits;
+      edits = null;
+      if (!now || text !== this.text) return;
+      this.applying = true;
+      this.editor.apply(now);
+      this.applying = false;
+      if (drawn) this.quickFits(); else this.promised = this.text;
+      if (this.notice) this.tell("");
+    };
+    // one trip for the new text and its modes; the modes are drawn first where both come at once
     await api.answer({ text, want: ["modes"], set, ...(speed !== null ? { speed } : {}) }, signal, a => {
-      if (a.want === "edit") {
+      if (a.want === "edit" && a.edits) {
         this.answered();
-        if (a.error !== undefined) return this.tell(a.error);
-        if (text !== this.text || !a.edits) return;
-        mine = this.ahead = true;
-        this.editor.apply(a.edits);
-        this.ahead = false;
-        if (this.notice) this.tell("");
-      } else if (mine) this.quick(a);
-      else if (a.error !== undefined) this.tell(a.error);
+        edits = a.edits;
+        setTimeout(apply, 0);
+      } else if (edits || this.promised === this.text) {
+        drawn = true;
+        this.promised = null;
+        this.quick(a);
+        if (edits) apply(); else this.quickFits();
+      } else if (a.error !== undefined) this.tell(a.error);
     });
+    apply();
   }
 
   /** A drag begins: what follows becomes one step of undo. */
