@@ -191,3 +191,33 @@ fn what_is_no_longer_wanted_is_cancelled() {
     let waited = then.elapsed();
     assert!(waited < 8 * alone, "{waited:?}, with {alone:?} for each of 32 if they went on");
 }
+
+#[test]
+fn designs_are_shared_as_one_page_without_references() {
+    let s = Studio::new("share");
+    let other = SEPARATOR.replace("46.7 mm", "60 mm");
+    let a = s.post("api/share", &json!({ "text": SEPARATOR, "pins": [{ "name": "less <oil>", "text": other }] }));
+    let page = a.text();
+    assert_eq!(a.status, 200);
+    assert!(page.starts_with("<!doctype html>") && page.contains("less &lt;oil&gt;") && !page.contains("less <oil>"));
+    assert_eq!(page.matches("class=\"verdict").count(), 2);
+    assert!(!page.contains("src=") && !page.contains("http-equiv=\"refresh\"") && !page.contains("href=\"http"));
+    let alone = s.post("api/share", &json!({ "text": SEPARATOR }));
+    assert_eq!(alone.text().matches("class=\"verdict").count(), 1);
+    let pins = vec![json!({ "name": "x", "text": SEPARATOR }); 12];
+    assert_eq!(s.post("api/share", &json!({ "text": SEPARATOR, "pins": pins })).status, 422);
+    assert_eq!(s.post("api/share", &json!({ "text": "[[part]]" })).status, 422);
+}
+
+/// A response with the orders remembered is that of the automatic choice.
+#[test]
+fn a_second_response_is_that_of_the_first() {
+    let (s, fresh) = (Studio::new("again"), Studio::new("fresh"));
+    let at = |s: &Studio, mass: f64| {
+        let set = json!([{ "path": "drum.mass", "value": mass }]);
+        let lines = s.post("api/answer", &json!({ "text": SEPARATOR, "want": ["nonlinear"], "set": set })).lines();
+        (lines[1]["targets"].clone(), lines[1]["html"].as_str().unwrap().len())
+    };
+    at(&s, 2.4);
+    assert_eq!(at(&s, 2.6), at(&fresh, 2.6));
+}

@@ -317,7 +317,7 @@ fill = { volume_fraction = "50 %" }
         assert_eq!(code("drum.mass", value(-1.0)), "value.bounds");
         assert_eq!(code("drum.mass", value(f64::NAN)), "value.bounds");
         assert_eq!(code("drum.mass", Change::Written("3 mm".into())), "unit.dimension");
-        assert_eq!(code("drum.mass", Change::Written("3 kg\"\n[x]".into())), "unit.unknown");
+        assert_eq!(code("drum.mass", Change::Written("3 kg\"\n[x]".into())), "unit.invalid");
         assert_eq!(changed(&[("drum.mass", value(1.0)), ("drum.mass", value(2.0))]).unwrap_err().0[0].code, "edit.twice");
     }
 

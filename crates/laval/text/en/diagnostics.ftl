@@ -659,7 +659,7 @@ diag-is-not-an-si-unit-b335 = { $kind }.{ $name }: { $unit } is not an SI unit
 diag-the-file-has-no-number-bda7 = the file has no number "{ $path }"
 diag-two-changes-are-of-the-same-1bd6 = two changes are of the same place in the file
 diag-is-not-written-in-the-file-f870 = { $path } is not written in the file
-diag-is-it-must-be-758c = { $path } is { $value }; it must be { $bounds }
+diag-is-it-must-be-06bd = { $who } is { $value }; it must be { $bounds }
 diag-is-no-quantity-296e = { $text } is no quantity
 
 ## laval/src/file/held.rs
@@ -757,7 +757,6 @@ diag-not-a-distribution-147d = not a distribution
 diag-write-a-number-with-a-unit-5e75 = write a number with a unit in quotes ({ $example }), or a bare number in SI units
 diag-a-finite-number-is-needed-9e4f = { $who }: a finite number is needed
 diag-not-finite-0a50 = not finite
-diag-is-it-must-be-06bd = { $who } is { $value }; it must be { $bounds }
 diag-write-if-you-mean-percent-1b90 = write "{ $x } %" if you mean percent
 diag-give-a-value-b1a9 = give a value { $bounds }
 diag-a-bare-number-is-in-put-f863 = a bare number is in { $unit }; put number and unit in quotes to use others ({ $examples })
