@@ -64,7 +64,7 @@ export class Server {
 
 const ARGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--disable-background-networking", "--disable-component-update"];
 
-export const launch = () => chromium.launch({ executablePath: browser(), args: ARGS });
+export const launch = (...more) => chromium.launch({ executablePath: browser(), args: [...ARGS, ...more] });
 
 /** A page with the machine shown; what it complains about is collected. */
 export async function open(b, server, { width = 1440, height = 900, query = "", ...rest } = {}) {

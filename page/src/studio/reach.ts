@@ -34,7 +34,10 @@ export class Reach implements Pulled {
   begin(): boolean {
     this.released = false;
     this.answer = null;
-    if (this.free().length) return true;
+    if (this.free().length) {
+      this.studio.tell("");
+      return true;
+    }
     this.studio.tell(say("release-first"));
     return false;
   }

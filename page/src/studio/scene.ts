@@ -25,6 +25,8 @@ export class SpaceView {
   private shape: Shape | null = null;
   private size = 1;
   private radius = 1;
+  /** Radius of the sphere around the machine. */
+  private ball = 1;
   private angle = { around: 0.7, up: 0.42, far: 1 };
   private phase = 0;
   private before = 0;
@@ -89,6 +91,7 @@ export class SpaceView {
     const low = Math.min(...zs), high = Math.max(...zs);
     this.radius = Math.max(...rs, 1e-4);
     this.size = Math.max(high - low, 2 * this.radius);
+    this.ball = Math.hypot((high - low) / 2, (1 + SHOWN) * this.radius);
     for (const s of scene.solids) {
       if (s.outline.length < 3) continue;
       const o = new Mesh(mesh(s, this.size), this.material(s.kind));
@@ -210,7 +213,7 @@ export class SpaceView {
     const scale = this.shape ? this.scale(largest(this.shape)) : 0;
     this.uniforms.turn.value.set(Math.cos(this.phase), Math.sin(this.phase), scale);
     const { around, up, far } = this.angle, wide = Math.min(1, this.camera.aspect);
-    const d = far * this.size * 0.62 / Math.tan(this.camera.fov * Math.PI / 360) / wide;
+    const d = far * this.ball / Math.sin(this.camera.fov * Math.PI / 360) / wide;
     this.camera.position.set(d * Math.cos(up) * Math.sin(around), d * Math.sin(up), d * Math.cos(up) * Math.cos(around));
     this.camera.near = d / 100;
     this.camera.far = d * 10;
