@@ -72,9 +72,9 @@ export async function answer(body: { text: string; want: Want[]; speed?: number;
   const response = await request("answer", { serial: ++serial, ...body }, signal);
   const reader = response.body?.getReader();
   if (!reader) return;
-  const decoder = new TextDecoder();
+  const decoder = new TextDecoder(), open = new Set<string>(body.want);
   let kept = "";
-  for (;;) {
+  while (open.size) {
     let part: ReadableStreamReadResult<Uint8Array>;
     try {
       part = await reader.read();
@@ -84,9 +84,16 @@ export async function answer(body: { text: string; want: Want[]; speed?: number;
     kept += part.done ? decoder.decode() : decoder.decode(part.value, { stream: true });
     const lines = kept.split("\n");
     kept = part.done ? "" : lines.pop() ?? "";
-    for (const line of lines) if (line.trim()) each(JSON.parse(line) as Answer);
+    for (const line of lines) {
+      if (!line.trim()) continue;
+      const a = JSON.parse(line) as Answer;
+      open.delete(a.want);
+      each(a);
+    }
     if (part.done) return;
   }
+  // all is there: the end of the stream is not waited for, but read, so that the connection can be used again
+  reader.read().catch(() => { /* nothing follows */ });
 }
 
 /** Progress of a run until it ends; the answer closes it. */

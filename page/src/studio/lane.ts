@@ -3,7 +3,7 @@
 import { aborted } from "./api";
 
 /** A request older than this is abandoned for a newer one, ms; a younger one is shown first, so that figures follow a drag. */
-const PATIENCE = 250;
+export const PATIENCE = 250;
 
 export class Lane<T> {
   private next: { input: T } | null = null;

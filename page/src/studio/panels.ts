@@ -4,11 +4,14 @@ import { Chosen, Figure } from "../report/figure";
 import type { Payload } from "../report/payload";
 import * as api from "./api";
 import { find, make, say } from "./dom";
-import { Lane } from "./lane";
+import { PATIENCE } from "./lane";
 import { Layer, overlay } from "./overlay";
 import type { Studio } from "./studio";
 import { Pulled, targets } from "./targets";
 import { Answer, WANTS, Want } from "./types";
+
+/** Figures that are computed at a time beside the modes; the browser needs a core of its own. */
+const AT_ONCE = Math.min(3, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
 
 /** Checks of page one, as its table lists them. */
 export interface Check { what: string; result: string; verdict: string; state: string }
@@ -18,7 +21,10 @@ interface Panel {
   box: HTMLElement;
   body: HTMLElement;
   took: HTMLElement;
-  lane: Lane<string>;
+  /** A request on its way: which text, since when. */
+  running: { abort: AbortController; key: string; since: number } | null;
+  /** When it was answered last. */
+  answered: number;
   seen: boolean;
   /** Text and speed of the answer shown, or on its way. */
   asked: string | null;
@@ -37,8 +43,9 @@ export class Panels {
     const seen = new IntersectionObserver(entries => {
       for (const e of entries) {
         const p = this.panels.get((e.target as HTMLElement).dataset.want as Want);
-        if (p) { p.seen = e.isIntersecting; if (p.seen) this.ask(p); }
+        if (p) p.seen = e.isIntersecting;
       }
+      this.pump();
     }, { root: null, rootMargin: "40px" });
     for (const want of WANTS) {
       const p = this.make(want);
@@ -58,8 +65,7 @@ export class Panels {
     const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
       make("h2", { id: `title-${want}` }, say(`want-${want}`), took), body);
     const panel: Panel = {
-      want, box, body, took, seen: false, asked: null, figures: [], last: null,
-      lane: new Lane<string>((text, signal) => this.answer(panel, text, signal), e => { panel.asked = null; this.studio.failed(e); }),
+      want, box, body, took, seen: false, asked: null, figures: [], last: null, running: null, answered: 0,
     };
     return panel;
   }
@@ -68,23 +74,50 @@ export class Panels {
   when(f: (a: Answer) => void): void { this.listeners.push(f); }
 
   /** Asks for all figures that can be seen. */
-  refresh(): void { for (const p of this.panels.values()) this.ask(p); }
+  refresh(): void { this.pump(); }
 
   private key(): string { return `${this.studio.speed}|${this.studio.text}`; }
 
-  private ask(p: Panel): void {
+  /** Whether a panel shows another text than that of the editor. */
+  private wanted(p: Panel): boolean {
     // modes feed the view in space too
-    if (!p.seen && p.want !== "modes") return;
-    const key = this.key();
-    if (p.asked === key) return;
-    if (p.want === "modes" && this.studio.promised === this.studio.text) return;
-    p.asked = key;
-    p.lane.ask(this.studio.text);
+    if (!p.seen && p.want !== "modes") return false;
+    if (p.want === "modes" && this.studio.promised === this.studio.text) return false;
+    return p.asked !== this.key();
   }
 
-  private async answer(p: Panel, text: string, signal: AbortSignal): Promise<void> {
-    const speed = this.studio.speed;
-    await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, signal, a => { if (a.want === p.want) this.show(p, a); });
+  /**
+   * Sends what is wanted: modes at once, of the others only as many as the processor answers beside them, the one that waited longest first.
+   * What runs too long for a text that is no more is abandoned.
+   */
+  private pump(): void {
+    const all = [...this.panels.values()], now = performance.now(), key = this.key();
+    for (const p of all) {
+      const r = p.running;
+      if (!r || r.key === key || !this.wanted(p)) continue;
+      if (now - r.since > PATIENCE) r.abort.abort();
+      else setTimeout(() => { if (p.running === r && r.key !== this.key()) r.abort.abort(); }, PATIENCE - (now - r.since));
+    }
+    const waiting = all.filter(p => !p.running && this.wanted(p)).sort((a, b) => a.answered - b.answered);
+    let room = AT_ONCE - all.filter(p => p.running && p.want !== "modes").length;
+    for (const p of waiting) if (p.want === "modes" || room-- > 0) void this.send(p);
+  }
+
+  private async send(p: Panel): Promise<void> {
+    const { text, speed } = this.studio, run = p.running = { abort: new AbortController(), key: this.key(), since: performance.now() };
+    p.asked = run.key;
+    try {
+      await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, run.abort.signal, a => { if (a.want === p.want) this.show(p, a); });
+    } catch (e) {
+      p.running = null;
+      // what the server refuses is not asked again
+      if (p.asked === run.key && !(e instanceof api.Refused)) p.asked = null;
+      if (!api.aborted(e)) return this.studio.failed(e);
+      return this.pump();
+    }
+    p.running = null;
+    p.answered = performance.now();
+    this.pump();
   }
 
   private show(p: Panel, a: Answer): void {
