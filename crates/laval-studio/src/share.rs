@@ -37,7 +37,10 @@ pub(crate) fn first_page(text: &str, loaded: &Loaded, language: Language, cancel
     let context = Context { name: "summary", cancel, progress: &Silent, work_limit: u64::MAX, keep: None };
     let speeds: Vec<_> = loaded.studies.iter().flat_map(|s| s.study.speeds(&loaded.system)).collect();
     let mut report = run::begun("", (text, text.as_bytes()), loaded, Vec::new(), language);
-    report.overview = Some(study::overview(&loaded.system, &speeds, &[], &context));
+    let mut page = study::overview(&loaded.system, &speeds, &[], &context);
+    // the studies of the file are not run for it, but they are there
+    page.next.retain(|m| loaded.studies.is_empty() || m.key != "next-studies");
+    report.overview = Some(page);
     report
 }
 
