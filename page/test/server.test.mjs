@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Server, changed, launch, open, panel, parameter, picture, text, write } from "./studio.mjs";
+import { Server, changed, launch, open, panel, parameter, picture, pull, text, write } from "./studio.mjs";
 
 let b, server;
 before(async () => { b = await launch(); server = await Server.start(); });
@@ -72,6 +72,30 @@ test("examples are opened, each is shown without a complaint", async () => {
   }
   assert.deepEqual(page.complaints, []);
   await page.context().close();
+});
+
+test("a bearing and a disc are dragged along their shaft", async () => {
+  const rotor = await Server.start("08-three-disc-rotor");
+  const page = await open(b, rotor), was = await text(page), handles = page.locator('.handle[data-axis="x"]');
+  await handles.first().waitFor();
+  const paths = await handles.evaluateAll(all => all.map(e => e.dataset.path));
+  assert.ok(paths.length >= 5, `${paths}`);
+  for (const path of [paths.find(p => /disc/.test(p)), paths.find(p => /bearing/.test(p))]) {
+    const before = await text(page);
+    await pull(page, page.locator(`.handle[data-path="${path}"] .hit`), 12, 0);
+    await changed(page, before);
+    await page.waitForFunction(() => !document.querySelector(".handle.active"));
+    assert.match(await text(page), /at = "[\d.]+ m"/);
+  }
+  await page.waitForTimeout(300);
+  await picture(page, "moved");
+  await page.click("[data-act=undo]");
+  await page.click("[data-act=undo]");
+  assert.equal(await text(page), was);
+  assert.ok(await page.locator("[data-act=undo]").isDisabled());
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+  await rotor.close();
 });
 
 test("the page asks nothing of any other server", async () => {

@@ -70,7 +70,7 @@ function lay(start: Start): void {
   const parameters = new Parameters(find("#parameters"), studio, () => reach?.idle());
   reach = new Reach(find("#reach"), studio, () => parameters.free());
   panels.pulled = reach;
-  studio.opened = () => { parameters.forget(); reach?.idle(); };
+  studio.opened = () => { studio.speed = null; parameters.forget(); panels.forget(); reach?.idle(); };
   new Section(find("#section"), studio);
   const motion = new Motion(find("#space"), find("#motion"), studio, panels);
   const compare = new Compare(find("#compare"), studio, panels);

@@ -154,6 +154,18 @@ export class Panels {
     if (p.want !== "page" && a.targets?.length && p.figures[0] && this.pulled) targets(p.figures[0], p.body, a.targets, this.pulled);
   }
 
+  /** Another machine: nothing of the last one stays. */
+  forget(): void {
+    for (const p of this.panels.values()) {
+      p.running?.abort.abort();
+      p.asked = p.last = null;
+      p.figures = [];
+      p.body.replaceChildren();
+      p.took.textContent = "";
+      p.box.classList.remove("filled", "stale");
+    }
+  }
+
   /** Draws anew what is there, after pins changed. */
   redraw(): void { for (const p of this.panels.values()) if (p.last) { this.draw(p, p.last); this.listeners.forEach(f => f(p.last as Answer)); } }
 
