@@ -106,6 +106,8 @@ export class Panels {
   private async send(p: Panel): Promise<void> {
     const { text, speed } = this.studio, run = p.running = { abort: new AbortController(), key: this.key(), since: performance.now() };
     p.asked = run.key;
+    p.box.classList.add("busy");
+    p.box.setAttribute("aria-busy", "true");
     try {
       await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, run.abort.signal, a => { if (a.want === p.want) this.show(p, a); });
     } catch (e) {
@@ -114,6 +116,9 @@ export class Panels {
       if (p.asked === run.key && !(e instanceof api.Refused)) p.asked = null;
       if (!api.aborted(e)) return this.studio.failed(e);
       return this.pump();
+    } finally {
+      p.box.classList.remove("busy");
+      p.box.removeAttribute("aria-busy");
     }
     p.running = null;
     p.answered = performance.now();
