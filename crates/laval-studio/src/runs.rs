@@ -70,12 +70,15 @@ pub(crate) struct Run {
     changed: Condvar,
 }
 
+/// A run and its thread.
+type Started = (Arc<Run>, Option<JoinHandle<()>>);
+
 /// All runs of a server.
 pub(crate) struct Runs {
     folder: PathBuf,
     file: Option<PathBuf>,
     next: AtomicU64,
-    all: Mutex<Vec<(Arc<Run>, Option<JoinHandle<()>>)>>,
+    all: Mutex<Vec<Started>>,
     machines: Machines,
 }
 
@@ -298,7 +301,7 @@ impl Job {
             report.overview = Some(study::overview(system, &study.study.speeds(system), &report.outcomes, &context));
         }
         let wrong = |message| Diagnostic::error("studio.write", message);
-        report::renew(&self.dir, &report, &Format::ALL).map_err(|e| wrong(e.sentence()))?;
+        report::renew(&self.dir, &report, Format::ALL).map_err(|e| wrong(e.sentence()))?;
         report::html(&report).map_err(|e| wrong(text!("the report cannot be drawn: {e}", e = e.to_string())))
     }
 }
