@@ -127,4 +127,12 @@ test("completion offers kinds and keys with their documentation", async () => {
   await page.waitForSelector(".cm-tooltip-autocomplete");
   assert.match(await page.locator(".cm-tooltip-autocomplete").textContent(), /damping/);
   await picture(page, "completion");
+  await page.keyboard.press("Escape");
+  for (let i = 0; i < 5; i++) await page.keyboard.press("Backspace");
+  await page.keyboard.type("[[cu");
+  await page.waitForSelector(".cm-tooltip-autocomplete");
+  assert.match(await page.locator(".cm-tooltip-autocomplete").textContent(), /\[\[cup\]\]/);
+  await page.waitForTimeout(150);
+  await page.keyboard.press("Enter");
+  assert.match(await text(page), /\n\[\[cup\]\]$/);
 });

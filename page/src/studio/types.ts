@@ -4,7 +4,8 @@ export interface Named { name: string; title: string }
 
 export interface Key { name: string; doc: string; unit?: string; values?: string[]; default?: string; required?: boolean }
 export interface Kind { kind: string; doc: string; keys: Key[] }
-export interface Completion { machine: { keys: Key[] }; parts: Kind[]; studies: Kind[] }
+/** `values` of keys are as a file writes them, with their quotation marks. */
+export interface Completion { machine: { keys: Key[] }; parts: Kind[]; studies: Kind[]; blocks?: Record<string, { several: boolean; kinds: Kind[] }> }
 
 export interface Start {
   file: string;
