@@ -30,6 +30,20 @@ test("a limit of stability is pulled: the released parameter moves, as one step"
   assert.equal(await text(page), was);
 });
 
+test("a result is written as a number", async () => {
+  const was = await text(page);
+  await parameter(page, "oil.free_surface_radius").locator(".release input").check();
+  const p = await panel(page, "stability");
+  await p.locator("svg:visible .target .hit").nth(2).click();
+  await page.locator("#reach .pick input").fill("25000");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("#reach .ok");
+  await changed(page, was);
+  await page.waitForFunction(() => /25.?000/.test(document.querySelector("#panel-stability .target:nth-of-type(n)")?.parentElement.textContent ?? ""), null, { timeout: 5000 });
+  await page.click("[data-act=undo]");
+  assert.equal(await text(page), was);
+});
+
 test("what cannot be reached has a sentence, and changes nothing", async () => {
   const was = await text(page);
   await parameter(page, "oil.free_surface_radius").locator(".release input").check();

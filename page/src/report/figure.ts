@@ -225,7 +225,8 @@ export class Figure {
 
   down(v: View, e: Pointed): void {
     if (e.button !== 0 || (e.target as Element).closest(".lg")) return;
-    const [x, y] = this.at(v, e), i = this.panelAt(v, x, y);
+    // a press just beside the axis begins at the axis
+    const [px, y] = this.at(v, e), x = Math.min(Math.max(px, px > v.x0 - 8 ? v.x0 : px), px < v.x0 + v.w + 8 ? v.x0 + v.w : px), i = this.panelAt(v, x, y);
     if (i < 0) return;
     this.drag = { i, x, y };
     if (e.isTrusted && e.pointerId !== undefined) v.svg.setPointerCapture(e.pointerId);

@@ -53,6 +53,20 @@ export class Reach implements Pulled {
     if (this.lane.idle) this.finish();
   }
 
+  pick(target: Target, v: number, name: string): void {
+    const field = make("input", { type: "text", inputmode: "decimal", value: +v.toPrecision(5), "aria-label": target.label });
+    const go = () => {
+      const wanted = parseFloat(field.value.replace(",", "."));
+      if (!isFinite(wanted)) return;
+      this.released = true;
+      this.goal = { target, to: wanted / target.factor, text: number(wanted) + unit(name), unit: name };
+      this.lane.ask(this.goal);
+    };
+    field.addEventListener("keydown", e => { if (e.key === "Enter") { e.preventDefault(); go(); } else if (e.key === "Escape") this.idle(); });
+    this.host.replaceChildren(make("p", { class: "pick" }, make("label", {}, target.label, " ", field, unit(name)), " ", button("reach", go)));
+    field.select();
+  }
+
   private async work(g: Goal, signal: AbortSignal): Promise<void> {
     const { what, which } = g.target;
     this.answer = await api.reach(this.studio.text, { what, which, to: g.to }, this.free(), signal);

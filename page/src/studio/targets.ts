@@ -14,6 +14,8 @@ export interface Pulled {
   /** Value on the axis, as text, and its unit. */
   move(t: Target, v: number, text: string, unit: string): void;
   end(t: Target, kept: boolean): void;
+  /** Chosen without a pull: its value is to be written. */
+  pick(t: Target, v: number, unit: string): void;
 }
 
 const axisOf = (f: Figure, t: Target) => t.along === "x" ? f.data.x : f.data.p[t.panel].y;
@@ -73,10 +75,14 @@ function handle(f: Figure, v: View, host: HTMLElement, t: Target, n: number, to:
         mark(q);
         to.move(t, at(q), shownOn(f, t, at(q)), ax.ul);
       },
-      end: kept => { ghost.setAttribute("visibility", "hidden"); to.end(t, kept && moved); },
+      end: kept => { ghost.setAttribute("visibility", "hidden"); 
+        to.end(t, kept && moved);
+        if (kept && !moved) to.pick(t, from, ax.ul);
+      },
     });
   });
   g.addEventListener("keydown", e => {
+    if (e.key === "Enter" && to.begin(t)) { e.preventDefault(); return to.pick(t, from, ax.ul); }
     const by = steps(e);
     if (!by) return;
     e.preventDefault();
