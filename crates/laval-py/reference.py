@@ -25,6 +25,7 @@ GROUPS = {
     "Results": ["Results", "StudyResults", "Finding", "Value", "Evidence", "SpecialPoint", "Check", "Table", "Figure"],
     "Derivatives": ["Mode", "Peak", "Jump", "Derivatives", "Function"],
     "Many machines": ["Sweep", "Cases"],
+    "Studio": ["studio", "Studio"],
     "Mistakes": ["MachineError", "Diagnostic", "MachineWarning", "Interrupted"],
     "Blocks of a machine": ["Block", "Part", "Study", "Extra"],
 }

@@ -5,7 +5,7 @@ use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{self, Loaded};
 use laval::text;
 use laval::text::Text;
-use laval::{plain, report};
+use laval::{plain, run};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -68,25 +68,14 @@ impl Input {
         Err(all)
     }
 
-    /// The name by which results refer to the file: its folder and name, which do not depend on where the folder lies.
+    /// The name by which results refer to the file.
     pub fn name(&self) -> String {
-        let mut parts: Vec<String> = self.path.components().rev().take(2).filter_map(named).collect();
-        parts.reverse();
-        parts.join("/")
+        run::name(&self.path)
     }
 
-    /// The name of the machine's folder of results: that of the file, or of its folder when the file is called `machine.toml`.
+    /// The name of the machine's folder of results.
     pub fn stem(&self) -> String {
-        let stem = self.path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
-        let folder = || {
-            let full = self.path.canonicalize().ok()?;
-            Some(full.parent()?.file_name()?.to_string_lossy().into_owned())
-        };
-        let name = if stem == "machine" { folder().unwrap_or(stem) } else { stem };
-        let usual = |c: char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_' | '.' | '+' | ',' | '(' | ')' | '\u{300}'..='\u{36f}');
-        // names such as "..", that are no folder on every system, are changed
-        let sound = name.chars().all(usual) && name.trim_end_matches([' ', '.']) == name && !report::file_name(&name).ends_with('_');
-        if sound && !name.starts_with('.') { name } else { report::file_name(&name) }
+        run::stem(&self.path)
     }
 
     /// Says on standard error what was found.
@@ -95,13 +84,6 @@ impl Input {
             let (file, form) = (self.path.display().to_string(), terminal::diagnostics());
             terminal::complain_painted(&file::render_in(language::current(), found, &self.text(), &file, form));
         }
-    }
-}
-
-fn named(c: std::path::Component) -> Option<String> {
-    match c {
-        std::path::Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
-        _ => None,
     }
 }
 

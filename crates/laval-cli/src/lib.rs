@@ -15,6 +15,7 @@ mod pieces;
 mod progress;
 mod run;
 mod show;
+mod studio;
 mod terminal;
 mod validate;
 
@@ -61,6 +62,8 @@ enum Command {
     Plan(pieces::PlanArgs),
     /// Join the parts that `laval run --part` has computed, run the other studies, and write results and a report
     Collect(run::CollectArgs),
+    /// Show a machine in the browser and answer while it is changed
+    Studio(studio::Args),
     /// Read and assemble a machine file and say all that is wrong with it
     Check(check::Args),
     /// Write a machine file to start from; without a template, list them
@@ -95,6 +98,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Run(args) => run::run(args),
         Command::Plan(args) => pieces::plan(args),
         Command::Collect(args) => run::collect(args),
+        Command::Studio(args) => studio::studio(args),
         Command::Check(args) => check::check(args),
         Command::New(args) => new::new(args),
         Command::Import(args) => import::import(args),

@@ -10,6 +10,7 @@ use laval::file::{Loaded, NamedStudy};
 use laval::hash::sha256;
 use laval::plain;
 use laval::report;
+use laval::run::keep;
 use laval::store::{Keep, NO_RESULT, Piece, Plan, Work};
 use laval::study::{Context, Progress};
 use laval::text;
@@ -61,7 +62,7 @@ enum Divided<'a> {
 }
 
 fn divided<'a>(study: &'a NamedStudy, loaded: &Loaded, dir: &Path) -> Divided<'a> {
-    let Some(keep) = run::keep(loaded, dir, &study.name, Work::Plan).filter(|_| study.study.in_chunks()) else {
+    let Some(keep) = keep(loaded, dir, &study.name, Work::Plan).filter(|_| study.study.in_chunks()) else {
         return Divided::Not;
     };
     let planned = Planned::default();
@@ -231,7 +232,7 @@ pub fn compute(request: &Request, input: &Input, loaded: &Loaded, piece: Piece) 
         if CANCEL.load(Ordering::Relaxed) {
             break;
         }
-        let keep = run::keep(loaded, &dir, &study.name, Work::Piece(piece));
+        let keep = keep(loaded, &dir, &study.name, Work::Piece(piece));
         let bar = Bar::new(&study.name, request.quiet);
         let context = Context { name: &study.name, cancel: &CANCEL, progress: &bar, work_limit: u64::MAX, keep: keep.as_ref() };
         let result = guarded(|| study.study.run(&loaded.system, &context));

@@ -5,15 +5,14 @@ use crate::pdf;
 use crate::pieces;
 use crate::progress::Bar;
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, language, terminal};
-use laval::build;
 use laval::diagnostic::{Diagnostic, Diagnostics};
-use laval::file::{self, Loaded, NamedStudy};
-use laval::hash::sha256;
+use laval::file::{Loaded, NamedStudy};
 use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
-use laval::report::{self, Format, Language, Provenance, Report, Style, Units, WriteError};
+use laval::report::{self, Format, Language, Report, WriteError};
+use laval::run;
 use laval::store::{Keep, Piece, Work};
-use laval::study::{self, Cancel, Context, Silent, presentation};
+use laval::study::{self, Cancel, Context, Silent};
 use laval::text;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -96,19 +95,6 @@ fn steps(text: &str) -> Result<u64, String> {
         Err(_) if beyond() => Err(format!("the largest value is {}; without the option there is no limit", u64::MAX)),
         Err(_) => Err("give a whole number from 1 on, in digits alone".into()),
     }
-}
-
-/// The language of the program; units of the file's `[report]`, else those that the file writes.
-fn style(input: &Input, loaded: &Loaded) -> Style {
-    let own = presentation::among(&loaded.system.machine.extras);
-    let language = language::current();
-    let written = || file::written_units(&input.text());
-    let units = match own.units.as_deref() {
-        None | Some("file") => Units::new(written()),
-        Some("si") => Units::default(),
-        Some(list) => Units::chosen(file::si_units(presentation::listed(list).map(String::from)), written()),
-    };
-    Style { language, units }
 }
 
 pub static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);
@@ -201,14 +187,6 @@ struct How {
     work_limit: Option<u64>,
 }
 
-/// Where a long study keeps its rows.
-pub fn keep(loaded: &Loaded, dir: &Path, study: &str, work: Work) -> Option<Keep> {
-    let names = || loaded.spec.studies.iter().map(|b| b.name.as_str());
-    let folders = report::folders(names());
-    let at = names().position(|n| n == study)?;
-    Some(Keep { folder: dir.join(&folders[at]), input: file::canonical(&loaded.spec, study), fresh: false, work })
-}
-
 struct Run<'a> {
     args: &'a Request,
     shown: &'a Shown,
@@ -231,23 +209,8 @@ impl<'a> Run<'a> {
         if let Some(n) = how.work_limit {
             settings.push(("work limit".to_string(), n.to_string()));
         }
-        let report = Report {
-            machine: loaded.system.machine.name.clone(),
-            provenance: Provenance {
-                version: env!("CARGO_PKG_VERSION").into(),
-                build: build::ID.into(),
-                processor: build::processor().into(),
-                input_name: input.name(),
-                input_hash: format!("sha256:{}", sha256(&input.bytes)),
-                settings,
-                seed: None,
-            },
-            input: Some(input.text()),
-            studies: loaded.spec.studies.iter().map(|b| b.name.clone()).collect(),
-            outcomes: Vec::new(),
-            overview: None,
-            style: style(input, loaded),
-        };
+        let text = input.text();
+        let report = run::begun(&input.name(), (&text, &input.bytes), loaded, settings, language::current());
         Run {
             args,
             shown,
@@ -340,7 +303,7 @@ impl<'a> Run<'a> {
 
     fn study(&mut self, named: &NamedStudy) {
         let bar = Bar::new(&named.name, self.args.quiet);
-        let keep = keep(self.loaded, &self.dir, &named.name, self.how.work).map(|k| Keep { fresh: self.how.fresh, ..k });
+        let keep = run::keep(self.loaded, &self.dir, &named.name, self.how.work).map(|k| Keep { fresh: self.how.fresh, ..k });
         let context = Context {
             name: &named.name,
             cancel: &CANCEL,

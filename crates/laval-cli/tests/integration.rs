@@ -10,4 +10,5 @@ mod notices;
 mod pieces;
 mod results_schema;
 mod shown;
+mod studio;
 mod validate;

@@ -17,6 +17,7 @@ pub mod fourier;
 pub mod gamma;
 pub mod interpolate;
 pub mod lanes;
+pub mod nearest;
 pub mod newton;
 pub mod ode;
 pub mod optimise;

@@ -11,6 +11,7 @@ mod machine;
 mod pool;
 mod results;
 mod session;
+mod studio;
 mod table;
 
 use pyo3::prelude::*;
@@ -26,6 +27,8 @@ fn _native(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<table::Table>()?;
     m.add_class::<table::Column>()?;
     m.add_class::<cases::Cases>()?;
+    m.add_class::<studio::Studio>()?;
+    m.add_function(wrap_pyfunction!(studio::studio, m)?)?;
     m.add_function(wrap_pyfunction!(cases::put, m)?)?;
     m.add_function(wrap_pyfunction!(cases::chunk_of, m)?)?;
     m.add_function(wrap_pyfunction!(machine::read, m)?)?;

@@ -137,7 +137,10 @@ pub mod output_folder;
 #[doc(hidden)]
 pub mod plain;
 pub mod prelude;
+pub mod reach;
 pub mod report;
+#[doc(hidden)]
+pub mod run;
 #[doc(hidden)]
 pub mod store;
 pub mod study;

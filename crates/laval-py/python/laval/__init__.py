@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from laval._cases import Cases as Cases, Sweep as Sweep
     from laval._derivatives import Derivatives as Derivatives, Function as Function, Jump as Jump, Mode as Mode, Peak as Peak
     from laval._figures import Figure as Figure
+    from laval._studio import Studio as Studio, studio as studio
 
 __all__ = [
     "Block",
@@ -49,6 +50,7 @@ __all__ = [
     "Peak",
     "Results",
     "SpecialPoint",
+    "Studio",
     "Study",
     "StudyResults",
     "Sweep",
@@ -64,12 +66,14 @@ __all__ = [
     "si",
     "span",
     "studies",
+    "studio",
 ]
 
 _LAZY = {
     **dict.fromkeys(("blocks", "designs", "parts", "studies")),
     **dict.fromkeys(("Derivatives", "Function", "Jump", "Mode", "Peak"), "laval._derivatives"),
     "Figure": "laval._figures",
+    **dict.fromkeys(("Studio", "studio"), "laval._studio"),
     **dict.fromkeys(("Cases", "Sweep"), "laval._cases"),
 }
 

@@ -12,6 +12,8 @@ __all__ = [
     "Table",
     "Column",
     "Cases",
+    "Studio",
+    "studio",
     "read",
     "from_ross",
     "again",
@@ -30,6 +32,13 @@ BUILD: Final[str]
 LANGUAGES: Final[list[str]]
 FORMATS: Final[list[str]]
 
+@final
+class Studio:
+    address: str
+    def text(self) -> str | None: ...
+    def stop(self) -> None: ...
+
+def studio(text: str, name: str | PathLike[str], folder: str | PathLike[str], language: str) -> Studio: ...
 def read(content: bytes, origin: str) -> Machine: ...
 def from_ross(content: bytes, name: str) -> str: ...
 def again(machine: Machine, build: str, content: bytes) -> Results: ...

@@ -1,7 +1,8 @@
 //! The catalogues of sentences, `text/LANGUAGE/*.ftl` (Project Fluent), and how each language writes numbers and units.
 
 use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource};
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use std::collections::BTreeMap;
 use std::str::FromStr;
 use std::sync::OnceLock;
 
@@ -47,6 +48,19 @@ impl Language {
         let bundle = if self.bundle().has_message(key) { self.bundle() } else { Language::English.bundle() };
         let Some(pattern) = bundle.get_message(key).and_then(|m| m.value()) else { return key.into() };
         bundle.format_pattern(pattern, Some(args), &mut Vec::new()).replace('\n', " ")
+    }
+
+    /// Sentences by the beginning of their names, and these others; arguments of these names stand as `{name}`, for a page that puts values in.
+    pub fn words(self, prefix: &str, others: &[&str], arguments: &[&str]) -> BTreeMap<String, String> {
+        let mut args = FluentArgs::new();
+        for name in arguments {
+            args.set(*name, FluentValue::from(format!("{{{name}}}")));
+        }
+        // English has every sentence
+        let lines = CATALOGUES.iter().filter(|c| c.0 == "en").flat_map(|c| c.2.lines());
+        let names = lines.filter_map(|l| l.split_once(" =")).map(|l| l.0);
+        let wanted = names.filter(|n| n.starts_with(prefix) || others.contains(n));
+        wanted.map(|n| (n.to_string(), self.format(n, &args))).collect()
     }
 
     /// A fixed phrase of a part: the language may have it under a name made of its letters.

@@ -17,8 +17,8 @@ use crate::outcome::{
 };
 use std::fmt::Write;
 
-const CSS: &str = concat!(include_str!("assets/report.css"), include_str!("assets/first_page.css"));
-const JS: &str = concat!(include_str!("assets/report.js"), include_str!("assets/animation.js"));
+pub(super) const CSS: &str = concat!(include_str!("assets/report.css"), include_str!("assets/first_page.css"));
+pub(super) const JS: &str = concat!(include_str!("assets/report.js"), include_str!("assets/animation.js"));
 /// Rows shown of a table; the files hold all.
 const MOST_ROWS: usize = 20;
 /// Relative width of a bracket above which it says where a located point was looked for, not how well it is known.
@@ -32,7 +32,7 @@ const MOST_SHOWN: usize = 200;
 /// Results listed in the summary; warnings are always listed.
 const MOST_RESULTS: usize = 10;
 /// Units at the ticks of logarithmic lengths, which the script writes too.
-const LENGTHS: [&str; 4] = ["m", "mm", "µm", "nm"];
+pub(super) const LENGTHS: [&str; 4] = ["m", "mm", "µm", "nm"];
 
 /// The report as one HTML page without any reference to the outside.
 ///
@@ -112,24 +112,29 @@ pub fn page_one(report: &Report) -> String {
 }
 
 /// The behaviour over the speed, drawn.
-fn over_speed(report: &Report) -> Option<Scene> {
+pub(super) fn over_speed(report: &Report) -> Option<Scene> {
     let page = report.overview.as_ref()?;
     let over = page.over_speed.as_ref()?;
     Scene::new(&first_page::over_speed(page, over), &first_page::tables(over), &report.style).ok()
 }
 
 /// The first page.
-fn answer(s: &mut String, page: &Overview, over: Option<&Scene>, column: f64, style: &Style) {
+pub(super) fn answer(s: &mut String, page: &Overview, over: Option<&Scene>, column: f64, style: &Style) {
+    answer_as(s, page, over, column, style, "over");
+}
+
+/// The same with this id of its figure.
+pub(super) fn answer_as(s: &mut String, page: &Overview, over: Option<&Scene>, column: f64, style: &Style, id: &str) {
     first_page::head(s, page, style);
     if let Some(scene) = over {
-        drawn(s, scene, "over", column, style);
+        drawn(s, scene, id, column, style);
         hint(s, style);
     }
     first_page::tail(s, page, style);
 }
 
 /// Up to the beginning of the main part.
-fn opening(report: &Report) -> String {
+pub(super) fn opening(report: &Report) -> String {
     let style = &report.style;
     let machine = if report.machine.is_empty() { say(style, "page-nameless") } else { prose(&report.machine) };
     let mut s = format!(
@@ -233,7 +238,7 @@ fn fair(studies: impl Iterator<Item = usize>) -> Vec<bool> {
 }
 
 /// Start of a list item; the caller closes it.
-fn sentence(f: &Finding, style: &Style) -> String {
+pub(super) fn sentence(f: &Finding, style: &Style) -> String {
     let tag = match f.level {
         Level::Info => String::new(),
         Level::Warning => format!("<span class=\"tag\">! {}</span>", say(style, "page-warning")),
@@ -314,7 +319,7 @@ fn hint(s: &mut String, style: &Style) {
 }
 
 /// A figure that the script of the page makes live.
-fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
+pub(super) fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
     if scene.tiles.is_some() {
         let _ = writeln!(
             s,
@@ -402,6 +407,13 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     if folded {
         s.push_str("</details>\n");
     }
+}
+
+/// The tables of an outcome, folded, without links to files.
+pub(super) fn study_tables(o: &Outcome, style: &Style) -> String {
+    let mut s = String::new();
+    o.tables.iter().for_each(|t| table(&mut s, t, style, false, None));
+    s
 }
 
 /// The column of a table whose rows have units of their own.

@@ -23,6 +23,7 @@ mod csv;
 mod embed;
 mod evidence;
 mod first_page;
+pub mod fragment;
 mod heat;
 mod html;
 mod json;

@@ -28,6 +28,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("file", &["model", "parts", "study", "language"]),
     ("import", &["file", "model", "parts"]),
     ("cases", &["file", "study", "model", "outcome", "store"]),
+    ("reach", &["file", "study", "solve", "model"]),
+    ("run", &["file", "study", "outcome", "report", "store"]),
     ("validation", &["file", "study", "outcome", "report"]),
     ("prelude", &["model", "parts", "study", "outcome", "file"]),
 ];

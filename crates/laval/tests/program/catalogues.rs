@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Beginnings of names that are put together where they are used; those of diagnostics have tests of their own (`templates`).
-const COMPOSED: [&str; 6] = ["verdict-", "short-", "study-", "unit-", "term-", "diag-"];
+const COMPOSED: [&str; 7] = ["verdict-", "short-", "study-", "unit-", "term-", "diag-", "studio-"];
 pub const LANGUAGES: [&str; 3] = ["ru", "kk", "uz"];
 
 fn files(folder: &Path, extension: &str, out: &mut Vec<PathBuf>) {

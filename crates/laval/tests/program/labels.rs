@@ -239,7 +239,7 @@ fn translated_phrases_are_those_of_the_sources() {
     let phrases = phrases();
     assert!(phrases.len() > 500);
     let mut used: BTreeSet<String> = phrases.keys().cloned().collect();
-    for name in ["laval", "laval-cli", "laval-model", "laval-num", "laval-separation", "laval-solve"] {
+    for name in ["laval", "laval-cli", "laval-model", "laval-num", "laval-separation", "laval-solve", "laval-studio"] {
         used.extend(sources(&crates.join(name).join("src")).iter().flat_map(|s| strings(&s.1)).map(|t| slug(&t)));
     }
     let is_used = |term: &str| {

@@ -7,7 +7,7 @@ use laval::text::{id, places};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-const CRATES: [&str; 5] = ["laval-model", "laval-solve", "laval-separation", "laval", "laval-cli"];
+const CRATES: [&str; 6] = ["laval-model", "laval-solve", "laval-separation", "laval", "laval-studio", "laval-cli"];
 
 /// A source file of the workspace: its path from `crates` on, and its code without comments and unit tests.
 pub struct Source {

@@ -654,6 +654,14 @@ diag-write-df54 = write {"{"} "speed": 300.0 {"}"}
 diag-the-declared-default-cannot-be-used-a68d = the declared default { $default } cannot be used: { $text }
 diag-is-not-an-si-unit-b335 = { $kind }.{ $name }: { $unit } is not an SI unit
 
+## laval/src/file/edits.rs
+
+diag-the-file-has-no-number-bda7 = the file has no number "{ $path }"
+diag-two-changes-are-of-the-same-1bd6 = two changes are of the same place in the file
+diag-is-not-written-in-the-file-f870 = { $path } is not written in the file
+diag-is-it-must-be-06bd = { $who } is { $value }; it must be { $bounds }
+diag-is-no-quantity-296e = { $text } is no quantity
+
 ## laval/src/file/held.rs
 
 diag-nothing-holds-the-tilt-of-alone-ad2e = nothing holds the tilt of "{ $name }" ({ $names }), alone or with that of the bodies it is joined to
@@ -749,7 +757,6 @@ diag-not-a-distribution-147d = not a distribution
 diag-write-a-number-with-a-unit-5e75 = write a number with a unit in quotes ({ $example }), or a bare number in SI units
 diag-a-finite-number-is-needed-9e4f = { $who }: a finite number is needed
 diag-not-finite-0a50 = not finite
-diag-is-it-must-be-06bd = { $who } is { $value }; it must be { $bounds }
 diag-write-if-you-mean-percent-1b90 = write "{ $x } %" if you mean percent
 diag-give-a-value-b1a9 = give a value { $bounds }
 diag-a-bare-number-is-in-put-f863 = a bare number is in { $unit }; put number and unit in quotes to use others ({ $examples })
@@ -1020,6 +1027,34 @@ diag-move-it-elsewhere-or-name-another-3b1e = move it elsewhere, or name another
 diag-another-process-is-writing-into-92c3 = another process is writing into { $folder }
 diag-another-process-number-is-writing-into-7450 = another process (number { $number }) is writing into { $folder }
 diag-wait-until-it-has-ended-or-add0 = wait until it has ended, or name another folder with --out
+
+## laval/src/reach/criticals.rs
+
+diag-a-critical-speed-has-an-order-339b = a critical speed has an order above 0 and a speed
+diag-there-is-no-such-critical-speed-ea55 = there is no such critical speed near { $at }
+
+## laval/src/reach/limits.rs
+
+diag-a-limit-of-stability-has-a-12c8 = a limit of stability has a speed
+diag-there-is-no-limit-of-stability-8182 = there is no limit of stability near { $at }
+
+## laval/src/reach/machine.rs
+
+diag-is-released-twice-f3c3 = { $path } is released twice
+diag-the-released-range-must-hold-the-a291 = { $path }: the released range must hold the value of the file
+
+## laval/src/reach/mod.rs
+
+diag-no-parameter-is-released-bfda = no parameter is released
+diag-the-wanted-value-is-no-number-92b4 = the wanted value is no number
+diag-the-released-parameters-do-not-move-1fda = the released parameters do not move this result
+diag-the-search-ended-at-beyond-this-d436 = the search ended at { $value }: beyond, this result does not exist or no longer follows the released parameters
+diag-is-the-nearest-that-can-be-c523 = { $value } is the nearest that can be reached: { $names } stands at its bound
+diag-is-the-nearest-that-can-be-c685 = { $value } is the nearest that can be reached: { $names } stand at their bounds
+
+## laval/src/reach/search.rs
+
+diag-the-machine-of-the-file-does-df10 = the machine of the file does not have this result
 
 ## laval/src/report/renew.rs
 
@@ -1757,6 +1792,53 @@ diag-points-and-findings-have-no-columns-05d3 = points and findings have no colu
 diag-no-row-fits-b5e9 = no row fits
 diag-rows-fit-say-which-one-in-6aea = { $n } rows fit: say which one in the column "at"
 
+## laval-studio/src/answer.rs
+
+diag-the-machine-file-gives-no-speed-4340 = the machine file gives no speed
+diag-the-figure-cannot-be-drawn-666c = the figure cannot be drawn: { $e }
+
+## laval-studio/src/edit.rs
+
+diag-one-of-value-and-written-is-a69e = { $path }: one of value and written is needed
+
+## laval-studio/src/folder.rs
+
+diag-is-no-machine-file-toml-in-cfe5 = { $name } is no machine file (.toml) in the folder of the studio
+diag-there-is-no-file-33b6 = there is no file { $path }
+diag-is-larger-than-mb-3ad7 = { $path } is larger than { $size } MB
+diag-has-changed-on-the-disk-since-3764 = { $path } has changed on the disk since it was opened
+
+## laval-studio/src/reach.rs
+
+diag-there-is-no-result-that-can-f05c = there is no result { $what } that can be moved
+
+## laval-studio/src/routes.rs
+
+diag-the-request-cannot-be-read-8f3c = the request cannot be read: { $e }
+diag-this-is-a-defect-of-the-4010 = this is a defect of the program, not of your file: the computation failed
+diag-there-is-no-such-run-165f = there is no such run
+
+## laval-studio/src/runs.rs
+
+diag-the-machine-has-no-such-study-f80c = the machine has no such study
+diag-the-study-cannot-be-started-3c9f = the study cannot be started: { $e }
+diag-the-report-cannot-be-drawn-a076 = the report cannot be drawn: { $e }
+
+## laval-studio/src/server.rs
+
+diag-the-server-cannot-be-started-9a0d = the server cannot be started: { $e }
+diag-a-token-has-at-least-8-da81 = a token has at least 8 letters and digits
+diag-cannot-open-9fcf = cannot open { $path }: { $e }
+
+## laval-studio/src/share.rs
+
+diag-at-most-designs-fit-into-one-c17c = at most { $most } designs fit into one file
+
+## laval-studio/src/start.rs
+
+diag-there-is-no-example-1e32 = there is no example { $name }
+diag-name-a-file-or-an-example-9b54 = name a file or an example
+
 ## laval-cli/src/check.rs
 
 diag-ok-de5c = ok: { $machine }
@@ -1777,7 +1859,6 @@ diag-left-out-or-different-in-ross-343d = Left out, or different in ROSS:
 diag-is-a-folder-not-a-machine-7bfd = { $path } is a folder, not a machine file
 diag-give-the-file-20d8 = give the file: { $inside }
 diag-is-larger-than-64-mb-6cae = { $path } is larger than 64 MB
-diag-there-is-no-file-33b6 = there is no file { $path }
 diag-laval-new-writes-a-machine-file-4dc1 = laval new writes a machine file to start from
 
 ## laval-cli/src/lib.rs
@@ -1834,6 +1915,13 @@ diag-laval-7bec = laval: { $why }
 ## laval-cli/src/show.rs
 
 diag-there-is-no-kind-of-called-63a8 = there is no kind of { $what } called { $word }
+
+## laval-cli/src/studio.rs
+
+diag-is-a-folder-53b6 = { $path } is a folder
+diag-is-no-machine-file-its-name-3c42 = { $path } is no machine file: its name does not end in .toml
+diag-the-studio-is-open-in-the-faee = The studio is open in the browser; Ctrl-C ends it.
+diag-note-no-browser-could-be-opened-e857 = note: no browser could be opened; open the address above
 
 ## laval-cli/src/terminal.rs
 

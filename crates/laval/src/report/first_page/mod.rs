@@ -4,7 +4,9 @@ mod drawing;
 mod over_speed;
 mod shapes;
 
+pub(super) use drawing::drawing;
 pub(super) use over_speed::{over_speed, tables};
+pub(super) use shapes::modes;
 
 use super::text::prose;
 use super::words::Style;
@@ -104,7 +106,7 @@ pub(super) fn head(s: &mut String, page: &Overview, style: &Style) {
     }
     if !page.machine.is_empty() {
         let _ = writeln!(s, "<figure class=\"mach\"><figcaption>{}</figcaption>", title("page-machine"));
-        s.push_str(&drawing::drawing(page, style));
+        s.push_str(&drawing(page, style));
         s.push_str("</figure>\n");
     }
     s.push_str("</div>\n");
@@ -115,7 +117,7 @@ pub(super) fn tail(s: &mut String, page: &Overview, style: &Style) {
     if let (Some(speed), false) = (page.operating, page.modes.is_empty()) {
         let heading = style.message(&Message::new("page-modes").arg("speed", Arg::speed(speed)));
         let _ = writeln!(s, "<section class=\"page\"><h2>{}</h2>", prose(&heading));
-        shapes::modes(s, page, style);
+        modes(s, page, style);
         s.push_str("</section>\n");
     }
     listed(s, "page-left-out", &page.left_out, style);

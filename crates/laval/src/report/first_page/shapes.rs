@@ -11,7 +11,7 @@ const HALF: f64 = 42.0;
 /// Radius of the largest orbit.
 const LARGEST: f64 = 34.0;
 
-pub(super) fn modes(s: &mut String, page: &Overview, style: &Style) {
+pub(in crate::report) fn modes(s: &mut String, page: &Overview, style: &Style) {
     let bodies = names(page);
     s.push_str("<div class=\"modes\">\n");
     for (k, m) in page.modes.iter().enumerate() {

@@ -26,7 +26,7 @@ use crate::model::field::RangeValue;
 use crate::model::part::Domain;
 use crate::model::spins::same_ratio;
 use crate::model::system::System;
-use crate::outcome::{Arg, Message, Outcome, OverSpeed, Overview};
+use crate::outcome::{Arg, Block, Message, Outcome, OverSpeed, Overview};
 use crate::solve::rest::{over_speed, rest};
 use crate::solve::roots::{LEAST, Request, has_more_modes, in_region, roots, transcendental};
 use crate::solve::stability::{Row, row};
@@ -48,6 +48,7 @@ use laval_num::complex::C64;
 use laval_num::order::ascending;
 use laval_num::work::watched;
 use operating::Operating;
+pub use shapes::mode;
 use spins::Spins;
 use studied::{Found, Needed};
 use worst::Worst;
@@ -240,6 +241,18 @@ impl Facts<'_> {
         let own = if over.response_speed.is_empty() { criticals.and_then(|c| followed(c, self.sign)) } else { ends(&over.response_speed) };
         own.or_else(|| criticals.is_some_and(|c| c.end.is_complete()).then_some(over.range))
     }
+}
+
+/// Bodies and what joins them, for a drawing of the machine, and whether its axis lies.
+pub fn blocks(system: &System) -> (Vec<Block>, bool) {
+    (machine::blocks(system), Stations::horizontal(system))
+}
+
+/// Lowest and highest speed of the first page, rad/s, rising. `speeds`: what the studies of the file cover.
+pub fn page_range(system: &System, speeds: &[SpinSpeeds]) -> (f64, f64) {
+    let sign = system.machine.speed.filter(|w| *w != 0.0).map_or(1.0, f64::signum);
+    let (low, high) = range(Operating::of(system, &operation::among(&system.machine.extras)), sign, speeds);
+    if sign < 0.0 { (-high, -low) } else { (low, high) }
 }
 
 /// The first page. `speeds`: what the studies of the file cover.

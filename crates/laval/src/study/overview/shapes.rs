@@ -2,6 +2,7 @@
 
 use super::Facts;
 use super::buckling::diverging;
+use crate::model::system::System;
 use crate::outcome::Mode;
 use crate::solve::pencil::MachineMode;
 use crate::solve::sectors::circular;
@@ -26,11 +27,12 @@ pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
     let mut all: Vec<&MachineMode> = diverging(result, threshold).into_iter().chain(shown.into_iter().map(|k| &modes[k])).collect();
     all.sort_by_number(|a| a.frequency());
     let speed = facts.system.machine.speed.unwrap_or(0.0);
-    all.into_iter().map(|m| Mode { grows: m.growth() > threshold, ..mode(facts, m, speed) }).collect()
+    all.into_iter().map(|m| Mode { grows: m.growth() > threshold, ..mode(facts.system, m, speed) }).collect()
 }
 
-fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
-    let probes = facts.system.probes();
+/// A mode at a speed of the machine, in the words of the first page.
+pub fn mode(system: &System, m: &MachineMode, speed: f64) -> Mode {
+    let probes = system.probes();
     let axes: Vec<(String, f64, f64, f64)> = probes
         .iter()
         .filter(|p| p.is_reference())

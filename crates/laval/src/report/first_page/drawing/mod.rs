@@ -13,7 +13,7 @@ use crate::outcome::{Arg, Block, Joint, Message, Overview};
 const WIDTH: f64 = 372.0;
 
 /// The drawing of a machine that stands or lies.
-pub(super) fn drawing(page: &Overview, style: &Style) -> String {
+pub(in crate::report) fn drawing(page: &Overview, style: &Style) -> String {
     let parts = Parts::of(page, style);
     // along a shaft there is more to show than above each other
     let along = page.horizontal || !parts.wheels.is_empty() || parts.bodies.iter().any(|b| b.flexible);

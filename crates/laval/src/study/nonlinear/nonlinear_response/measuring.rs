@@ -15,6 +15,8 @@ use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
 use crate::study::shared::support::larger;
 use crate::study::shared::validity::Uses;
+use laval_num::work::Here;
+use rayon::prelude::*;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
@@ -123,23 +125,34 @@ impl<'a> Measuring<'a> {
     pub(super) fn measure(&mut self, response: &Response) {
         for branch in &response.branches {
             let balance = self.balance_of(branch);
+            let balanced = &mut self.balances[balance];
+            let orbits: Vec<Orbit> = branch.points.iter().map(|p| Orbit::of(balanced, &p.x, p.speed).unwrap_or_default()).collect();
+            if self.measured.observed.is_empty() {
+                self.measured.observed = orbits.iter().find(|o| !o.orders.is_empty()).map_or_else(Vec::new, |o| self.observed_of(o));
+            }
+            let (turns, symmetry, here) = (branch.turns(), branch.discretisation.whole().symmetry, Here::now());
+            let seeing = self.seeing();
+            let one = |orbit: &Orbit| {
+                let _counted = here.enter();
+                let own = seeing.amplitudes_of(orbit, turns);
+                let sizes = seeing.sizes_of(orbit, turns, &own);
+                (sizes, own, seeing.forces_of(orbit, turns), seeing.observe(orbit, turns, symmetry))
+            };
+            let all: Vec<_> = orbits.par_iter().map(one).collect();
             let (mut amplitudes, mut observations, mut validity, mut forces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
             let mut sizes = Vec::new();
-            for state in &branch.points {
-                let orbit = Orbit::of(&mut self.balances[balance], &state.x, state.speed).unwrap_or_default();
-                let own = self.amplitudes_of(&orbit, branch.turns());
-                sizes.push(self.sizes_of(&orbit, branch.turns(), &own));
+            for (size, own, force, (seen, valid)) in all {
+                sizes.push(size);
                 amplitudes.push(own);
-                forces.push(self.forces_of(&orbit, branch.turns()));
-                let (seen, valid) = self.observe(&orbit, branch.turns(), branch.discretisation.whole().symmetry);
+                forces.push(force);
                 observations.push(seen);
                 validity.push(valid);
             }
             let mut folds = Vec::new();
             for f in &branch.folds {
                 let orbit = Orbit::of(&mut self.balances[balance], &f.x, f.speed).unwrap_or_default();
-                let own = self.amplitudes_of(&orbit, branch.turns());
-                folds.push(self.sizes_of(&orbit, branch.turns(), &own));
+                let own = self.seeing().amplitudes_of(&orbit, branch.turns());
+                folds.push(self.seeing().sizes_of(&orbit, branch.turns(), &own));
             }
             self.measured.at_folds.push(folds);
             self.measured.first_forces.push(forces);
@@ -150,6 +163,36 @@ impl<'a> Measuring<'a> {
         }
     }
 
+    /// The machine without the equations of its motion, which threads do not share.
+    fn seeing(&self) -> Seeing<'_> {
+        let observed = self.measured.observed.len();
+        Seeing { system: self.system, bodies: &self.bodies, which: &self.which, force_slots: &self.force_slots, observed }
+    }
+
+    /// Names and units of what parts show.
+    fn observed_of(&self, orbit: &Orbit) -> Vec<(String, String)> {
+        let (n, m) = (self.system.n(), self.system.m());
+        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
+        orbit.at(0.0, &mut q, &mut v, &mut a, &mut z);
+        let at = At { q: &q, v: &v, a: &a, z: &z, phase: 0.0, speed: orbit.speed, spin_accel: 0.0, t: 0.0 };
+        let seen = self.system.observe(&at, &mut Workspace::default());
+        // displacements of bodies have columns of their own
+        let shown = seen.iter().filter(|(_, o)| o.name != Observed::DISPLACEMENT);
+        shown.map(|(slot, o)| (format!("{} {}", self.system.slots()[*slot].name, o.name), o.unit.to_string())).collect()
+    }
+}
+
+/// Sizes of one motion.
+struct Seeing<'m> {
+    system: &'m System,
+    bodies: &'m [(String, Pair)],
+    which: &'m [usize],
+    force_slots: &'m [usize],
+    /// Quantities that parts show.
+    observed: usize,
+}
+
+impl Seeing<'_> {
     /// Largest value of every probe; that of a reference point is known already.
     fn sizes_of(&self, orbit: &Orbit, turns: usize, own: &[[f64; 8]]) -> Vec<f64> {
         let (bodies, others) = self.which.split_at(own.len().min(self.which.len()));
@@ -191,7 +234,7 @@ impl<'a> Measuring<'a> {
             let [x, y] = orbit.pair_at(pair, tau);
             [x * x + y * y, x * x, y * y]
         };
-        for (o, (_, pair)) in out.iter_mut().zip(&self.bodies) {
+        for (o, (_, pair)) in out.iter_mut().zip(self.bodies) {
             let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(pair, h * j as f64).to_vec()).collect();
             for (k, which) in [1, 2, 5].into_iter().enumerate() {
                 o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
@@ -204,10 +247,10 @@ impl<'a> Measuring<'a> {
         out
     }
 
-    fn observe(&mut self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, Uses) {
+    fn observe(&self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, Uses) {
         let mut uses = Uses::default();
         if orbit.orders.is_empty() {
-            return (vec![f64::NAN; self.measured.observed.len()], uses);
+            return (vec![f64::NAN; self.observed], uses);
         }
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
@@ -237,15 +280,10 @@ impl<'a> Measuring<'a> {
                     owners.extend((seen[k].1.name != Observed::DISPLACEMENT).then_some((seen[k].0, count)));
                 }
             }
-            // displacements of bodies have columns of their own
             seen.retain(|(_, o)| o.name != Observed::DISPLACEMENT);
-            if self.measured.observed.is_empty() {
-                self.measured.observed =
-                    seen.iter().map(|(slot, o)| (format!("{} {}", system.slots()[*slot].name, o.name), o.unit.to_string())).collect();
-            }
             series.push(seen.iter().map(|(_, o)| o.value.abs()).collect());
         }
-        let mut largest = vec![f64::NAN; self.measured.observed.len()];
+        let mut largest = vec![f64::NAN; self.observed];
         for (k, l) in largest.iter_mut().enumerate() {
             let Some((top, beside)) = crest(&series, k) else { continue };
             *l = series[top][k];

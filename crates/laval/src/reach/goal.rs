@@ -1,0 +1,86 @@
+//! Results that can be moved.
+
+use super::criticals::CriticalSpeed;
+use super::limits::StabilityLimit;
+use super::places::Placed;
+use crate::diagnostic::Diagnostic;
+use crate::file::Loaded;
+use crate::model::system::System;
+use crate::study::sensitivity::Kind;
+use crate::study::{self, Context};
+
+/// What of a peak is moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// The speed.
+    Speed,
+    /// The displacement or tilt.
+    Size,
+}
+
+/// A result of a machine, by what it is and where it is now.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Goal {
+    /// The critical speed of an order next to this speed, rad/s.
+    CriticalSpeed {
+        /// Frequency over spin speed.
+        order: f64,
+        /// Where it is.
+        at: f64,
+    },
+    /// The limit of stability next to this speed, rad/s.
+    StabilityLimit {
+        /// Where it is.
+        at: f64,
+    },
+    /// The peak of the steady response next to this speed, rad/s.
+    Peak {
+        /// Where it is.
+        at: f64,
+        /// The point or body it is of; the one that moves most where none is named.
+        body: Option<String>,
+        /// What is moved.
+        of: Of,
+    },
+    /// The jump of the steady response next to this speed, rad/s.
+    Jump {
+        /// Where it is.
+        at: f64,
+    },
+}
+
+/// A result with its slopes, one for each of the parameters; NaN where they are not known.
+pub(super) struct Valued {
+    pub value: f64,
+    pub slopes: Vec<f64>,
+}
+
+/// A result that is followed from machine to machine.
+pub(super) trait Sought {
+    /// Its SI unit.
+    fn unit(&self) -> &'static str;
+    /// It takes milliseconds.
+    fn quick(&self) -> bool;
+    /// Its value, with slopes in these parameters, each a list of indices that move together. `None` where the machine does not have it near where it was.
+    fn of(&mut self, system: &System, parameters: &[Vec<usize>], context: &Context) -> Result<Option<Valued>, Diagnostic>;
+    /// Where it was last.
+    fn mark(&self) -> Vec<f64>;
+    /// Goes on from an earlier place.
+    fn back(&mut self, mark: &[f64]);
+}
+
+impl Goal {
+    pub(super) fn sought(&self, loaded: &Loaded, context: &Context) -> Result<Box<dyn Sought>, Diagnostic> {
+        let system = &loaded.system;
+        let range = || {
+            let speeds: Vec<_> = loaded.studies.iter().flat_map(|s| s.study.speeds(system)).collect();
+            study::page_range(system, &speeds)
+        };
+        Ok(match self {
+            Goal::CriticalSpeed { order, at } => Box::new(CriticalSpeed::find(system, *order, *at, context)?),
+            Goal::StabilityLimit { at } => Box::new(StabilityLimit::find(system, *at, context)?),
+            Goal::Peak { at, body, of } => Box::new(Placed::new(vec![Kind::Peak], *of, *at, body.clone(), range())),
+            Goal::Jump { at } => Box::new(Placed::new(vec![Kind::JumpUp, Kind::JumpDown], Of::Speed, *at, None, range())),
+        })
+    }
+}

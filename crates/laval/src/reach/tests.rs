@@ -1,0 +1,125 @@
+use super::*;
+use crate::file::{catalog, load};
+
+const RIGID: &str = r#"
+machine = { name = "rigid rotor", speed = "3000 rpm" }
+part = [
+    { kind = "disc", name = "drum", mass = "3 kg", eccentricity = "20 um" },
+    { kind = "shaft_lumped", name = "shaft", between = ["drum", "ground"], stiffness = "3e5 N/m" },
+    { kind = "damper", name = "air", between = ["drum", "ground"], damping = "20 N s/m" },
+]
+"#;
+
+fn free(path: &str, low: f64, high: f64) -> Free {
+    Free { path: path.into(), low, high }
+}
+
+fn reached(text: &str, goal: &Goal, wanted: f64, free: &[Free]) -> Reached {
+    let loaded = load(text).unwrap_or_else(|d| panic!("{d}"));
+    reach(text, &loaded, &catalog(), goal, wanted, free, &Context::quiet("reach")).unwrap_or_else(|d| panic!("{d}"))
+}
+
+/// Without damping a critical speed is at sqrt(k / m).
+#[test]
+fn a_critical_speed_of_a_rigid_rotor_is_moved_to_the_closed_form() {
+    let undamped = RIGID.replace("damping = \"20 N s/m\"", "damping = 0");
+    let goal = Goal::CriticalSpeed { order: 1.0, at: 310.0 };
+    for wanted in [250.0, 330.0, 480.0] {
+        let r = reached(&undamped, &goal, wanted, &[free("shaft.stiffness", 1e5, 9e5)]);
+        let k = 3.0 * wanted * wanted;
+        assert!(r.reached && r.impossible.is_none(), "{r:?}");
+        assert!((r.moved[0].to - k).abs() < 1e-7 * k, "{} instead of {k}", r.moved[0].to);
+        let r = reached(&undamped, &goal, wanted, &[free("drum.mass", 0.5, 9.0)]);
+        let m = 3e5 / (wanted * wanted);
+        assert!(r.reached && (r.moved[0].to - m).abs() < 1e-7 * m, "{r:?}");
+    }
+}
+
+/// Of two parameters the least change on the curve k = m W^2, by a fine search along it.
+#[test]
+fn of_two_parameters_the_change_is_the_least() {
+    let undamped = RIGID.replace("damping = \"20 N s/m\"", "damping = 0");
+    let all = [free("shaft.stiffness", 1e5, 9e5), free("drum.mass", 1.0, 9.0)];
+    let wanted = 400.0;
+    let r = reached(&undamped, &Goal::CriticalSpeed { order: 1.0, at: 316.0 }, wanted, &all);
+    let far = |k: f64, m: f64| (((k - 3e5) / 8e5).powi(2) + ((m - 3.0) / 8.0).powi(2)).sqrt();
+    let best =
+        (0..200_000).map(|i| 1.0 + 3.0 * f64::from(i) / 200_000.0).map(|m| far(m * wanted * wanted, m)).fold(f64::INFINITY, f64::min);
+    let own = far(r.moved[0].to, r.moved[1].to);
+    assert!(r.reached && own < best * (1.0 + 1e-6), "{own} instead of {best}: {r:?}");
+    // each alone is farther, and the curve rises to the whole change
+    assert!(r.alone.iter().all(|a| a.reached) && r.alone.len() == 2);
+    assert!(r.curve.windows(2).all(|w| w[0].1 < w[1].1) && (r.curve[CURVE].1 - own).abs() < 1e-12);
+}
+
+#[test]
+fn a_bound_that_prevents_the_wanted_value_is_named() {
+    let goal = Goal::CriticalSpeed { order: 1.0, at: 316.0 };
+    let undamped = RIGID.replace("damping = \"20 N s/m\"", "damping = 0");
+    let r = reached(&undamped, &goal, 500.0, &[free("shaft.stiffness", 1e5, 4e5), free("drum.eccentricity", 0.0, 1e-3)]);
+    let (sentence, bounds) = r.impossible.clone().expect("it cannot be reached");
+    assert_eq!(bounds, ["shaft.stiffness"]);
+    assert!(sentence.to_string().contains("shaft.stiffness stands at its bound"), "{sentence}");
+    assert!(!r.reached && (r.to - (4e5f64 / 3.0).sqrt()).abs() < 1e-6 && r.moved[0].at_bound);
+    // what does not enter moves nothing
+    let r = reached(&undamped, &goal, 320.0, &[free("drum.eccentricity", 0.0, 1e-3)]);
+    assert!(r.impossible.is_some_and(|i| i.1.is_empty() && i.0.to_string().contains("do not move")));
+}
+
+/// Where internal damping of the shaft makes the rotor unstable: W = w (1 + c_fixed / c_rotating).
+#[test]
+fn a_limit_of_stability_is_moved_to_the_closed_form() {
+    let text = RIGID.replace(
+        "{ kind = \"damper\", name = \"air\", between = [\"drum\", \"ground\"], damping = \"20 N s/m\" },",
+        "{ kind = \"damper\", name = \"air\", between = [\"drum\", \"ground\"], damping = \"20 N s/m\" },
+         { kind = \"damper\", name = \"inner\", between = [\"drum\", \"ground\"], damping = \"40 N s/m\", axes = \"rotating\" },",
+    );
+    let w = (3e5f64 / 3.0).sqrt();
+    let r = reached(&text, &Goal::StabilityLimit { at: 1.45 * w }, 2.0 * w, &[free("air.damping", 1.0, 100.0)]);
+    assert!((r.from - 1.5 * w).abs() < 1e-6 * w, "{r:?}");
+    assert!(r.reached && (r.moved[0].to - 40.0).abs() < 1e-5, "{r:?}");
+}
+
+/// A bearing is moved along the shaft: no parameter of a part, so by differences.
+#[test]
+fn a_position_is_moved() {
+    let text = r#"
+machine = { name = "overhung", speed = "3000 rpm" }
+part = [
+    { kind = "disc", name = "drum", mass = "3 kg", polar_inertia = 0.01, diametral_inertia = 0.02 },
+    { kind = "shaft_lumped", name = "lower", between = [{ body = "drum", at = "-100 mm" }, "ground"], stiffness = "3e5 N/m" },
+    { kind = "shaft_lumped", name = "upper", between = [{ body = "drum", at = "60 mm" }, "ground"], stiffness = "3e5 N/m" },
+]
+"#;
+    let loaded = load(text).unwrap_or_else(|d| panic!("{d}"));
+    let study = crate::study::critical_speeds::CriticalSpeeds {
+        speed: crate::model::field::RangeValue { from: 50.0, to: 2000.0, points: None },
+        orders: vec![1.0],
+        margin: 0.15,
+    };
+    let first = crate::study::TypedStudy::result(&study, &loaded.system, &Context::quiet("c")).unwrap().crossings[0].speed;
+    let r = reached(text, &Goal::CriticalSpeed { order: 1.0, at: first }, 1.01 * first, &[free("upper.between[1].at", 0.0, 0.2)]);
+    assert!(r.reached && (r.to / first - 1.01).abs() < 1e-8, "{r:?}");
+    assert!(r.moved[0].to != 0.06);
+}
+
+/// A peak and a jump of a bearing that stiffens.
+#[test]
+fn peaks_and_jumps_are_moved() {
+    let text = r#"
+machine = { name = "separator", speed = "3000 rpm" }
+part = [
+    { kind = "disc", name = "drum", mass = "2.4 kg", eccentricity = "50 um" },
+    { kind = "foundation", name = "base", mass = "25 kg", stiffness = "3.26e5 N/m", damping = "6.59 N s/m" },
+    { kind = "bearing_cubic", name = "bearing", between = ["drum", "base"], law = "per_axis", stiffness = "1.1e7 N/m", cubic_stiffness = "8.7e10 N/m^3" },
+    { kind = "damper", name = "air", between = ["drum", "ground"], damping = "42 N s/m" },
+]
+study = [{ kind = "nonlinear_response", speed = { from = "25 rad/s", to = "5000 rad/s" } }]
+"#;
+    let r = reached(text, &Goal::Jump { at: 2668.0 }, 2600.0, &[free("drum.eccentricity", 1e-5, 1e-4)]);
+    assert!((r.from - 2668.4586212391).abs() < 1e-5, "{r:?}");
+    assert!(r.reached, "{r:?}");
+    let moved = text.replace("50 um", &format!("{:e} m", r.moved[0].to));
+    let again = reached(&moved, &Goal::Jump { at: 2600.0 }, 2600.0, &[free("drum.eccentricity", 1e-6, 1e-3)]);
+    assert!((again.from - 2600.0).abs() < 1e-5, "{again:?}");
+}

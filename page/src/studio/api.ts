@@ -1,0 +1,106 @@
+// Requests to the server beside the page.
+
+import type { Answer, Checked, Free, Progress, Reached, Set, Start, Want } from "./types";
+
+/** An answer that refuses: the sentence of the server, with its status. */
+export class Refused extends Error {
+  constructor(message: string, readonly status: number) { super(message); }
+}
+
+/** The server does not answer at all. */
+export class Unreachable extends Error {}
+
+export const aborted = (e: unknown): boolean => e instanceof DOMException && e.name === "AbortError";
+
+let language = "";
+let serial = 0;
+
+export const speak = (code: string): void => { language = code; };
+export const spoken = (): string => language;
+
+/** Address of the report of a run. */
+export const reportOf = (id: string): string => address(`runs/${encodeURIComponent(id)}/report`);
+
+function address(path: string): string {
+  return `./api/${path}${language ? (path.includes("?") ? "&" : "?") + "lang=" + language : ""}`;
+}
+
+async function request(path: string, body: unknown, signal: AbortSignal | null): Promise<Response> {
+  const init: RequestInit = { signal, cache: "no-store" };
+  if (body !== undefined) {
+    init.method = "POST";
+    init.headers = { "Content-Type": "application/json" };
+    init.body = JSON.stringify(body);
+  }
+  let answer: Response;
+  try {
+    answer = await fetch(address(path), init);
+  } catch (e) {
+    throw aborted(e) ? e : new Unreachable(String(e));
+  }
+  if (!answer.ok) {
+    const text = await answer.text();
+    let sentence = text;
+    try { sentence = (JSON.parse(text) as { error: string }).error || text; } catch { /* the answer is plain text */ }
+    throw new Refused(sentence || answer.statusText, answer.status);
+  }
+  return answer;
+}
+
+const json = async <T>(path: string, body?: unknown, signal: AbortSignal | null = null): Promise<T> => {
+  const answer = await request(path, body, signal);
+  return await answer.json() as T;
+};
+
+export const start = (): Promise<Start> => json("start");
+export const open = (what: "example" | "template" | "file", name: string): Promise<{ file: string; text: string }> =>
+  json(`open?${what}=${encodeURIComponent(name)}`);
+export const save = (file: string, text: string, base: string, force: boolean): Promise<{ file: string }> =>
+  json("save", { file, text, base, force });
+export const check = (text: string, signal: AbortSignal): Promise<Checked> => json("check", { serial: ++serial, text }, signal);
+export const reach = (text: string, target: { what: string; which: unknown; to: number }, free: Free[], signal: AbortSignal): Promise<Reached> =>
+  json("reach", { serial: ++serial, text, target, free }, signal);
+export const run = (text: string, study: string, file: string): Promise<{ id: string }> => json("runs", { text, study, file });
+export const steer = (id: string, what: "pause" | "resume" | "cancel"): Promise<unknown> => json(`runs/${encodeURIComponent(id)}/${what}`, {});
+
+export async function share(text: string, pins: { name: string; text: string }[]): Promise<Blob> {
+  return (await request("share", { text, pins }, null)).blob();
+}
+
+/** Answers of several kinds, each handed over as soon as its line is there. */
+export async function answer(body: { text: string; want: Want[]; speed?: number; set?: Set[] }, signal: AbortSignal, each: (a: Answer) => void): Promise<void> {
+  const response = await request("answer", { serial: ++serial, ...body }, signal);
+  const reader = response.body?.getReader();
+  if (!reader) return;
+  const decoder = new TextDecoder(), open = new Set<string>(body.want);
+  let kept = "";
+  while (open.size) {
+    let part: ReadableStreamReadResult<Uint8Array>;
+    try {
+      part = await reader.read();
+    } catch (e) {
+      throw aborted(e) ? e : new Unreachable(String(e));
+    }
+    kept += part.done ? decoder.decode() : decoder.decode(part.value, { stream: true });
+    const lines = kept.split("\n");
+    kept = part.done ? "" : lines.pop() ?? "";
+    for (const line of lines) {
+      if (!line.trim()) continue;
+      const a = JSON.parse(line) as Answer;
+      open.delete(a.want);
+      each(a);
+    }
+    if (part.done) return;
+  }
+  // all is there: the end of the stream is not waited for, but read, so that the connection can be used again
+  reader.read().catch(() => { /* nothing follows */ });
+}
+
+/** Progress of a run until it ends; the answer closes it. */
+export function events(id: string, each: (p: Progress) => void, lost: (forGood: boolean) => void): () => void {
+  const source = new EventSource(address(`runs/${encodeURIComponent(id)}/events`));
+  source.onmessage = e => each(JSON.parse(String(e.data)) as Progress);
+  // the browser connects again by itself, unless the server does not know the run any more
+  source.onerror = () => lost(source.readyState === EventSource.CLOSED);
+  return () => source.close();
+}

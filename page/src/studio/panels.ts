@@ -1,0 +1,194 @@
+// Live figures: each is asked anew after a change as long as it can be seen.
+
+import { Chosen, Figure } from "../report/figure";
+import type { Payload } from "../report/payload";
+import * as api from "./api";
+import { find, make, say } from "./dom";
+import { PATIENCE } from "./lane";
+import { Layer, overlay } from "./overlay";
+import type { Studio } from "./studio";
+import { Pulled, targets } from "./targets";
+import { Answer, WANTS, Want } from "./types";
+
+/** Figures that are computed at a time beside the modes; the browser needs a core of its own. */
+const AT_ONCE = Math.min(3, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
+
+/** Checks of page one, as its table lists them. */
+export interface Check { what: string; result: string; verdict: string; state: string }
+
+interface Panel {
+  want: Want;
+  box: HTMLElement;
+  body: HTMLElement;
+  took: HTMLElement;
+  /** A request on its way: which text, since when. */
+  running: { abort: AbortController; key: string; since: number } | null;
+  /** When it was answered last. */
+  answered: number;
+  seen: boolean;
+  /** Text and speed of the answer shown, or on its way. */
+  asked: string | null;
+  figures: Figure[];
+  last: Answer | null;
+}
+
+export class Panels {
+  private readonly panels = new Map<Want, Panel>();
+  private readonly listeners: ((a: Answer) => void)[] = [];
+  /** Curves of pinned designs for a figure. */
+  layers: (want: Want, figure: number) => Layer[] = () => [];
+  pulled: Pulled | null = null;
+
+  constructor(host: HTMLElement, private readonly studio: Studio) {
+    const seen = new IntersectionObserver(entries => {
+      for (const e of entries) {
+        const p = this.panels.get((e.target as HTMLElement).dataset.want as Want);
+        if (p) p.seen = e.isIntersecting;
+      }
+      this.pump();
+    }, { root: null, rootMargin: "40px" });
+    for (const want of WANTS) {
+      const p = this.make(want);
+      this.panels.set(want, p);
+      host.append(p.box);
+      seen.observe(p.box);
+      find("#contents").append(make("button", { type: "button", onclick: () => p.box.scrollIntoView({ block: "start" }) }, say(`short-${want}`)));
+    }
+    studio.whenText(() => this.refresh());
+    studio.quick = a => { const p = a.want === "edit" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
+    studio.quickFits = () => { const p = this.panels.get("modes"); if (p) p.asked = this.key(); };
+    studio.whenMachine(() => { for (const p of this.panels.values()) p.box.classList.toggle("stale", studio.errors > 0); });
+  }
+
+  private make(want: Want): Panel {
+    const took = make("span", { class: "took", "aria-hidden": "true" }), body = make("div", { class: "body" });
+    const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
+      make("h2", { id: `title-${want}` }, say(`want-${want}`), took), body);
+    const panel: Panel = {
+      want, box, body, took, seen: false, asked: null, figures: [], last: null, running: null, answered: 0,
+    };
+    return panel;
+  }
+
+  /** Called for each answer shown. */
+  when(f: (a: Answer) => void): void { this.listeners.push(f); }
+
+  /** Asks for all figures that can be seen. */
+  refresh(): void { this.pump(); }
+
+  private key(): string { return `${this.studio.speed}|${this.studio.text}`; }
+
+  /** Whether a panel shows another text than that of the editor. */
+  private wanted(p: Panel): boolean {
+    // modes feed the view in space too
+    if (!p.seen && p.want !== "modes") return false;
+    if (p.want === "modes" && this.studio.promised === this.studio.text) return false;
+    return p.asked !== this.key();
+  }
+
+  /**
+   * Sends what is wanted: modes at once, of the others only as many as the processor answers beside them, the one that waited longest first.
+   * What runs too long for a text that is no more is abandoned.
+   */
+  private pump(): void {
+    const all = [...this.panels.values()], now = performance.now(), key = this.key();
+    for (const p of all) {
+      const r = p.running;
+      if (!r || r.key === key || !this.wanted(p)) continue;
+      if (now - r.since > PATIENCE) r.abort.abort();
+      else setTimeout(() => { if (p.running === r && r.key !== this.key()) r.abort.abort(); }, PATIENCE - (now - r.since));
+    }
+    const waiting = all.filter(p => !p.running && this.wanted(p)).sort((a, b) => a.answered - b.answered);
+    let room = AT_ONCE - all.filter(p => p.running && p.want !== "modes").length;
+    for (const p of waiting) if (p.want === "modes" || room-- > 0) void this.send(p);
+  }
+
+  private async send(p: Panel): Promise<void> {
+    const { text, speed } = this.studio, run = p.running = { abort: new AbortController(), key: this.key(), since: performance.now() };
+    p.asked = run.key;
+    p.box.classList.add("busy");
+    p.box.setAttribute("aria-busy", "true");
+    try {
+      await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, run.abort.signal, a => { if (a.want === p.want) this.show(p, a); });
+    } catch (e) {
+      p.running = null;
+      // what the server refuses is not asked again
+      if (p.asked === run.key && !(e instanceof api.Refused)) p.asked = null;
+      if (!api.aborted(e)) return this.studio.failed(e);
+      return this.pump();
+    } finally {
+      p.box.classList.remove("busy");
+      p.box.removeAttribute("aria-busy");
+    }
+    p.running = null;
+    p.answered = performance.now();
+    this.pump();
+  }
+
+  private show(p: Panel, a: Answer): void {
+    if (a.error !== undefined) {
+      p.box.classList.add("stale");
+      p.box.classList.add("filled");
+      if (!p.last) p.body.replaceChildren(make("p", { class: "none" }, a.error));
+      p.took.textContent = "";
+      return;
+    }
+    p.last = a;
+    p.box.classList.add("filled");
+    p.box.classList.remove("stale");
+    p.took.textContent = a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`;
+    this.draw(p, a);
+    this.listeners.forEach(f => f(a));
+  }
+
+  private draw(p: Panel, a: Answer): void {
+    const chosen: Chosen[] = p.figures.map(f => f.choice()), open = [...p.body.querySelectorAll("details")].map(d => d.open);
+    const html = a.html ?? "";
+    p.body.innerHTML = html || `<p class="none"></p>`;
+    if (!html) p.body.querySelector("p")!.textContent = say("nothing");
+    p.body.querySelectorAll("details").forEach((d, i) => { if (open[i] !== undefined) d.open = open[i]; });
+    p.figures = [];
+    p.body.querySelectorAll<HTMLElement>("figure.fig").forEach((box, n) => {
+      if (!box.querySelector("script")) return;
+      const f = new Figure(box);
+      p.figures.push(f);
+      const layers = this.layers(p.want, n);
+      if (layers.length) overlay(f, layers);
+      if (chosen[n]) f.choose(chosen[n]);
+    });
+    if (p.want !== "page" && a.targets?.length && p.figures[0] && this.pulled) targets(p.figures[0], p.body, a.targets, this.pulled);
+  }
+
+  /** Another machine: nothing of the last one stays. */
+  forget(): void {
+    for (const p of this.panels.values()) {
+      p.running?.abort.abort();
+      p.asked = p.last = null;
+      p.figures = [];
+      p.body.replaceChildren();
+      p.took.textContent = "";
+      p.box.classList.remove("filled", "stale");
+    }
+  }
+
+  /** Draws anew what is there, after pins changed. */
+  redraw(): void { for (const p of this.panels.values()) if (p.last) { this.draw(p, p.last); this.listeners.forEach(f => f(p.last as Answer)); } }
+
+  /** Numbers of the figures shown, to be kept with a pin. */
+  payloads(): Partial<Record<Want, Payload[]>> {
+    return Object.fromEntries([...this.panels.values()].filter(p => p.figures.length).map(p => [p.want, p.figures.map(f => f.data)]));
+  }
+
+  /** Checks of page one. */
+  checks(): Check[] {
+    const rows = this.panels.get("page")?.body.querySelectorAll<HTMLTableRowElement>("table.chk tbody tr") ?? [];
+    return [...rows].map(r => {
+      const [what, result, , verdict] = [...r.cells].map(c => c.textContent ?? ""), state = r.cells[3]?.className.replace(/^s /, "") ?? "no";
+      const short = r.cells[1]?.firstChild?.textContent ?? result;
+      return { what: what ?? "", result: short, verdict: verdict ?? "", state };
+    });
+  }
+
+  last(want: Want): Answer | null { return this.panels.get(want)?.last ?? null; }
+  box(want: Want): HTMLElement { return this.panels.get(want)!.box; }
+}

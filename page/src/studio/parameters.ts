@@ -1,0 +1,128 @@
+// Every number of the machine: a slider, the value as the file writes it, and whether it may be moved by the program.
+
+import { say, make } from "./dom";
+import { fromSlider, toSlider, written } from "./quantity";
+import type { Studio } from "./studio";
+import type { Free, Parameter } from "./types";
+
+/** The label without the name of the part, which stands above. */
+function short(p: Parameter): string {
+  const part = p.path.split(".")[0].replaceAll("_", " "), label = p.label.replaceAll("_", " ");
+  return label.length > part.length + 1 && label.startsWith(part) ? label.slice(part.length).replace(/^[,\s]+/, "") : label;
+}
+
+interface Row {
+  box: HTMLElement;
+  slider: HTMLInputElement;
+  written: HTMLInputElement;
+  free: HTMLInputElement;
+  low: HTMLInputElement;
+  high: HTMLInputElement;
+  of: Parameter;
+  /** Range of the slider: it stays as long as the value is inside, so that a thumb that is moved does not shift its own scale. */
+  from: number;
+  to: number;
+  unit: HTMLElement;
+  /** Text that stands in the field. */
+  shown: string;
+}
+
+export class Parameters {
+  private readonly rows = new Map<string, Row>();
+  private readonly groups = new Map<string, HTMLDetailsElement>();
+  private sliding = false;
+
+  constructor(private readonly host: HTMLElement, private readonly studio: Studio, private readonly released: () => void) {
+    studio.whenMachine(() => this.update());
+  }
+
+  /** Parameters that the program may move, with their ranges. */
+  free(): Free[] {
+    return [...this.rows.values()].filter(r => r.free.checked)
+      .map(r => ({ path: r.of.path, low: this.bound(r, r.low, r.from), high: this.bound(r, r.high, r.to) }));
+  }
+
+  /** A bound is written in the units of the file. */
+  private bound(r: Row, input: HTMLInputElement, otherwise: number): number {
+    const v = input.value.trim() === "" ? NaN : +input.value.replace(",", ".");
+    return isFinite(v) ? v / written(r.of).factor : otherwise;
+  }
+
+  /** Another machine: nothing of the last one stays. */
+  forget(): void {
+    for (const row of this.rows.values()) row.box.remove();
+    this.rows.clear();
+  }
+
+  private update(): void {
+    const all = this.studio.machine?.parameters ?? [], known = new Set(all.map(p => p.path)), active = document.activeElement;
+    for (const [path, row] of this.rows) if (!known.has(path)) { row.box.remove(); this.rows.delete(path); }
+    for (const p of all) {
+      const row = this.rows.get(p.path) ?? this.add(p);
+      row.of = p;
+      if (p.value < row.from || p.value > row.to) { row.from = p.low; row.to = p.high; }
+      // an input that is written to is laid out anew even when nothing changes
+      const slides = this.sliding && row.slider === active, at = String(toSlider(p.value, row.from, row.to));
+      if (!slides && row.slider.value !== at) row.slider.value = at;
+      if (row.shown === p.shown || row.written === active) continue;
+      row.shown = row.written.value = p.shown;
+      row.slider.setAttribute("aria-valuetext", p.shown);
+    }
+    for (const [name, group] of this.groups) {
+      if (group.querySelector(".row")) continue;
+      group.remove();
+      this.groups.delete(name);
+    }
+  }
+
+  private group(path: string): HTMLElement {
+    const name = path.includes(".") ? path.slice(0, path.indexOf(".")) : "";
+    let group = this.groups.get(name);
+    if (!group) {
+      group = make("details", { open: this.groups.size < 6 }, make("summary", {}, name || say("machine")));
+      this.groups.set(name, group);
+      this.host.append(group);
+    }
+    return group;
+  }
+
+  private add(p: Parameter): Row {
+    const slider = make("input", { type: "range", min: 0, max: 1000, "aria-label": p.label, title: p.doc });
+    const field = make("input", { type: "text", class: "written", spellcheck: "false", autocomplete: "off", "aria-label": `${p.label}, ${say("value")}` });
+    const free = make("input", { type: "checkbox", "aria-label": `${p.label}, ${say("released")}`, title: say("released-help") });
+    const end = (key: string) => make("input", { type: "text", inputmode: "decimal", class: "bound", "aria-label": `${p.label}, ${say(key)}`, title: p.unit });
+    const unit = make("span", {});
+    const low = end("from"), high = end("to");
+    const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", unit);
+    const box = make("div", { class: "row", "data-path": p.path },
+      make("label", { class: "name", title: p.doc }, short(p)), slider, field, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
+    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, unit, shown: "" };
+    slider.addEventListener("input", () => {
+      if (!this.sliding) { this.sliding = true; this.studio.begin(); }
+      this.studio.change([{ path: row.of.path, value: fromSlider(+slider.value, row.from, row.to) }]);
+    });
+    const done = () => { if (this.sliding) { this.sliding = false; this.studio.end(); } };
+    slider.addEventListener("change", done);
+    slider.addEventListener("blur", done);
+    field.addEventListener("change", () => {
+      const text = field.value.trim();
+      row.shown = field.value;
+      if (text && text !== row.of.shown) this.studio.change([{ path: row.of.path, written: text }]);
+      else row.shown = field.value = row.of.shown;
+    });
+    field.addEventListener("keydown", e => { if (e.key === "Escape") { field.value = row.of.shown; field.blur(); } });
+    free.addEventListener("change", () => {
+      range.hidden = !free.checked;
+      box.classList.toggle("free", free.checked);
+      if (free.checked && !low.value) {
+        const { unit, factor } = written(row.of);
+        row.unit.textContent = unit;
+        [low.value, high.value] = [row.from, row.to].map(v => String(+(v * factor).toPrecision(4)));
+      }
+      this.released();
+    });
+    this.rows.set(p.path, row);
+    this.group(p.path).append(box);
+    return row;
+  }
+}

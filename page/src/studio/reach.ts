@@ -1,0 +1,129 @@
+// Drag the answer: the program moves the released parameters until the result is where it was pulled to.
+
+import * as api from "./api";
+import { button, make, say } from "./dom";
+import { Lane } from "./lane";
+import { inFile } from "./quantity";
+import { minus, number, unit } from "../report/numbers";
+import { el } from "../report/path";
+import type { Studio } from "./studio";
+import type { Pulled } from "./targets";
+import type { Free, Reached, Target } from "./types";
+
+interface Goal { target: Target; to: number; text: string; unit: string }
+
+export class Reach implements Pulled {
+  private readonly lane: Lane<Goal>;
+  private answer: Reached | null = null;
+  private released = false;
+  private unfolded = false;
+  private goal: Goal | null = null;
+
+  constructor(private readonly host: HTMLElement, private readonly studio: Studio, private readonly free: () => Free[]) {
+    this.lane = new Lane((g, signal) => this.work(g, signal), e => { this.answer = null; studio.failed(e); });
+    this.lane.idled = () => { if (this.released) this.finish(); };
+    this.idle();
+  }
+
+  /** Without a pull: what can be done here. */
+  idle(): void {
+    const n = this.free().length;
+    this.host.replaceChildren(make("p", { class: "hint" }, n ? say("pull-help", { count: n }) : say("release-first")));
+  }
+
+  begin(): boolean {
+    this.released = false;
+    this.answer = null;
+    if (this.free().length) {
+      this.studio.tell("");
+      return true;
+    }
+    this.studio.tell(say("release-first"));
+    return false;
+  }
+
+  move(target: Target, v: number, text: string, unit: string): void {
+    this.goal = { target, to: v / target.factor, text, unit };
+    this.lane.ask(this.goal);
+  }
+
+  end(_: Target, kept: boolean): void {
+    if (!kept) { this.lane.stop(); this.answer = null; this.idle(); return; }
+    this.released = true;
+    if (this.lane.idle) this.finish();
+  }
+
+  pick(target: Target, v: number, name: string): void {
+    const field = make("input", { type: "text", inputmode: "decimal", value: +v.toPrecision(5), "aria-label": target.label });
+    const go = () => {
+      const wanted = parseFloat(field.value.replace(",", "."));
+      if (!isFinite(wanted)) return;
+      this.released = true;
+      this.goal = { target, to: wanted / target.factor, text: number(wanted) + unit(name), unit: name };
+      this.lane.ask(this.goal);
+    };
+    field.addEventListener("keydown", e => { if (e.key === "Enter") { e.preventDefault(); go(); } else if (e.key === "Escape") this.idle(); });
+    this.host.replaceChildren(make("p", { class: "pick" }, make("label", {}, target.label, " ", field, unit(name)), " ", button("reach", go)));
+    field.select();
+  }
+
+  private async work(g: Goal, signal: AbortSignal): Promise<void> {
+    const { what, which } = g.target;
+    this.answer = await api.reach(this.studio.text, { what, which, to: g.to }, this.free(), signal);
+    this.show(g, this.answer);
+  }
+
+  /** The text changes when the handle is let go, as one step. */
+  private finish(): void {
+    this.released = false;
+    const a = this.answer;
+    if (!a || !this.goal) return;
+    if (a.reached) this.studio.editor.apply(a.edits);
+    else if (a.edits.length) this.host.append(button("take-nearest", () => { this.studio.editor.apply(a.edits); this.idle(); }, { class: "nearest" }));
+  }
+
+  private show(g: Goal, a: Reached): void {
+    const name = (path: string) => this.studio.parameter(path)?.label ?? path;
+    const amount = (path: string, v: number) => inFile(this.studio.parameter(path), v);
+    const percent = (v: number) => minus((100 * v).toFixed(0)) + " %";
+    const head = make("p", { class: a.reached ? "ok" : "bad", role: "status" },
+      a.impossible ? a.impossible.sentence : say(a.reached ? "reached" : "not-reached", { name: g.target.label, value: g.text }));
+    const parts: HTMLElement[] = [head];
+    const cell = (text: string) => make("td", {}, text);
+    const th = (key: string) => make("th", { scope: "col" }, say(key));
+    if (a.moved.length) {
+      parts.push(make("table", { class: "moved" },
+        make("thead", {}, make("tr", {}, th("parameter"), th("from"), th("to"), th("share-column"))),
+        make("tbody", {}, ...a.moved.map(m => make("tr", { class: m.at_bound ? "bound" : "" },
+          cell(name(m.path)), cell(amount(m.path, m.from)), cell(amount(m.path, m.to) + (m.at_bound ? ` (${say("at-bound")})` : "")), cell(percent(m.share)))))));
+    }
+    const curve = a.curve && a.curve.length > 2 ? this.curve(a.curve, g) : null;
+    if (a.trade.length || curve) {
+      const details = make("details", { open: this.unfolded }, make("summary", {}, say("trade")));
+      details.addEventListener("toggle", () => { this.unfolded = details.open; });
+      if (curve) details.append(curve);
+      if (a.trade.length) details.append(make("table", { class: "moved" },
+        make("thead", {}, make("tr", {}, th("alone"), th("to"), th("result"))),
+        make("tbody", {}, ...a.trade.map(t => make("tr", { class: t.reached ? "" : "bound" }, cell(name(t.path)), cell(amount(t.path, t.value)), cell(this.result(g, t.target)))))));
+      parts.push(details);
+    }
+    this.host.replaceChildren(...parts);
+  }
+
+  private result(g: Goal, v: number): string { return number(+(v * g.target.factor).toPrecision(4)) + unit(g.unit); }
+
+  /** How much the parameters must change for how much of the result. */
+  private curve(points: [number, number][], g: Goal): HTMLElement {
+    const xs = points.map(p => p[0]), lo = Math.min(...xs), hi = Math.max(...xs), most = Math.max(...points.map(p => p[1]), 1e-9);
+    const X = (v: number) => 8 + 284 * (v - lo) / (hi - lo || 1), Y = (v: number) => 84 - 74 * v / most;
+    const svg = el("svg", { viewBox: "0 0 300 106", role: "img", class: "curve", "aria-label": say("trade-curve") });
+    svg.append(
+      el("path", { class: "ax", d: "M8 10V84H292", fill: "none" }),
+      el("path", { class: "c0", fill: "none", "stroke-width": 2, d: points.map(([x, y], i) => `${i ? "L" : "M"}${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join("") }),
+      el("text", { class: "t so", x: 8, y: 100 }, this.result(g, lo)), el("text", { class: "t so", x: 292, y: 100, "text-anchor": "end" }, this.result(g, hi)),
+      el("text", { class: "t so", x: 12, y: 18 }, `${say("change")} ${minus((100 * most).toPrecision(2))} %`),
+    );
+    for (const [x, y] of points) svg.append(el("circle", { class: "mf c0", cx: X(x).toFixed(1), cy: Y(y).toFixed(1), r: 2.6 }));
+    return make("figure", { class: "trade" }, svg);
+  }
+}
