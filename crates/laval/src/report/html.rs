@@ -5,7 +5,7 @@ use super::animation::animation;
 use super::embed::hash;
 use super::evidence;
 use super::first_page;
-use super::payload::{column_for, payload};
+use super::payload::{column_for, drawn_on_page, payload};
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
 use super::text::{escape, prose};
@@ -331,8 +331,9 @@ fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
         "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b></figcaption>\n<div class=\"plot\">",
         prose(&scene.title)
     );
-    s.push_str(&render(scene, WIDE, column.max(1.0), Some(&format!("{id}w"))));
-    s.push_str(&render(scene, NARROW, column.max(1.0), Some(&format!("{id}n"))));
+    let still = column.max(drawn_on_page(scene));
+    s.push_str(&render(scene, WIDE, still, Some(&format!("{id}w"))));
+    s.push_str(&render(scene, NARROW, still, Some(&format!("{id}n"))));
     let _ = writeln!(
         s,
         "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>{}</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
