@@ -68,8 +68,8 @@ fn rows(table: &Table, range: std::ops::Range<usize>) -> Vec<u8> {
 
 /// The shortest digits that give the same bits, as `{:?}` writes them.
 fn float(x: f64, digits: &mut zmij::Buffer, out: &mut Vec<u8>) {
-    // numbers from 1e-5 to 1e-4 have a power of ten there and none here
-    if x.is_finite() && !(1e-5..1e-4).contains(&x.abs()) {
+    // numbers from 1e-5 to 1e-4 have a power of ten there and none here, large ones a sign of it here and none there
+    if x.is_finite() && x.abs() < 1e16 && !(1e-5..1e-4).contains(&x.abs()) {
         out.extend_from_slice(digits.format_finite(x).as_bytes());
     } else {
         out.extend_from_slice(format!("{x:?}").as_bytes());

@@ -10,7 +10,7 @@ use crate::outcome::unit_text;
 use crate::plain;
 use serde_json::{Value, json};
 
-/// Most points in all drawings of a page that can be zoomed: about 11 bytes each.
+/// Most points in all drawings of a page that can be zoomed, about 11 bytes each. With the part that each drawing has at least there may be twice as many.
 const MOST_POINTS: usize = 30_000;
 /// Most points in a drawing of a file of its own, and in one of the two that a page shows before its script runs.
 const ALONE: usize = 45_000;
@@ -28,9 +28,25 @@ pub(super) fn drawn_on_page(scene: &Scene) -> f64 {
     column_within(&[scene], ON_PAGE).max(1.0)
 }
 
-/// The finest thinning that keeps all scenes together below the limit of a page.
-pub(super) fn column_for(scenes: &[&Scene]) -> f64 {
-    column_within(scenes, MOST_POINTS)
+/// How the scenes of a page are thinned.
+#[derive(Clone, Copy)]
+pub(super) struct Thinning {
+    /// The finest that keeps all scenes together below the limit of a page.
+    column: f64,
+    /// The part of the limit that each scene has for itself.
+    share: usize,
+}
+
+impl Thinning {
+    /// For these scenes.
+    pub fn of(scenes: &[&Scene]) -> Self {
+        Thinning { column: column_within(scenes, MOST_POINTS), share: MOST_POINTS / scenes.len().max(1) }
+    }
+
+    /// Of a scene: a long orbit beside it makes it no coarser than its own points do.
+    pub fn column(&self, scene: &Scene) -> f64 {
+        self.column.min(column_within(&[scene], self.share))
+    }
 }
 
 fn column_within(scenes: &[&Scene], most: usize) -> f64 {

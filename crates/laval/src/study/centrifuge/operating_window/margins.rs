@@ -406,8 +406,7 @@ fn spin_energy(system: &System, speed: f64) -> f64 {
     };
     let mut work = |speed: f64| (row(speed, 1.0) - row(speed, 0.0)) * speed;
     // exact for an inertia that does not depend on the speed; that of cups which swing out changes smoothly
-    let half = 0.5 * speed;
-    gauss(NODES).into_iter().map(|(x, weight)| work(half * (1.0 + x)) * weight * half).sum()
+    gauss(NODES).into_iter().map(|(x, weight)| work(speed * x) * weight * speed).sum()
 }
 
 /// A first guess of the speed that separates: along the radius from the surface to the outermost place, an upper bound of the demand.

@@ -12,7 +12,7 @@ use crate::study::motion::steady_state::Member;
 use std::ops::Range;
 
 /// Speeds looked at together: as many whatever the number of processors, so that the result does not depend on it.
-pub(super) const TOGETHER: usize = 16;
+const TOGETHER: usize = 16;
 /// Distance of two states over their size, and over the tolerance of settling, at which they belong to one motion.
 const SAME: f64 = 100.0;
 

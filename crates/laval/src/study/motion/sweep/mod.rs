@@ -43,7 +43,6 @@ use crate::study::shared::support::{SPEED_RANGE, range_or};
 use crate::study::{Context, Study};
 use crate::text;
 use crate::text::Text;
-use ahead::TOGETHER;
 use laval_num::work::Here;
 use lyapunov::Pairs;
 use rayon::prelude::*;
@@ -52,6 +51,9 @@ use rows::Row;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
+
+/// Followed motions in a chunk, at least: so many that their lanes fill.
+const FOLLOWED: usize = 12;
 
 const STARTS: &[Word] = &[
     ("rest", "from the same state at every speed: which motion is reached depends on it"),
@@ -248,7 +250,7 @@ start = "up_and_down"
         let (steps, ways) = (members.speeds.len(), self.ways.len());
         let followed = self.ways.iter().any(|w| *w != Way::Rest);
         // a chunk of followed motions is as long as a kill may cost, one of single motions as the lanes like
-        let chunk = if followed { steps.div_ceil(50).clamp(TOGETHER, 64) } else { steps.div_ceil(50).clamp(64, 1024) };
+        let chunk = if followed { steps.div_ceil(50).clamp(FOLLOWED, 64) } else { steps.div_ceil(50).clamp(64, 1024) };
         let rows = rows::columns(self, &members);
         let plan = store::Plan {
             study: Self::KIND.into(),
