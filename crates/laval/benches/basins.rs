@@ -10,12 +10,15 @@ mod allocator;
 mod clock;
 #[path = "common/processor.rs"]
 mod processor;
+#[path = "common/row.rs"]
+mod row;
 
 use clock::clock;
 use laval::file::load;
 use laval::outcome::Outcome;
 use laval::study::{Context, Progress};
 use processor::processor;
+use row::row;
 use std::sync::{Mutex, PoisonError};
 
 /// Half the width of the map, rad.
@@ -65,6 +68,7 @@ fn bench(side: usize, speed: f64) -> Option<()> {
     let map = run(&machine(speed, side), &notes)?;
     let spent = (*notes.at.lock().ok()?)? - begin;
     let steps = map.work.get("steps").map_or(f64::NAN, |n| *n as f64);
+    row(&format!("basins, {cells} starts, speed {speed}"), spent, None);
     println!(
         "speed {speed}: {cells} starts in {spent:.1} s of one core, {:.0} starts/s: 1000 by 1000 in {:.1} min; {:.0} steps a start ({:.0} s for the comparison)",
         cells as f64 / spent,

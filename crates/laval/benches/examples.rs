@@ -1,17 +1,24 @@
-//! How long every example takes: each of its studies, and the first page of its report, on all processors; the time of one run each.
+//! How long every example takes: each of its studies, and the first page of its report, on all processors: the time on the wall clock and that of all processors together, of one run each.
 //!
 //! `cargo bench -p laval --bench examples [-- EXAMPLES... KINDS...]`, each by a part of its name; `page` is the first page
 
 #[path = "common/allocator.rs"]
 mod allocator;
 
+#[path = "common/clock.rs"]
+mod clock;
+
 #[path = "common/processor.rs"]
 mod processor;
 
+#[path = "common/row.rs"]
+mod row;
+
+use clock::{all_threads, wall};
 use laval::outcome::Outcome;
 use laval::study::{Context, overview};
 use processor::processor;
-use std::time::Instant;
+use row::row;
 
 fn main() {
     println!("processor: {}", processor());
@@ -31,24 +38,30 @@ fn main() {
             Err(d) => return println!("{name}: {d:?}"),
         };
         println!("{name}");
-        let (mut outcomes, mut whole): (Vec<Outcome>, f64) = (Vec::new(), 0.0);
-        let mut timed = |what: &str, seconds: f64| {
-            println!("    {what:36} {seconds:8.3} s");
-            whole += seconds;
+        let (mut outcomes, mut whole): (Vec<Outcome>, [f64; 2]) = (Vec::new(), [0.0; 2]);
+        let shown = |what: &str, [wall, work]: [f64; 2]| {
+            println!("    {what:36} {wall:8.3} s {work:8.3} s of processors");
+            row(&format!("{name}, {what}"), wall, Some(("all processors together", work)));
+        };
+        let now = || [wall(), all_threads()];
+        let since = |start: [f64; 2]| [wall() - start[0], all_threads() - start[1]];
+        let mut timed = |what: &str, took: [f64; 2]| {
+            shown(what, took);
+            whole = [whole[0] + took[0], whole[1] + took[1]];
         };
         for s in &loaded.studies {
             if chosen(&s.name, &of_studies) {
-                let start = Instant::now();
+                let start = now();
                 outcomes.extend(s.study.run(&loaded.system, &Context::quiet("example")));
-                timed(&s.name, start.elapsed().as_secs_f64());
+                timed(&s.name, since(start));
             }
         }
         if chosen("page", &of_studies) {
             let speeds: Vec<_> = loaded.studies.iter().flat_map(|s| s.study.speeds(&loaded.system)).collect();
-            let start = Instant::now();
+            let start = now();
             overview(&loaded.system, &speeds, &outcomes, &Context::quiet("summary"));
-            timed("page", start.elapsed().as_secs_f64());
+            timed("page", since(start));
         }
-        println!("    {:36} {whole:8.3} s", "all");
+        shown("all", whole);
     }
 }

@@ -11,6 +11,8 @@ mod allocator;
 mod clock;
 #[path = "common/processor.rs"]
 mod processor;
+#[path = "common/row.rs"]
+mod row;
 
 use clock::clock;
 use laval::cavity::{Cavity, Tilt, Truncation};
@@ -22,6 +24,7 @@ use laval::study::support::About;
 use laval::study::{Context, ErasedStudy};
 use laval_num::complex::{C64, c};
 use processor::processor;
+use row::row;
 use std::hint::black_box;
 
 /// Least time of one evaluation over many rounds, us, and the last result.
@@ -63,6 +66,7 @@ fn map(name: &str, text: &str, points: usize) {
         (out, clock() - start)
     });
     let edges = out.special_points.iter().filter(|p| p.kind.starts_with("instability")).count();
+    row(&format!("stability map {points} by {points}, {name}"), took, None);
     println!("map of {points} by {points}, {name}: {took:.1} s, {edges} points of the boundary");
     for f in out.findings.iter().filter(|f| f.id.contains("counted")) {
         println!("    {f:?}");

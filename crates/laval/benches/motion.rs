@@ -6,9 +6,16 @@
 #[path = "common/allocator.rs"]
 mod allocator;
 
+#[path = "common/clock.rs"]
+mod clock;
+
 #[path = "common/processor.rs"]
 mod processor;
 
+#[path = "common/row.rs"]
+mod row;
+
+use clock::clock;
 use laval::model::system::System;
 use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
@@ -17,7 +24,7 @@ use laval::solve::reduced_machine::ReducedMachine;
 use laval_num::complex::c;
 use laval_num::ode::{DenseSolver, Ode, StiffOde};
 use processor::processor;
-use std::time::Instant;
+use row::row;
 
 const OUTPUTS: usize = 10_000;
 const SPEED: f64 = 314.0;
@@ -59,14 +66,14 @@ fn run(what: &str, system: &System, law: &SpinLaw, (t_end, relative): (f64, f64)
     };
     let mut best = (f64::INFINITY, String::new());
     for _ in 0..3 {
-        let start = Instant::now();
+        let start = clock();
         let Ok(mut motion) = Motion::new(system, law.clone()) else { return println!("{what}: no motion") };
         if account {
             let _ = motion.keep_account();
         }
         let y = vec![0.0; motion.dim()];
         let Ok(found) = simulate(&mut motion, &y, &plan) else { return println!("{what}: no trajectory") };
-        let time = start.elapsed().as_secs_f64();
+        let time = clock() - start;
         let work = found.run.work;
         let steps = work.steps + work.rejected;
         let line = format!(
@@ -82,11 +89,12 @@ fn run(what: &str, system: &System, law: &SpinLaw, (t_end, relative): (f64, f64)
         }
     }
     println!("{what:45} {:4} coordinates  {}", system.n(), best.1);
+    row(&format!("{what}, tolerance {relative:e}, {} coordinates", system.n()), best.0, None);
 }
 
 /// State at the end of a motion from rest, and how long it took, s.
 fn adaptive(system: &System, law: &SpinLaw, t_end: f64, relative: f64) -> Option<(Vec<f64>, f64, u64)> {
-    let start = Instant::now();
+    let start = clock();
     let plan = Plan {
         t_end,
         choice: Choice::Stiff,
@@ -104,13 +112,13 @@ fn adaptive(system: &System, law: &SpinLaw, t_end: f64, relative: f64) -> Option
     let mut motion = Motion::new(system, law.clone()).ok()?;
     let y = vec![0.0; motion.dim()];
     let found = simulate(&mut motion, &y, &plan).ok()?;
-    Some((found.state, start.elapsed().as_secs_f64(), found.run.work.steps + found.run.work.rejected))
+    Some((found.state, clock() - start, found.run.work.steps + found.run.work.rejected))
 }
 
 /// The same by Newmark's method of average acceleration, which is the trapezoidal rule on these equations: steps of one length, a tangent kept for some of them, and as many
 /// corrections as leave less than a thousandth of the error of the step.
 fn newmark(system: &System, law: &SpinLaw, t_end: f64, steps: usize) -> Option<(Vec<f64>, f64, usize)> {
-    let start = Instant::now();
+    let start = clock();
     let mut motion = Motion::new(system, law.clone()).ok()?;
     let (n, h) = (motion.dim(), t_end / steps as f64);
     let mut dense = DenseSolver::default();
@@ -145,7 +153,7 @@ fn newmark(system: &System, law: &SpinLaw, t_end: f64, steps: usize) -> Option<(
         motion.rhs(t1, &next, &mut f).ok()?;
         std::mem::swap(&mut y, &mut next);
     }
-    Some((y, start.elapsed().as_secs_f64(), corrections))
+    Some((y, clock() - start, corrections))
 }
 
 /// Errors of the displacements at the end over times.
@@ -154,6 +162,7 @@ fn compared(what: &str, system: &System, law: &SpinLaw, t_end: f64) {
     let size = |x: &[f64]| x[..system.n()].iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let error = |y: &[f64]| y.iter().zip(&exact).take(system.n()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size(&exact);
     println!("{what}: time and error of the displacements after {t_end} s");
+    let mut own: Vec<(f64, f64)> = Vec::new();
     for relative in [1e-4, 1e-6, 1e-8] {
         if let Some((y, time, steps)) = adaptive(system, law, t_end, relative) {
             println!(
@@ -162,11 +171,17 @@ fn compared(what: &str, system: &System, law: &SpinLaw, t_end: f64) {
                 error(&y),
                 time * 1e6 / steps as f64
             );
+            own.push((error(&y), time));
         }
     }
     for steps in [10_000, 20_000, 40_000, 80_000] {
         if let Some((y, time, corrections)) = newmark(system, law, t_end, steps) {
             let each = time * 1e6 / steps as f64;
+            // beside the quickest adaptive run that is at least as exact
+            let exact = own.iter().filter(|o| o.0 <= error(&y)).map(|o| o.1).reduce(f64::min);
+            if let Some(adaptive) = exact {
+                row(&format!("{what}, error {:.0e}", error(&y)), adaptive, Some(("Newmark", time)));
+            }
             println!(
                 "  Newmark          {:9.1} ms  error {:8.1e}  {steps:7} steps of {each:6.1} us, {corrections} corrections",
                 time * 1e3,

@@ -9,13 +9,20 @@ mod common;
 #[path = "common/allocator.rs"]
 mod allocator;
 
+#[path = "common/clock.rs"]
+mod clock;
+
 #[path = "common/processor.rs"]
 mod processor;
 
+#[path = "common/row.rs"]
+mod row;
+
+use clock::clock;
 use laval::solve::harmonic::branches::response::{Request, respond};
 use processor::processor;
+use row::row;
 use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 fn main() {
     let machine = common::Base { e: 5e-5, ..common::Base::default() };
@@ -31,13 +38,14 @@ fn main() {
         let mut times = Vec::new();
         let mut last = None;
         for _ in 0..runs {
-            let start = Instant::now();
+            let start = clock();
             last = respond(&system, &request, &never, &|_| {}).ok();
-            times.push(start.elapsed().as_secs_f64() * 1e3);
+            times.push((clock() - start) * 1e3);
         }
         times.sort_by(f64::total_cmp);
         let Some(response) = last else { return println!("the response failed") };
         println!("{name}: least {:.2} ms, median {:.2} ms over {runs} runs", times[0], times[times.len() / 2]);
+        row(&format!("response, {name}"), times[0] * 1e-3, None);
         for (what, count) in &response.work {
             println!("    {what}: {count}");
         }

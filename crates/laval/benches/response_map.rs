@@ -12,6 +12,8 @@ mod clock;
 mod common;
 #[path = "common/processor.rs"]
 mod processor;
+#[path = "common/row.rs"]
+mod row;
 
 use clock::clock;
 use laval::model::field::RangeValue;
@@ -21,6 +23,7 @@ use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::response_map::{ParameterAxis, ResponseMap};
 use laval::study::{Context, ErasedStudy};
 use processor::processor;
+use row::row;
 
 /// Responses computed one by one at most.
 const SINGLE: usize = 100;
@@ -77,6 +80,8 @@ fn main() {
         points += o.map_or(f64::NAN, |o| o.work.get("points").copied().unwrap_or(0) as f64);
         compared += number(&outcome, "points", row);
     }
+    let each = [spent / cells as f64, alone / chosen.len() as f64];
+    row("one response in a map of them", each[0], Some(("alone", each[1])));
     println!(
         "{} of them one by one: {:.2} ms each, {:.1} us per point; in the map {:.2} ms each, {:.1} us per point; points agree: {}",
         chosen.len(),

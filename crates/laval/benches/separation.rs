@@ -10,6 +10,8 @@ mod allocator;
 mod clock;
 #[path = "common/processor.rs"]
 mod processor;
+#[path = "common/row.rs"]
+mod row;
 
 use clock::clock;
 use laval::separation::cup::{Hanging, SwingingCup};
@@ -19,6 +21,7 @@ use laval::separation::particle::Medium;
 use laval::separation::separator::{Cup, Separator};
 use laval::separation::suspension::{Model, Powder, leave, members, powder_efficiency, products};
 use processor::processor;
+use row::row;
 
 fn main() {
     let n = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(1_000_000);
@@ -41,6 +44,7 @@ fn main() {
             caught += usize::from(exit.is_some_and(|e| e.time <= 10.0));
         }
         let seconds = clock() - start;
+        row(&format!("{n} particles {name}"), seconds, None);
         println!(
             "{n} particles {name}, one core: {seconds:.2} s of processor, {:.2} us each; caught in 10 s: {}",
             1e6 * seconds / n as f64,

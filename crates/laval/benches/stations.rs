@@ -8,9 +8,16 @@ mod common;
 #[path = "common/allocator.rs"]
 mod allocator;
 
+#[path = "common/clock.rs"]
+mod clock;
+
 #[path = "common/processor.rs"]
 mod processor;
 
+#[path = "common/row.rs"]
+mod row;
+
+use clock::clock;
 use common::shaft::shaft;
 use laval::solve::criticals::criticals;
 use laval::solve::linear_response::responses;
@@ -22,7 +29,7 @@ use laval::solve::statics::supports::supports;
 use laval::solve::support_map::{Spin, SupportMap};
 use laval::solve::sweep::sweep;
 use processor::processor;
-use std::time::Instant;
+use row::row;
 
 const SPEED: f64 = 314.0;
 /// Full matrices of more stations take minutes.
@@ -31,9 +38,9 @@ const FULL: usize = 51;
 fn least<T>(runs: usize, mut f: impl FnMut() -> T) -> (f64, Option<T>) {
     let mut out = (f64::INFINITY, None);
     for _ in 0..runs {
-        let start = Instant::now();
+        let start = clock();
         let found = f();
-        out = (out.0.min(start.elapsed().as_secs_f64() * 1e3), Some(found));
+        out = (out.0.min((clock() - start) * 1e3), Some(found));
     }
     out
 }
@@ -67,6 +74,10 @@ fn main() {
             Some((0..20).map(|k| map.roots(1e5 * 2f64.powi(k), Spin::Synchronous, (0, 4)).len()).sum::<usize>())
         });
         let full = if stations > FULL { f64::NAN } else { least(1, || Linearised::new(&system, &about).map(|l| l.spectrum().is_ok())).0 };
+        let beside = full.is_finite().then_some(("all modes, full matrices", full * 1e-3));
+        row(&format!("modes, {stations} stations"), alone * 1e-3, beside);
+        row(&format!("50 speeds, {stations} stations"), campbell * 1e-3, Some(("50 times the modes of one", 0.05 * alone)));
+        row(&format!("200 responses, {stations} stations"), responses * 1e-3, None);
         println!(
             "{stations:8}  {:11}  {alone:5.2}  {modes:14.2}  {count:12}  {campbell:9.1}  {critical:9.1}  {responses:13.1}  {map:14.1}  {full:12.1}",
             system.n()

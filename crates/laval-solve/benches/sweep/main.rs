@@ -12,8 +12,10 @@ mod clock;
 mod kernel;
 #[path = "../../../laval/benches/common/processor.rs"]
 mod processor;
+#[path = "../../../laval/benches/common/row.rs"]
+mod row;
 
-use clock::clock;
+use clock::{clock, wall};
 use laval_model::model::builder::Builder;
 use laval_model::model::field::Attach;
 use laval_model::model::part::Link;
@@ -25,9 +27,9 @@ use laval_solve::ensemble::{self, Ended, EnsembleTask, Form, Leg, Next, Settings
 use laval_solve::motion::{Motion, SpinLaw};
 use laval_solve::programme::Programme;
 use processor::processor;
+use row::row;
 use std::f64::consts::TAU;
-use std::sync::{Arc, OnceLock};
-use std::time::Instant;
+use std::sync::Arc;
 
 /// A case of the benchmark: damping of the rotor (N s/m) and eccentricity (m).
 #[derive(Clone, Copy)]
@@ -133,11 +135,6 @@ fn least<T>(clock: fn() -> f64, runs: usize, mut f: impl FnMut() -> T) -> (f64, 
     (best, last.unwrap_or_else(f))
 }
 
-fn wall() -> f64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    START.get_or_init(Instant::now).elapsed().as_secs_f64()
-}
-
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     println!("processor: {}, lanes: {}", processor(), Level::best().name());
@@ -220,5 +217,6 @@ fn report(what: &str, time: f64, work: f64, hand: Option<f64>, deviation: f64, e
     let steps: u64 = ends.iter().map(|e| e.1).sum();
     let per_step = time * 1e9 / steps as f64;
     let ratio = hand.map_or(String::new(), |h| format!(", {:.2} of by hand", time / h));
+    row(&format!("sweep of 200 speeds, {what}"), time, hand.map(|h| ("by hand, lanes", h)));
     println!("    {what:24} {:7.2} us per speed and period{ratio}, {per_step:.0} ns a step, deviation {deviation:.1e}", time * 1e6 / work);
 }

@@ -2,7 +2,7 @@
 
 use super::first_page;
 use super::html::{answer, over_speed, sentence, study_tables};
-use super::payload::column_for;
+use super::payload::Thinning;
 use super::scene::Scene;
 use super::text::{escape, prose};
 use super::words::Style;
@@ -33,12 +33,13 @@ pub fn figure(figure: &Figure, tables: &[Table], style: &Style, id: &str) -> Res
     let scene = Scene::new(figure, tables, style)?;
     let read = style.units.figure(figure);
     let mut html = String::new();
-    html::drawn(&mut html, &scene, id, PIXEL.max(column_for(&[&scene])), style);
+    html::drawn(&mut html, &scene, id, Thinning::to_pixels(&[&scene]), style);
     Ok(Drawn { html, x: read.x.factor, y: read.panels.iter().map(|p| p.y.factor).collect() })
 }
 
-/// Thinning of curves: what is exchanged while a value is dragged needs no zoom.
-const PIXEL: f64 = 1.0;
+fn pixels(over: Option<&Scene>) -> Thinning {
+    Thinning::to_pixels(&over.into_iter().collect::<Vec<_>>())
+}
 
 /// Modes as small pictures of the orbits of the bodies.
 pub fn modes(page: &Overview, style: &Style) -> String {
@@ -52,7 +53,7 @@ pub fn first_page(page: &Overview, style: &Style) -> String {
     let report = Report { overview: Some(page.clone()), style: style.clone(), ..Report::default() };
     let over = over_speed(&report);
     let mut s = String::new();
-    answer(&mut s, page, over.as_ref(), PIXEL, style);
+    answer(&mut s, page, over.as_ref(), pixels(over.as_ref()), style);
     s
 }
 
@@ -128,7 +129,7 @@ pub fn designs(all: &[(String, Report)]) -> String {
         let shown = if n.is_empty() { r.machine.clone() } else { name(k, n) };
         s.push_str(&format!("<section id=\"d{k}\"><h2>{}</h2>\n", prose(&shown)));
         let over = over_speed(r);
-        html::answer_as(&mut s, page, over.as_ref(), PIXEL, &r.style, &format!("over{k}"));
+        html::answer_as(&mut s, page, over.as_ref(), pixels(over.as_ref()), &r.style, &format!("over{k}"));
         if let Some(input) = &r.input {
             s.push_str(&format!(
                 "<details><summary>{}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",

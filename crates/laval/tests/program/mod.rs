@@ -3,6 +3,7 @@
 mod add_a_part;
 mod all_mistakes;
 mod architecture;
+mod bench_clock;
 mod catalogues;
 mod constructed;
 mod diagnostic_codes;
@@ -18,5 +19,6 @@ mod templates;
 mod terms;
 mod texts;
 mod theory;
+mod threads;
 mod typical_mistakes;
 mod validation;

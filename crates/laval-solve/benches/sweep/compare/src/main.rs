@@ -1,6 +1,10 @@
 //! The sweep benchmark (`../main.rs`) by Rust crates for differential equations: case by case the same equations, tolerances and periods, in
 //! microseconds of one core per speed and period. Each deviation is from the converged end state of the first speed listed there.
 
+#[path = "../../../../../laval/benches/common/clock.rs"]
+mod clock;
+
+use clock::clock;
 use differential_equations::prelude::*;
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason, Vector, VectorCommon};
 use nalgebra::SVector;
@@ -72,15 +76,7 @@ fn by_diffsol(machine: &Machine) -> Option<Vec<f64>> {
     Some(solver.state().y.inner().as_slice().to_vec())
 }
 
-/// Time this thread has spent on a processor, s; the wall clock where the system does not tell.
-fn clock(start: std::time::Instant) -> f64 {
-    let reported = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = reported.and_then(|t| t.split_whitespace().next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |t| t * 1e-9)
-}
-
 fn main() {
-    let epoch = std::time::Instant::now();
     // converged end states of the rotor at one speed
     let cases =
         [("A", 42.0, 1e-3, 275.0, -9.0107751689e-5, 6.675835849e-7), ("B", 420.0, 1e-5, 2275.0, -4.59068183905e-5, -1.11014124666e-4)];
@@ -90,7 +86,7 @@ fn main() {
         println!("case {case}");
         for (name, way) in ways {
             let (mut count, mut deviation) = (0, f64::NAN);
-            let start = clock(epoch);
+            let start = clock();
             for i in 1..=200 {
                 let speed = 25.0 * f64::from(i);
                 let Some(end) = way(&Machine { damping, eccentricity, speed }) else { continue };
@@ -99,7 +95,7 @@ fn main() {
                     deviation = (end[0] - x).hypot(end[1] - y) / f64::hypot(x, y);
                 }
             }
-            let cost = (clock(epoch) - start) * 1e6 / (f64::from(count) * PERIODS);
+            let cost = (clock() - start) * 1e6 / (f64::from(count) * PERIODS);
             println!("    {name:24} {cost:9.2} us per speed and period, {count} speeds, deviation {deviation:.1e}");
         }
     }
