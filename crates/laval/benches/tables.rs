@@ -29,7 +29,7 @@ fn table(rows: usize) -> Option<Table> {
     };
     let start = Table::new("motion", "Motion").float("t", "s", "time", t.clone());
     (1..COLUMNS)
-        .fold(start, |table, k| table.float(&format!("x{k}"), "m", "displacement", column(k)))
+        .fold(start, |table, k| table.float(format!("x{k}"), "m", "displacement", column(k)))
         .build()
         .map_err(|e| println!("{e:?}"))
         .ok()

@@ -238,7 +238,7 @@ fn examine(bench: &Bench, best: &Run, found: &mut Found) -> Option<()> {
     // both ends of each range are located beside each other
     let end = |j: usize| -> Option<(f64, bool)> {
         let _counted = counts.enter();
-        let (k, below) = (j / 2, j % 2 == 0);
+        let (k, below) = (j / 2, j.is_multiple_of(2));
         let own = best.place[k];
         // the neighbours outwards from the best, up to the first that does not fit
         let outwards: Vec<&Run> = if below {
