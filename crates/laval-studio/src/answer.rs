@@ -86,7 +86,7 @@ pub(crate) fn answer(machines: &Machines, request: &Request, language: Language,
     for want in &request.want {
         let begun = Instant::now();
         let found = answers.of(*want);
-        // what is no longer wanted is not sent
+        // the page has closed the connection
         if cancel.load(std::sync::atomic::Ordering::Relaxed) {
             return;
         }

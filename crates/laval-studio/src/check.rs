@@ -34,7 +34,7 @@ pub(crate) fn changed<'a>(machines: &Machines, text: &'a str, set: &[Set]) -> Re
     Ok((text, edits))
 }
 
-/// The text that was checked, and what is known of it.
+/// The text after the changes, its diagnostics and its machine.
 pub(crate) fn check(machines: &Machines, request: &Request, language: Language) -> Result<(String, Json), Diagnostics> {
     let (text, _) = changed(machines, &request.text, &request.set)?;
     let offsets = Offsets::new(&text);

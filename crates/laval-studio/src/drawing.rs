@@ -103,7 +103,7 @@ fn draw(s: &mut String, solid: &Solid, view: &View) {
     );
 }
 
-/// Positions of what is attached, and the radii and the height of cavities.
+/// Positions of attachments, radii and height of cavities.
 fn handles(system: &System, section: &Section, numbers: &[Number], view: &View) -> Vec<Json> {
     let (along, across) = if view.horizontal { ("x", "y") } else { ("y", "x") };
     // upwards is towards smaller y
@@ -119,7 +119,7 @@ fn handles(system: &System, section: &Section, numbers: &[Number], view: &View) 
     for n in numbers {
         let part = n.path.split('.').next().unwrap_or_default();
         if let Some(body) = n.on.as_deref() {
-            // along a body that does not tilt nothing can be moved; on others what is drawn
+            // a position has an effect on bodies that tilt or bend alone; parts without a drawing have no handle
             let body_part = system.slot(body).and_then(|s| s.part.body());
             let long = body_part.is_some_and(|b| b.turns() && (b.nodes().is_some() || b.without_tilt().is_none()));
             let drawn = section.solids.iter().any(|s| s.name == part);

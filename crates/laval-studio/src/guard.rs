@@ -1,4 +1,4 @@
-//! Who may ask: programs of this computer that know the token, through the page of this server.
+//! Admitted requests: those of the page of this server, from this computer, with the token.
 
 use crate::server::State;
 use axum::extract::Request;

@@ -36,7 +36,7 @@ fn round(x: f64, up: bool) -> f64 {
     (if up { (x / step).ceil() } else { (x / step).floor() }) * step
 }
 
-/// The range of a slider, within what is admissible: about the value, about zero the sizes of other numbers of the same unit.
+/// The range of a slider, within the admissible interval: about the value, about zero the sizes of other numbers of the same unit.
 pub(crate) fn range(n: &Number, all: &[Number]) -> (f64, f64) {
     let size = |unit: &str, position: bool| {
         let same = all.iter().filter(|o| o.unit == unit && o.on.is_some() == position && o.value != 0.0 && o.value.is_finite());

@@ -37,7 +37,7 @@ pub(crate) const BETWEEN: Duration = Duration::from_millis(100);
 /// Runs that are remembered.
 const MOST: usize = 64;
 
-/// What the page wants of a run.
+/// State that the page requests of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Wanted {
     Going,

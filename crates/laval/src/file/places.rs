@@ -1,7 +1,7 @@
 //! The numbers of a machine file by path, with the place where each is written.
 //!
-//! Paths are those of the parameters of the machine (`drum.mass`, `bearing.stiffness.x`, `shaft.section[3].outer_diameter`), and beside them what is no parameter of a machine
-//! that stands: `machine.speed`, and positions of attachments (`bearing.between[1].at`, `disc.on.at`).
+//! Paths are those of the parameters of the machine (`drum.mass`, `bearing.stiffness.x`, `shaft.section[3].outer_diameter`), and beside them numbers that are no parameters
+//! of an assembled machine: `machine.speed`, and positions of attachments (`bearing.between[1].at`, `disc.on.at`).
 
 use super::tree::{Data, Entry, Node, from_table, get, too_deep};
 use super::{Block, Catalog, MACHINE_FIELDS, Spec};

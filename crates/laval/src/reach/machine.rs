@@ -21,7 +21,7 @@ pub(super) struct Varied<'a> {
     loaded: &'a Loaded,
     catalog: &'a Catalog,
     pub free: &'a [Free],
-    /// Of each its indices among the parameters of the machine; empty of what is none.
+    /// Of each its indices among the parameters of the machine; empty for a position.
     pub indices: Vec<Vec<usize>>,
     start: Vec<f64>,
 }

@@ -1,18 +1,13 @@
 //! Pieces of a report for pages that put them together themselves: the same drawings, words and style sheet.
 
 use super::first_page;
-use super::html::{answer, over_speed, sentence, study_tables};
+use super::html::{answer, over_speed};
 use super::payload::Thinning;
 use super::scene::Scene;
 use super::text::{escape, prose};
 use super::words::Style;
 use super::{Report, html};
-use crate::outcome::{Block, Figure, Finding, Outcome, OutcomeError, Overview, Table};
-
-/// The style sheet of the report.
-pub const CSS: &str = html::CSS;
-/// The script that makes its drawings live.
-pub const SCRIPT: &str = html::JS;
+use crate::outcome::{Block, Figure, OutcomeError, Overview, Table};
 
 /// A figure, drawn.
 #[derive(Clone, Debug)]
@@ -37,6 +32,7 @@ pub fn figure(figure: &Figure, tables: &[Table], style: &Style, id: &str) -> Res
     Ok(Drawn { html, x: read.x.factor, y: read.panels.iter().map(|p| p.y.factor).collect() })
 }
 
+/// Figures that change while a value is dragged need no zoom.
 fn pixels(over: Option<&Scene>) -> Thinning {
     Thinning::to_pixels(&over.into_iter().collect::<Vec<_>>())
 }
@@ -70,21 +66,6 @@ pub fn checks(page: &Overview, style: &Style) -> Vec<[String; 4]> {
 pub fn machine(blocks: &[Block], horizontal: bool, style: &Style) -> String {
     let page = Overview { machine: blocks.to_vec(), horizontal, ..Overview::default() };
     first_page::drawing(&page, style)
-}
-
-/// A finding as an item of a list.
-pub fn finding(f: &Finding, style: &Style) -> String {
-    format!("{}</li>\n", sentence(f, style))
-}
-
-/// The tables of an outcome, folded.
-pub fn tables(o: &Outcome, style: &Style) -> String {
-    study_tables(o, style)
-}
-
-/// A text as HTML.
-pub fn text(text: &str) -> String {
-    prose(text)
 }
 
 /// What the head of a report says of its language: the decimal point, and the units at ticks of logarithmic lengths.

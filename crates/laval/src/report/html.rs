@@ -17,8 +17,8 @@ use crate::outcome::{
 };
 use std::fmt::Write;
 
-pub(super) const CSS: &str = concat!(include_str!("assets/report.css"), include_str!("assets/first_page.css"));
-pub(super) const JS: &str = concat!(include_str!("assets/report.js"), include_str!("assets/animation.js"));
+const CSS: &str = concat!(include_str!("assets/report.css"), include_str!("assets/first_page.css"));
+const JS: &str = concat!(include_str!("assets/report.js"), include_str!("assets/animation.js"));
 /// Rows shown of a table; the files hold all.
 const MOST_ROWS: usize = 20;
 /// Relative width of a bracket above which it says where a located point was looked for, not how well it is known.
@@ -238,7 +238,7 @@ fn fair(studies: impl Iterator<Item = usize>) -> Vec<bool> {
 }
 
 /// Start of a list item; the caller closes it.
-pub(super) fn sentence(f: &Finding, style: &Style) -> String {
+fn sentence(f: &Finding, style: &Style) -> String {
     let tag = match f.level {
         Level::Info => String::new(),
         Level::Warning => format!("<span class=\"tag\">! {}</span>", say(style, "page-warning")),
@@ -416,13 +416,6 @@ fn special(s: &mut String, o: &Outcome, style: &Style) {
     if folded {
         s.push_str("</details>\n");
     }
-}
-
-/// The tables of an outcome, folded, without links to files.
-pub(super) fn study_tables(o: &Outcome, style: &Style) -> String {
-    let mut s = String::new();
-    o.tables.iter().for_each(|t| table(&mut s, t, style, false, None));
-    s
 }
 
 /// The column of a table whose rows have units of their own.
