@@ -38,6 +38,7 @@ pub mod rest;
 pub mod roots;
 pub mod sectors;
 mod side_by_side;
+mod spectra_ahead;
 pub mod stability;
 pub mod statics;
 pub mod stationary;

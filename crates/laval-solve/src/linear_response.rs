@@ -3,6 +3,7 @@
 use super::characteristic::{Characteristic, Equilibrium, Frame, is_polynomial, nonlinear_states};
 use super::locate::State;
 use super::sectors::{Sectors, circular, imaginary};
+use super::spectra_ahead;
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::At;
@@ -93,9 +94,12 @@ pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Resp
 /// # Errors
 /// As the state, speed by speed.
 pub fn responses(system: &System, state: State, speeds: &[f64]) -> Vec<Result<Option<Response>, Diagnostic>> {
-    let mut each = Each::default();
-    speeds.chunks(LANES).flat_map(|some| together(system, state, some, &mut each)).collect()
+    let some: Vec<&[f64]> = speeds.chunks(LANES).collect();
+    spectra_ahead::together(&some, |some| together(system, state, some)).into_iter().flatten().collect()
 }
+
+/// Chunks of lanes that are computed on all processors, looking ahead.
+const CHUNKS: usize = 4;
 
 /// Responses at speeds that are looked at from left to right, some of them together.
 pub(super) struct Ahead<'a> {
@@ -110,7 +114,8 @@ impl<'a> Ahead<'a> {
     /// At these speeds (ascending) and in the middle between them.
     pub fn new(system: &'a System, state: State<'a>, speeds: &[f64]) -> Self {
         let mut planned = Vec::new();
-        if plan(system).suits_lanes() {
+        // dear by themselves, or many together: looking ahead pays
+        if plan(system).suits_lanes() || !is_polynomial(system) {
             for pair in speeds.windows(2) {
                 planned.extend([pair[0], 0.5 * (pair[0] + pair[1])]);
             }
@@ -128,7 +133,7 @@ impl<'a> Ahead<'a> {
         if self.planned.get(place) == Some(&speed) && self.known.iter().all(|k| k.0 != speed) {
             // the middle before is looked at after the speed
             let first = place.saturating_sub(1);
-            let some = &self.planned[first..self.planned.len().min(first + LANES)];
+            let some = &self.planned[first..self.planned.len().min(first + CHUNKS * LANES)];
             self.known = some.iter().copied().zip(responses(self.system, self.state, some)).collect();
         }
         match self.known.iter().position(|k| k.0 == speed) {
@@ -138,7 +143,7 @@ impl<'a> Ahead<'a> {
     }
 }
 
-fn together(system: &System, state: State, speeds: &[f64], each: &mut Each) -> Vec<Result<Option<Response>, Diagnostic>> {
+fn together(system: &System, state: State, speeds: &[f64]) -> Vec<Result<Option<Response>, Diagnostic>> {
     let single = |&speed: &f64| response(system, state, speed);
     if !plan(system).suits_lanes() || !is_polynomial(system) {
         return speeds.iter().map(single).collect();
@@ -154,7 +159,7 @@ fn together(system: &System, state: State, speeds: &[f64], each: &mut Each) -> V
         }
     }
     let mut out: Vec<Option<Result<Option<Response>, Diagnostic>>> = speeds.iter().map(|_| None).collect();
-    for (k, solved) in which.into_iter().zip(each.solve(plan(system), &systems)) {
+    for (k, solved) in which.into_iter().zip(Each::default().solve(plan(system), &systems)) {
         let size = all[k].iter().flat_map(|e| &e.load).map(|z| z.abs()).fold(0.0, f64::max);
         let response = |s: Solved| Response { speed: speeds[k], x: s.x, residual: if size > 0.0 { s.residual / size } else { s.residual } };
         out[k] = solved.map(response).map(|r| Ok(Some(r)));

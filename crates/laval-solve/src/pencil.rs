@@ -70,6 +70,13 @@ impl Spectrum {
         self.families.clear();
         self.modes.iter_mut().for_each(|m| *m = m.without_vectors());
     }
+    /// Drops the vectors and keeps the values of all families.
+    pub fn keep_values(&mut self) {
+        self.modes.iter_mut().for_each(|m| *m = m.without_vectors());
+        for m in self.families.iter_mut().flat_map(|f| &mut f.modes) {
+            (m.right, m.left) = (Vec::new(), Vec::new());
+        }
+    }
     /// All but free motions along and about the axis.
     pub fn held(&self) -> impl Iterator<Item = &MachineMode> {
         self.modes.iter().filter(|m| !m.is_free())

@@ -8,7 +8,8 @@
 use super::locate::{State, double_root, value_and_slope};
 use super::pencil::Spectrum;
 use super::sectors::Sector;
-use super::sweep::{spectrum, sweep};
+use super::spectra_ahead::{TOGETHER, at, together};
+use super::sweep::{Passing, Sweep, follow_known, spectrum, sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
@@ -160,22 +161,25 @@ fn symmetric(s: &Spectrum) -> bool {
 pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut each: impl FnMut(u64) -> bool) -> Result<Row, Diagnostic> {
     let found = sweep(system, state, speeds, f64::INFINITY, |_, solved| each(solved))?;
     let mut out = Row { stopped: found.points.last().is_none_or(|p| Some(&p.0) != speeds.last()), ..Row::default() };
+    let passings = undecided(&found, threshold);
     let mut all: Vec<(f64, Spectrum)> = found.points;
     // between two speeds where two modes pass each other lies an interaction that the grid may miss
     let mut solved = found.solved;
-    for p in &found.passings {
+
+    let mut left = &passings[..];
+    let mut block = 1;
+    while !left.is_empty() {
         if !each(solved) {
             out.stopped = true;
             break;
         }
-        let (a, b) = p.between;
-        for w in [0.5 * (a + p.at), p.at, 0.5 * (b + p.at)] {
-            all.push((w, spectrum(system, state, w)?.1));
+        let (some, rest) = left.split_at(block.min(left.len()));
+        (left, block) = (rest, (2 * block).min(TOGETHER));
+        for inside in together(some, |p| interaction(system, state, p, threshold)) {
+            let inside = inside?;
+            solved += inside.len() as u64;
+            all.extend(inside);
         }
-        solved += 3;
-        let (closer, more) = narrow(system, state, (a, p.at, b), |inner| each(solved + inner))?;
-        solved += more;
-        all.extend(closer);
     }
     let on_grid = |w: f64| speeds.binary_search_by(|x| x.total_cmp(&w)).is_ok();
     all.sort_by_number(|a| a.0);
@@ -269,29 +273,63 @@ fn goes_on(a: &Sample, b: &Sample, all: &[(f64, Spectrum)]) -> bool {
     nearest(a, b) == Some(b.value) && nearest(b, a) == Some(a.value)
 }
 
-/// Halves towards the passing until the modes interact; a band much narrower than the grid shows there.
-fn narrow(
-    system: &System,
-    state: State,
-    (mut lo, mut at, mut hi): (f64, f64, f64),
-    mut each: impl FnMut(u64) -> bool,
-) -> Result<(Vec<(f64, Spectrum)>, u64), Diagnostic> {
-    let (mut out, mut solved) = (Vec::new(), 0);
-    for _ in 0..8 {
-        let inner = sweep(system, state, &[lo, at, hi], f64::INFINITY, |_, more| each(solved + more))?;
-        solved += inner.solved;
-        let next = inner.passings.first().copied();
-        out.extend(inner.points);
-        match next {
-            // the modes still pass between the speeds: look closer
-            Some(p) => (lo, hi, at) = (p.between.0, p.between.1, p.at),
-            None => break,
-        }
-        if hi - lo < 1e-7 * hi.abs() || at <= lo || at >= hi {
+/// Passings at which a growth above the threshold may lie between the speeds.
+fn undecided(found: &Sweep, threshold: f64) -> Vec<Passing> {
+    // what is no number is not decided, nor is what was followed although shapes had mixed
+    let open = |p: &&Passing| p.coupled() && !(p.highest() < threshold) || found.ambiguous.contains(&p.between);
+    found.passings.iter().filter(open).copied().collect()
+}
+
+/// Halvings towards the speed where two modes pass each other.
+const HALVINGS: usize = 8;
+
+/// Spectra about the speed where two modes pass each other: nearer and nearer to it until the modes interact, or until no interaction can lift them above the threshold. A band
+/// much narrower than the grid shows there.
+fn interaction(system: &System, state: State, first: &Passing, threshold: f64) -> Result<Vec<(f64, Spectrum)>, Diagnostic> {
+    let (lo, hi) = first.between;
+    let middle = spectrum(system, state, first.at)?.1;
+    if first.highest_at(&middle).is_some_and(|growth| growth < threshold) {
+        return Ok(vec![(first.at, values(middle))]);
+    }
+    let wider = [lo, hi, 0.5 * (lo + first.at), 0.5 * (hi + first.at)];
+    let mut known: Vec<(f64, Spectrum)> = Vec::new();
+    for (w, found) in wider.into_iter().zip(at(system, state, &wider)) {
+        known.push((w, found?));
+    }
+    let mut out: Vec<(f64, Spectrum)> = known.iter().skip(2).map(|(w, s)| (*w, values(s.clone()))).collect();
+    known.truncate(2);
+    known.insert(1, (first.at, middle));
+    for _ in 0..HALVINGS {
+        let inner = follow_known(system, state, known.clone())?;
+        out.extend(inner.points.into_iter().map(|(w, s)| (w, values(s))));
+        let Some(p) = inner.passings.first() else { break };
+        let (lo, hi) = p.between;
+        if hi - lo < 1e-7 * hi.abs() || p.at <= lo || p.at >= hi {
             break;
         }
+        let middle = spectrum(system, state, p.at)?.1;
+        if p.highest_at(&middle).is_some_and(|growth| growth < threshold) {
+            out.push((p.at, values(middle)));
+            break;
+        }
+        let mut ends = Vec::new();
+        for w in [lo, hi] {
+            // a halved step ends between the speeds known
+            match known.iter().position(|k| k.0 == w) {
+                Some(k) => ends.push(known[k].clone()),
+                None => ends.push((w, spectrum(system, state, w)?.1)),
+            }
+        }
+        ends.insert(1, (p.at, middle));
+        known = ends;
     }
-    Ok((out, solved))
+    Ok(out)
+}
+
+/// Values alone.
+fn values(mut s: Spectrum) -> Spectrum {
+    s.keep_values();
+    s
 }
 
 fn band_edge(system: &System, state: State, a: Sample, b: Sample) -> Option<Edge> {

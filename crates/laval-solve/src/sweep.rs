@@ -5,6 +5,7 @@ use super::follow::{follow, follow_large};
 use super::locate::State;
 use super::pencil::{Family, MachineMode, Spectrum, modes_about, wants_polish};
 use super::roots::{in_region, transcendental};
+use super::spectra_ahead::Ahead;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -25,6 +26,49 @@ pub struct Passing {
     pub between: (f64, f64),
     /// Estimate of the speed where the frequencies agree.
     pub at: f64,
+    /// Family of both.
+    pub family: usize,
+    /// Both values before, and after.
+    pub values: [[C64; 2]; 2],
+    /// The larger assurance of one of both before with the other one after.
+    pub mixed: f64,
+}
+
+/// Two modes that interact lie at the mean of their values plus and minus the root of the squared half distance and the coupling; where shapes did not mix the coupling is the
+/// smaller of the two. So their growth rises by half their distance at most; this is four times as much.
+const RAISED: f64 = 2.0;
+
+/// Assurance of two modes of different shape from which on they are coupled at all: a coupling of a ten-millionth of the frequency leaves far more over a step, and rounding far less.
+const COUPLED: f64 = 1e-18;
+
+impl Passing {
+    /// The modes are coupled, so that they can interact where their values come near each other.
+    pub fn coupled(&self) -> bool {
+        !(self.mixed < COUPLED)
+    }
+
+    /// The largest growth that both can have between the speeds, shapes at both being unmixed.
+    pub fn highest(&self) -> f64 {
+        self.values.iter().map(|[a, b]| a.re.max(b.re) + RAISED * (*a - *b).abs()).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The same by the spectrum at the speed where the frequencies agree; none where its values are not those expected: then the modes interact there, or the speed
+    /// is not near enough.
+    pub fn highest_at(&self, spectrum: &Spectrum) -> Option<f64> {
+        let modes = &spectrum.families.get(self.family)?.modes;
+        let share = (self.at - self.between.0) / (self.between.1 - self.between.0);
+        let [before, after] = self.values;
+        let expected = [0, 1].map(|k| before[k] + (after[k] - before[k]).scale(share));
+        let nearest = |to: C64, but: Option<usize>| {
+            let others = (0..modes.len()).filter(|k| Some(*k) != but);
+            others.min_by(|a, b| (modes[*a].value - to).abs().total_cmp(&(modes[*b].value - to).abs()))
+        };
+        let a = nearest(expected[0], None)?;
+        let found = [modes[a].value, modes[nearest(expected[1], Some(a))?].value];
+        let reach = RAISED * (found[0] - found[1]).abs();
+        let as_expected = found.iter().zip(&expected).all(|(f, e)| (*f - *e).abs() <= reach);
+        as_expected.then_some(found[0].re.max(found[1].re) + reach)
+    }
 }
 
 /// All modes along the speed.
@@ -123,6 +167,10 @@ impl Follower<'_> {
                 }
             }
         }
+        // vectors of the speeds before stand in the tracks, as far as they are needed
+        if let Some((_, before)) = self.out.points.last_mut() {
+            before.keep_values();
+        }
         self.out.points.push((speed, spectrum));
     }
 
@@ -166,29 +214,34 @@ impl Follower<'_> {
         if ambiguous {
             self.out.ambiguous.push((from, to));
         }
-        let before = self.out.points[self.out.points.len() - 1].1.clone();
+        let values = |f: &Family| f.modes.iter().map(|m| m.value).collect::<Vec<C64>>();
+        let before: Vec<Vec<C64>> = self.out.points[self.out.points.len() - 1].1.families.iter().map(values).collect();
         let mut order = Vec::new();
         for (k, ((track, m), f)) in trial.into_iter().zip(&spectrum.families).enumerate() {
             if m.worst_mac < self.out.worst_assurance || m.worst_mac.is_nan() {
                 self.out.worst_assurance = m.worst_mac;
             }
             self.tracks[k] = track;
-            let kept: Vec<(usize, usize)> = self.ids[k].iter().zip(&m.permutation).filter_map(|(&id, p)| p.map(|p| (id, p))).collect();
+            let places = self.ids[k].iter().zip(&m.permutation).enumerate();
+            let followed: Vec<(usize, usize, usize)> = places.filter_map(|(i, (&id, p))| p.map(|p| (i, id, p))).collect();
             let value = |id: usize| -> Option<C64> {
                 let (w, mode) = self.out.branches[id].points.last()?;
-                (*w == from).then(|| before.families[k].modes[mode.place.1].value)
+                (*w == from).then(|| before[k][mode.place.1])
             };
-            for (i, &(a, pa)) in kept.iter().enumerate() {
-                for &(b, pb) in &kept[i + 1..] {
+            for (i, &(ia, a, pa)) in followed.iter().enumerate() {
+                for &(ib, b, pb) in &followed[i + 1..] {
                     let (Some(a0), Some(b0)) = (value(a), value(b)) else { continue };
-                    let (d0, d1) = (a0.im - b0.im, f.modes[pa].value.im - f.modes[pb].value.im);
+                    let [a1, b1] = [pa, pb].map(|p| f.modes[p].value);
+                    let (d0, d1) = (a0.im - b0.im, a1.im - b1.im);
                     if d0 * d1 < 0.0 {
-                        self.out.passings.push(Passing { between: (from, to), at: from + (to - from) * d0 / (d0 - d1) });
+                        let at = from + (to - from) * d0 / (d0 - d1);
+                        let mixed = m.assurance[(ia, pb)].max(m.assurance[(ib, pa)]);
+                        self.out.passings.push(Passing { between: (from, to), at, family: k, values: [[a0, b0], [a1, b1]], mixed });
                     }
                 }
             }
-            let mut ids: Vec<usize> = kept.iter().map(|p| p.0).collect();
-            let mut modes: Vec<usize> = kept.iter().map(|p| p.1).collect();
+            let mut ids: Vec<usize> = followed.iter().map(|p| p.1).collect();
+            let mut modes: Vec<usize> = followed.iter().map(|p| p.2).collect();
             for &born in &m.born {
                 ids.push(self.out.branches.len());
                 modes.push(born);
@@ -200,6 +253,24 @@ impl Follower<'_> {
         self.record(to, spectrum, &order);
         Ok(())
     }
+}
+
+/// Modes over speeds whose spectra are known, and where steps are halved over those between them.
+///
+/// # Errors
+/// As [`modes_about`].
+pub(super) fn follow_known(system: &System, state: State, points: Vec<(f64, Spectrum)>) -> Result<Sweep, Diagnostic> {
+    let out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
+    let mut each = |_, _| true;
+    let mut f = Follower { system, state, limit: f64::INFINITY, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
+    let mut before = None;
+    for (speed, spectrum) in points {
+        match before.replace(speed) {
+            None => f.start(speed, spectrum),
+            Some(from) => f.advance(from, speed, spectrum, 0)?,
+        }
+    }
+    Ok(f.out)
 }
 
 /// Leaves only modes whose frequency is at most `limit` in size.
@@ -251,12 +322,14 @@ pub fn sweep(
     }
     let out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
     let mut f = Follower { system, state, limit, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
+    let mut ahead = Ahead::new(system, state, speeds);
     for (k, &speed) in speeds.iter().enumerate() {
         f.place = k;
         if !(f.each)(k, f.out.solved) {
             break;
         }
-        let mut s = spectrum(system, state, speed)?.1;
+        let Some(found) = ahead.next() else { break };
+        let mut s = found?;
         f.out.strongest.extend(Strongest::of(speed, &s));
         band(&mut s, limit);
         f.out.solved += 1;

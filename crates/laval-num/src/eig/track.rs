@@ -19,6 +19,8 @@ pub struct Match {
     pub ambiguous: bool,
     /// Pairs of old modes whose values passed each other while each kept its shape: crossings, or veerings much narrower than the step.
     pub crossings: Vec<(usize, usize)>,
+    /// Assurance of every old with every new mode.
+    pub assurance: Mat,
 }
 
 /// Matches modes from point to point by modal assurance and closeness of the eigenvalues.
@@ -167,7 +169,7 @@ impl Track {
                 }
             }
         }
-        Match { permutation, born, worst_mac, ambiguous, crossings }
+        Match { permutation, born, worst_mac, ambiguous, crossings, assurance: mac }
     }
 }
 

@@ -27,9 +27,11 @@ use laval_num::newton::{Cause, Options, newton};
 use laval_num::order::SortByNumber;
 use laval_num::sampling::Points;
 use laval_num::univariate::root;
+use laval_num::work::Here;
 use problem::Stationary;
+use rayon::prelude::*;
 use std::f64::consts::PI;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Share of the turn within which a ring is nearly flat.
 const NEARLY_FLAT: f64 = 0.1;
@@ -52,9 +54,16 @@ pub struct Search<'a> {
     scale: Vec<f64>,
     images: Images,
     request: &'a Request,
+    cancel: &'a AtomicBool,
     /// Points that may still be assessed.
     left: u64,
 }
+
+/// Starts, or branches, that are looked at together, whatever the number of processors.
+const TOGETHER: usize = 8;
+
+/// A state that a start leads to, and in how many directions it is free; an error where there is none, true when it was cancelled.
+type Reached = (Vec<f64>, Result<usize, bool>);
 
 impl<'a> Search<'a> {
     /// For a machine that [`co_rotating::isotropic`](super::co_rotating::isotropic) admits.
@@ -63,7 +72,7 @@ impl<'a> Search<'a> {
         let problem = Stationary::new(system, 0.1 * (hi - lo).max(1e-6 * hi.abs()), cancel);
         let mut scale = vec![1.0; problem.dim()];
         problem.scale(&mut scale);
-        Search { problem, scale, images: Images::of(system, 0.5 * (lo + hi)), request, left: request.work }
+        Search { problem, scale, images: Images::of(system, 0.5 * (lo + hi)), request, cancel, left: request.work }
     }
 
     /// Speeds searched, rad/s.
@@ -221,6 +230,7 @@ impl<'a> Search<'a> {
         let mut done = 0;
         'all: for &speed in seeds {
             let mut known = self.known(&branches, speed);
+            let mut reached = Vec::new().into_iter();
             for index in 0..self.request.starts {
                 if found.stopped || !each(Progress { work: found.work, done, total: 2 * total }) || self.spent(found) {
                     found.stopped = true;
@@ -229,8 +239,11 @@ impl<'a> Search<'a> {
                 done += 1;
                 found.work += 1;
                 found.starts[0] += 1;
-                let Some(mut x) = self.start(index, speed) else { continue };
-                let free = match self.reach(&mut x, speed) {
+                if index.is_multiple_of(TOGETHER) {
+                    reached = self.reach_all(index..self.request.starts.min(index + TOGETHER), speed).into_iter();
+                }
+                let Some((mut x, free)) = reached.next().flatten() else { continue };
+                let free = match free {
                     Ok(free) => free,
                     Err(cancelled) => {
                         found.stopped |= cancelled;
@@ -251,7 +264,8 @@ impl<'a> Search<'a> {
             }
         }
         let all = (branches.len() - first) as u64;
-        for (k, branch) in branches.into_iter().enumerate().skip(first) {
+        let mut assessed_ahead = Vec::new().into_iter();
+        for (k, branch) in branches.iter().enumerate().skip(first) {
             let before = found.work;
             let mut goes_on = |assessed: u64| {
                 let done = total + (total * (k - first) as u64) / all.max(1);
@@ -262,7 +276,16 @@ impl<'a> Search<'a> {
                 break;
             }
             self.left = self.request.work.saturating_sub(before);
-            let (path, assessed) = self.assess(k, branch, &mut goes_on)?;
+            // under a limit on the work what may be spent on a branch depends on those before
+            let (path, assessed) = if self.request.work == u64::MAX {
+                if (k - first).is_multiple_of(TOGETHER) {
+                    assessed_ahead = self.assess_all(k, &branches[k..branches.len().min(k + TOGETHER)]).into_iter();
+                }
+                let Some(ahead) = assessed_ahead.next() else { break };
+                ahead?
+            } else {
+                self.assess(k, branch.clone(), &mut goes_on)?
+            };
             found.work += path.points.len() as u64;
             found.paths.push(path);
             if !assessed {
@@ -271,6 +294,30 @@ impl<'a> Search<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Where some starts lead at a speed, on all processors; none for a start that there is not.
+    fn reach_all(&self, starts: std::ops::Range<usize>, speed: f64) -> Vec<Option<Reached>> {
+        let here = Here::now();
+        let (system, request, cancel) = (self.problem.system, self.request, self.cancel);
+        let one = |search: &mut Search, index: usize| {
+            let _counted = here.enter();
+            let mut x = search.start(index, speed)?;
+            let free = search.reach(&mut x, speed);
+            Some((x, free))
+        };
+        starts.into_par_iter().map_init(|| Search::new(system, request, cancel), one).collect()
+    }
+
+    /// Some branches assessed, on all processors; the first has this number.
+    fn assess_all(&self, first: usize, branches: &[Branch]) -> Vec<Result<(Path, bool), Diagnostic>> {
+        let here = Here::now();
+        let (system, request, cancel) = (self.problem.system, self.request, self.cancel);
+        let one = |search: &mut Search, (k, branch): (usize, &Branch)| {
+            let _counted = here.enter();
+            search.assess(first + k, branch.clone(), &mut |_| !cancel.load(Ordering::Relaxed))
+        };
+        branches.par_iter().enumerate().map_init(|| Search::new(system, request, cancel), one).collect()
     }
 
     fn spent(&self, found: &Found) -> bool {

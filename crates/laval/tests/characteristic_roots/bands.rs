@@ -40,7 +40,7 @@ fn bands_of_a_liquid_with_two_harmonics() {
             };
             let system = build(&text);
             let speeds = RangeValue { from: 60.0, to: 1000.0, points: Some(95) }.linspace(95);
-            let found = row(&system, &|w| rest(&system, w), &speeds, 1.0, (Some(1500.0), &AtomicBool::new(false)), |_| true).unwrap();
+            let found = row(&system, &|w| rest(&system, w), &speeds, 1.0, (Some(1500.0), &AtomicBool::new(false), true), |_| true).unwrap();
             let edges: Vec<f64> = found.edges.iter().map(|e| e.speed).collect();
             let should: Vec<f64> = r[2].split_whitespace().map(number).collect();
             let mut wrong = Vec::new();

@@ -131,7 +131,7 @@ fn a_viscous_liquid_on_a_cubic_bearing() {
     let linear = build(&one_coordinate(zeta, nu));
     let state = |w: f64| rest(&linear, w);
     let speeds: Vec<f64> = (0..14).map(|i| 90.0 + 10.0 * f64::from(i)).collect();
-    let row = counted::row(&linear, &state, &speeds, 0.0, (None, &never), |_| true).unwrap();
+    let row = counted::row(&linear, &state, &speeds, 0.0, (None, &never, true), |_| true).unwrap();
     let edges: Vec<f64> = row.edges.iter().map(|e| e.speed).collect();
     assert_eq!(edges.len(), 2, "{edges:?}");
     let moved = |eccentricity: f64| {

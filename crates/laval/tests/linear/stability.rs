@@ -132,3 +132,34 @@ fn the_unstable_region_over_a_parameter_is_filled_between_located_speeds() {
     let heat = svg.split("<g class=\"heat\"").nth(1).unwrap().split("</g>").next().unwrap();
     assert!(!heat.contains("<path"), "{heat}");
 }
+
+/// Modes of a chain that pass each other without any coupling need no eigenproblems between the speeds, and a narrow range in which two of them interact is found all the same.
+#[test]
+fn passings_cost_eigenproblems_only_where_modes_may_interact() {
+    let chain = |more: &str| {
+        let mut text = String::from("[machine]\nspeed = 300.0\n");
+        for k in 0..8 {
+            text += &format!(
+                "[[part]]\nkind = \"disc\"\nname = \"d{k}\"\nmass = {:?}\npolar_inertia = 0.02\ndiametral_inertia = 0.011\n",
+                2.0 + 0.01 * f64::from(k)
+            );
+        }
+        for k in 1..8 {
+            text += &format!(
+                "[[part]]\nkind = \"shaft_lumped\"\nname = \"j{k}\"\nbetween = [\"d{}\", \"d{k}\"]\nstiffness = 1e7\ntilt_stiffness = 1e5\ncoupling = 0\n",
+                k - 1
+            );
+        }
+        for k in [0, 7] {
+            text += &format!(
+                "[[part]]\nkind = \"shaft_lumped\"\nname = \"b{k}\"\nbetween = [\"d{k}\", \"ground\"]\nstiffness = 2e6\ntilt_stiffness = 1e5\ncoupling = 0\n"
+            );
+        }
+        crate::common::files::load(&(text + more)).system
+    };
+    let speeds: Vec<f64> = (0..40).map(|k| 10.0 + 15.0 * f64::from(k)).collect();
+    let apart = chain("");
+    let found = row(&apart, &|w| rest(&apart, w), &speeds, 0.0, |_| true).unwrap();
+    assert!(found.edges.is_empty() && found.undamped);
+    assert!(found.solved <= 2 * speeds.len() as u64, "{} eigenproblems at {} speeds", found.solved, speeds.len());
+}

@@ -19,5 +19,6 @@ mod templates;
 mod terms;
 mod texts;
 mod theory;
+mod threads;
 mod typical_mistakes;
 mod validation;

@@ -153,27 +153,34 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
                 let _counted = here.enter();
                 // the limit counts rows before this one as done, so that the result does not depend on the number of threads
                 let first = (k * speeds.len()) as u64;
-                let mut each = |solved: u64| {
+                let each = |solved: u64| {
                     context.progress.report(done.fetch_add(1, Ordering::Relaxed).min(total), total);
                     context.goes_on(first + solved)
                 };
                 if context.cancelled() {
                     return Ok(Row { stopped: true, ..Row::default() });
                 }
-                let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
+                let run = |s: &System, each: &(dyn Fn(u64) -> bool + Sync)| {
                     let state = self.about.over_speed(s);
                     if in_region(s) {
                         let frequency = self.limit(s, &speeds)?;
-                        return counted::row(s, &state, &speeds, self.least(s, &speeds), (frequency, context.cancel), each);
+                        return counted::row(
+                            s,
+                            &state,
+                            &speeds,
+                            self.least(s, &speeds),
+                            (frequency, context.cancel, context.work_limit == u64::MAX),
+                            each,
+                        );
                     }
                     row(s, &state, &speeds, self.threshold, each)
                 };
                 match (value, &self.parameter) {
                     (Some(x), Some((path, _))) => {
                         let changed = system.with(&[(path, *x)]).map_err(|d| refused(system, path, *x, d))?;
-                        run(&changed, &mut each)
+                        run(&changed, &each)
                     }
-                    _ => run(system, &mut each),
+                    _ => run(system, &each),
                 }
             })
             .collect::<Result<_, Diagnostic>>()?;

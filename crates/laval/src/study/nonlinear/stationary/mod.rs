@@ -41,7 +41,9 @@ use classify::{Class, Scale, Seen};
 use continua::Continua;
 use errors::Errors;
 use laval_num::order::{SortByNumber, ascending};
+use laval_num::work::Here;
 use least::Least;
+use rayon::prelude::*;
 use report::Reported;
 use serde::{Deserialize, Serialize};
 use slack::Left;
@@ -283,13 +285,15 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             }
         }
         let mut rows = Vec::new();
-        for &speed in &speeds {
-            if !goes_on(0) {
-                break;
+        'all: for some in speeds.chunks(TOGETHER) {
+            for here in listed_all(system, &request, &found, some, context) {
+                if !goes_on(0) {
+                    break 'all;
+                }
+                let here = here?;
+                goes_on(1 + here.len() as u64);
+                rows.extend(here);
             }
-            let here = listed(system, &mut search, &found, speed)?;
-            goes_on(1 + here.len() as u64);
-            rows.extend(here);
         }
         let zones = zones::zones(system, &mut search, &rows, &mut goes_on)?;
         let slack = slack::slack(system, &mut search, &continua.sheets, &mut goes_on);
@@ -439,6 +443,19 @@ impl Row {
     pub(in crate::study) fn stable(&self) -> bool {
         self.stability.growing == 0
     }
+}
+
+/// Speeds whose states are classified together, whatever the number of processors.
+const TOGETHER: usize = 8;
+
+/// The states at some speeds, on all processors.
+fn listed_all(system: &System, request: &Request, found: &Found, speeds: &[f64], context: &Context) -> Vec<Result<Vec<Row>, Diagnostic>> {
+    let here = Here::now();
+    let one = |search: &mut Search, speed: &f64| {
+        let _counted = here.enter();
+        listed(system, search, found, *speed)
+    };
+    speeds.par_iter().map_init(|| Search::new(system, request, context.cancel), one).collect()
 }
 
 /// The states at a speed, classified.

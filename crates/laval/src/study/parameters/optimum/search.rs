@@ -224,41 +224,47 @@ fn examine(bench: &Bench, best: &Run, found: &mut Found) -> Option<()> {
         place[k] = u;
         place
     };
-    for k in 0..n {
-        let places: Vec<Vec<f64>> = (0..PROFILE).map(|i| along(k, i as f64 / (PROFILE - 1) as f64)).collect();
-        let mut profile = bench.run(&places)?;
-        profile.push(best.clone());
-        profile.sort_by_number(|a| a.place[k]);
+    let places: Vec<Vec<f64>> =
+        (0..n).flat_map(|k| (0..PROFILE).map(move |i| (k, i))).map(|(k, i)| along(k, i as f64 / (PROFILE - 1) as f64)).collect();
+    let mut runs = bench.run(&places)?.into_iter();
+    let profiles: Vec<Vec<Run>> = (0..n)
+        .map(|k| {
+            let mut profile: Vec<Run> = runs.by_ref().take(PROFILE).chain([best.clone()]).collect();
+            profile.sort_by_number(|a| a.place[k]);
+            profile
+        })
+        .collect();
+    let counts = Here::now();
+    // both ends of each range are located beside each other
+    let end = |j: usize| -> Option<(f64, bool)> {
+        let _counted = counts.enter();
+        let (k, below) = (j / 2, j.is_multiple_of(2));
         let own = best.place[k];
-        let mut ends = [(f64::NAN, true); 2];
-        for (side, end) in ends.iter_mut().enumerate() {
-            // the neighbours outwards from the best, up to the first that does not fit
-            let outwards: Vec<&Run> = if side == 0 {
-                profile.iter().rev().filter(|r| r.place[k] < own).collect()
-            } else {
-                profile.iter().filter(|r| r.place[k] > own).collect()
-            };
-            let mut inside = own;
-            let mut outside = None;
-            for r in outwards {
-                if fits(r) {
-                    inside = r.place[k];
-                } else {
-                    outside = Some(r.place[k]);
-                    break;
-                }
+        // the neighbours outwards from the best, up to the first that does not fit
+        let outwards: Vec<&Run> = if below {
+            profiles[k].iter().rev().filter(|r| r.place[k] < own).collect()
+        } else {
+            profiles[k].iter().filter(|r| r.place[k] > own).collect()
+        };
+        let (mut inside, mut outside) = (own, None);
+        for r in outwards {
+            if !fits(r) {
+                outside = Some(r.place[k]);
+                break;
             }
-            if let Some(mut out) = outside {
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (inside + out);
-                    let fine = fits(&bench.one(&along(k, middle))?);
-                    if fine { inside = middle } else { out = middle }
-                }
-            }
-            *end = (s.vary[k].value(inside), outside.is_none());
+            inside = r.place[k];
         }
-        found.stray.push(Stray { ends });
-        found.profiles.push(profile);
-    }
+        if let Some(mut out) = outside {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (inside + out);
+                let fine = fits(&bench.one(&along(k, middle))?);
+                if fine { inside = middle } else { out = middle }
+            }
+        }
+        Some((s.vary[k].value(inside), outside.is_none()))
+    };
+    let ends: Vec<(f64, bool)> = (0..2 * n).into_par_iter().map(end).collect::<Option<_>>()?;
+    found.stray = ends.chunks_exact(2).map(|e| Stray { ends: [e[0], e[1]] }).collect();
+    found.profiles = profiles;
     Some(())
 }

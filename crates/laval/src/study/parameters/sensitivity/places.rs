@@ -15,7 +15,8 @@ use crate::study::Context;
 use crate::study::nonlinear::nonlinear_response::limited;
 use crate::study::shared::probes;
 use laval_num::order::SortByNumber;
-use laval_num::work;
+use laval_num::work::{self, Here};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -152,6 +153,15 @@ fn places_of(
     seeds
 }
 
+/// Places differentiated together.
+const TOGETHER: usize = 16;
+
+/// A place that was differentiated, or why not.
+enum Derived {
+    Moved(Box<Moved>),
+    Without(Without),
+}
+
 /// Looks for them on all branches, and how that ended.
 ///
 /// # Errors
@@ -178,26 +188,43 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
     }
     let total = seeds.len() as u64;
     let period = TAU / d.symmetry.order().max(1) as f64;
-    for (done, Seed { kind, branch, probe, x, speed, way }) in seeds.into_iter().enumerate() {
+    let here = Here::now();
+    let of_seed = |seed: &Seed| {
+        let _counted = here.enter();
         if context.cancelled() {
-            complete = false;
-            break;
+            return None;
         }
-        context.progress.report(done as u64, total);
-        if let Some(part) = balance.switches(&x, speed, (0.0, period)).1 {
-            found.without.push((speed, Without::Jump(part)));
-            continue;
-        }
-        let measure = Measure::Probe(seen.which[probe]);
-        let what = if kind == Kind::Peak { Stationary::Peak(measure) } else { Stationary::Fold };
-        let Some(moved) = work::piece(|| moved(&mut balance, (&x, speed), &way, what, measure, &indices)) else {
-            complete = false;
-            break;
+        // each from a balance of its own, so that none rests on another
+        let derivatives = || -> Result<Derived, Diagnostic> {
+            let mut balance = Balance::new(system, d, request.speeds, None)?;
+            if let Some(part) = balance.switches(&seed.x, seed.speed, (0.0, period)).1 {
+                return Ok(Derived::Without(Without::Jump(part)));
+            }
+            let measure = Measure::Probe(seen.which[seed.probe]);
+            let what = if seed.kind == Kind::Peak { Stationary::Peak(measure) } else { Stationary::Fold };
+            let found = moved(&mut balance, (&seed.x, seed.speed), &seed.way, what, measure, &indices);
+            Ok(found.map_or(Derived::Without(Without::Unconverged), |m| Derived::Moved(Box::new(m))))
         };
-        match moved {
-            None => found.without.push((speed, Without::Unconverged)),
-            Some(moved) => found.places.push(Place { kind, branch, probe: seen.probes[probe].clone(), moved }),
+        work::piece(derivatives)
+    };
+    let mut done = 0;
+    'all: for some in seeds.chunks(TOGETHER) {
+        context.progress.report(done, total);
+        let derived: Vec<_> = some.par_iter().map(of_seed).collect();
+        for (seed, derived) in some.iter().zip(derived) {
+            match derived.transpose()? {
+                None => {
+                    complete = false;
+                    break 'all;
+                }
+                Some(Derived::Without(why)) => found.without.push((seed.speed, why)),
+                Some(Derived::Moved(moved)) => {
+                    let probe = seen.probes[seed.probe].clone();
+                    found.places.push(Place { kind: seed.kind, branch: seed.branch, probe, moved: *moved });
+                }
+            }
         }
+        done += some.len() as u64;
     }
     // two branches may pass the same place
     let mut kept: Vec<Place> = Vec::new();

@@ -23,6 +23,7 @@ use crate::model::field::{Bounds, Field, FieldKind, InnerStudy, Values, Word};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::store::{self, Cells, Column};
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, ErasedStudy, Study};
 use crate::text;
@@ -137,6 +138,12 @@ samples = 256
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         Vec::new()
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        // numbers that the other study finds are known after the first run alone
+        let runs = self.samples.saturating_mul(self.runs());
+        Some(Size::of_rows(runs, self.parameters.len() + system.stations().len().max(8)))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
