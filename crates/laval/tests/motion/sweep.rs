@@ -560,3 +560,31 @@ damping = 600
     let other = of(&study("start = \"rest\"\ninitial = { \"drum.x\" = \"2 mm\" }"), "start_jump");
     assert!(other.value.unwrap() > to + 10.0, "{other:?} {anew:?}");
 }
+
+/// Followed at many speeds together a motion goes where it goes when it is followed one by one, as it is beside an exponent.
+#[test]
+fn motions_followed_together_are_those_followed_one_by_one() {
+    let study = |more: &str| {
+        let l = loaded(
+            &machine(600.0, 8.7e10),
+            &format!("speed = {{ from = 2500, to = 3000, points = 20 }}\nstart = \"up_and_down\"\ntolerance = 1e-4\n{more}"),
+        );
+        l.studies[0].study.run(&l.system, &Context::quiet("s")).unwrap()
+    };
+    let (together, single) = (study(""), study("lyapunov = true\nlyapunov_periods = 16"));
+    let column = |o: &Outcome, name: &str| -> Vec<f64> {
+        let t = o.find_table("sweep").unwrap();
+        let c = t.column(name).unwrap();
+        (0..t.rows()).map(|r| c.number(r).unwrap_or(f64::NAN)).collect()
+    };
+    let size = together.find_table("sweep").unwrap().columns().iter().map(|c| c.name.to_string()).find(|n| n.contains("drum")).unwrap();
+    let (a, b) = (column(&together, &size), column(&single, &size));
+    assert_eq!(a.len(), 40);
+    for (a, b) in a.iter().zip(&b) {
+        assert!((a - b).abs() <= 1e-3 * b.abs(), "{size}: {a} beside {b}");
+    }
+    for name in ["jump_before", "jump_after"] {
+        let [a, b] = [&together, &single].map(|o| column(o, name));
+        assert!(a.iter().zip(&b).all(|(a, b)| a.is_nan() == b.is_nan() && !((a - b).abs() > 1e-9 * b.abs())), "{name}: {a:?} beside {b:?}");
+    }
+}

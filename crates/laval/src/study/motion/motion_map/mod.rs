@@ -27,6 +27,7 @@ use crate::solve::reduced_machine::ReducedMachine;
 use crate::solve::reduction::Reduced;
 use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range, range_or};
 use crate::study::{Context, Study};
@@ -154,6 +155,11 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         let along = self.axes.iter().find(|a| a.path.is_none());
         vec![along.map_or(SpinSpeeds::one(self.speed), |a| SpinSpeeds::between(a.range.from, a.range.to))]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let motions = self.axes.iter().map(|a| a.values().len()).product();
+        Some(Size::of_rows(motions, 24 + 6 * system.probes().len()))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

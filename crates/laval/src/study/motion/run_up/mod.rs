@@ -51,6 +51,8 @@ pub struct RunUp {
     velocities: bool,
     observables: bool,
     spectra: Option<Spectra>,
+    /// Integrate the energy account beside the motion.
+    account: bool,
 }
 
 /// A motion along a programme of the spin speed.
@@ -157,6 +159,7 @@ hold = "2 s"
             initial,
             velocities: values.flag("velocities").unwrap_or(false),
             observables: values.flag("observables").unwrap_or(false),
+            account: true,
         })
     }
 
@@ -188,7 +191,7 @@ hold = "2 s"
         let reduced = history::reduced(&timed, self.programme.clone());
         let system: &System = reduced.as_ref().map_or(&timed, |r| &r.system);
         let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
-        let no_account = motion.keep_account().err();
+        let no_account = if self.account { motion.keep_account().err() } else { None };
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         let entries = start::renumbered(&self.initial, exact, &timed);
         let start = Start::new(&timed, self.programme.at(0.0).speed).on(reduced.as_ref(), &entries, &mut y);
@@ -346,6 +349,11 @@ fn changes(programme: &Programme, values: &Values, diagnostics: &mut Diagnostics
 }
 
 impl RunUp {
+    /// The motion alone, without the account of its energy.
+    pub(in crate::study) fn without_account(self) -> Self {
+        RunUp { account: false, ..self }
+    }
+
     /// Middles of the windows of the envelope that were computed, s.
     fn middles(&self, record: &MotionRecord) -> Vec<f64> {
         let seen = |w: &Vec<Window>| w.iter().take_while(|w| w.peak.amplitude.is_finite()).count();

@@ -11,6 +11,7 @@
 //!
 //! Sources: `docs/theory/motion-in-time.md#sweeps-and-jumps`; Benettin et al., Meccanica 15 (1980) 9; Das et al., Nonlinearity 30 (2017) 4111.
 
+mod ahead;
 mod figures;
 mod lyapunov;
 mod refine;
@@ -50,6 +51,9 @@ use rows::Row;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
+
+/// Followed motions in a chunk, at least: so many that their lanes fill.
+const FOLLOWED: usize = 12;
 
 const STARTS: &[Word] = &[
     ("rest", "from the same state at every speed: which motion is reached depends on it"),
@@ -246,7 +250,7 @@ start = "up_and_down"
         let (steps, ways) = (members.speeds.len(), self.ways.len());
         let followed = self.ways.iter().any(|w| *w != Way::Rest);
         // a chunk of followed motions is as long as a kill may cost, one of single motions as the lanes like
-        let chunk = if followed { steps.div_ceil(50).clamp(4, 64) } else { steps.div_ceil(50).clamp(64, 1024) };
+        let chunk = if followed { steps.div_ceil(50).clamp(FOLLOWED, 64) } else { steps.div_ceil(50).clamp(64, 1024) };
         let rows = rows::columns(self, &members);
         let plan = store::Plan {
             study: Self::KIND.into(),
@@ -420,9 +424,14 @@ impl Members<'_> {
 
     /// Settled motions of members, with their exponents; none when stopped.
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<SteadyPoint>> {
+        self.settle_within(members, counter, &self.budget)
+    }
+
+    /// The same within another budget.
+    fn settle_within(&self, members: &[Member], counter: &Rows, budget: &Budget) -> Option<Vec<SteadyPoint>> {
         let form = Form::of(&self.system, true);
         let probes = self.probes.clone();
-        let task = SteadyStateSearch { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
+        let task = SteadyStateSearch { members, rules: &self.study.rules, counter, budget, probes };
         let all = 0..members.len();
         let settings = Settings { method: self.method, ..Settings::default() };
         let steady_state = ensemble::run(&task, &self.system, form, all.clone(), settings)?;
@@ -431,12 +440,12 @@ impl Members<'_> {
             Some(periods) => {
                 let one = |(m, s): (&Member, &SteadyState)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
                 let members = members.iter().zip(&steady_state).map(one).collect();
-                let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget: &self.budget };
+                let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget };
                 ensemble::run(&pairs, &self.system, form, all, settings)?
             }
         };
         // a motion that the budget cut short is none
-        (!self.budget.used_up()).then(|| steady_state.into_iter().zip(exponents).collect())
+        (!budget.used_up()).then(|| steady_state.into_iter().zip(exponents).collect())
     }
 
     /// Rows of the steps of a chunk, step by step and way by way.
@@ -461,17 +470,9 @@ impl Members<'_> {
             let found = self.settle(&members, counter)?;
             out[w] = members.iter().zip(found).map(|(m, f)| row(Way::Rest, m, f, None)).collect();
         }
-        let followed: Vec<usize> = (0..ways.len()).filter(|&w| ways[w] != Way::Rest).collect();
         let mut carried = carried.unwrap_or_else(|| vec![None; ways.len()]);
-        for step in steps.clone().filter(|_| !followed.is_empty()) {
-            let member = |&w: &usize| self.member_at(self.speed(ways[w], step), carried[w].as_ref().map(|c| &c.y));
-            let members: Vec<Member> = followed.iter().map(member).collect();
-            for ((&w, m), found) in followed.iter().zip(&members).zip(self.settle(&members, counter)?) {
-                let from = self.speed(ways[w], step.saturating_sub(1));
-                let (found, jump) = self.step(ways[w], (from, carried[w].as_ref()), m.speed, found, counter)?;
-                carried[w] = self.followed(&found.0);
-                out[w].push(row(ways[w], m, found, jump));
-            }
+        for w in (0..ways.len()).filter(|&w| ways[w] != Way::Rest) {
+            out[w] = self.follow(ways[w], steps.clone(), &mut carried[w], counter)?;
         }
         let mut each: Vec<_> = out.into_iter().map(Vec::into_iter).collect();
         Some(steps.flat_map(|_| each.iter_mut().filter_map(Iterator::next).collect::<Vec<_>>()).collect())
