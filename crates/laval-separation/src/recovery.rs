@@ -158,6 +158,10 @@ const CONVERGED: f64 = 1e-6;
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
 const NOTHING: f64 = 1e-9;
+/// Places from which on a part of them is looked at first, that part, and how nearly its time is sought (ln).
+const MANY: usize = 512;
+const PART: usize = 8;
+const NEARLY: f64 = 1e-3;
 
 impl<'a> Recovery<'a> {
     /// Without exits known yet.
@@ -289,13 +293,14 @@ impl<'a> Recovery<'a> {
         high
     }
 
-    /// Computes the exits of the particles that are just caught by a counted time.
-    fn refine(&mut self, counted: f64) -> Result<(), Lost> {
+    /// Computes the exits of the particles from the first so many places that are just caught by a counted time.
+    fn refine(&mut self, counted: f64, places: usize) -> Result<(), Lost> {
         let (spinning, watch) = (self.spinning, self.watch);
         let Kind::Smooth(curves) = &self.found else { return Ok(()) };
         let here = Here::now();
         let exits: Vec<Option<(f64, Option<Exit>)>> = curves
             .par_iter()
+            .take(places)
             .zip(&spinning.crowd)
             .map(|(c, m)| {
                 let _counted = here.enter();
@@ -374,21 +379,33 @@ impl<'a> Recovery<'a> {
         if let Kind::Counted(all) = &self.found {
             return Ok(counted(all, spinning.crowd.len(), share));
         }
+        let places = spinning.crowd.len();
         let mut x = self.guess();
+        // a part of the places, spread as evenly as all, says nearly where the answer lies
+        if places >= MANY {
+            let near = self.approach(share, places / PART, x, NEARLY)?;
+            x = if near.is_finite() { near } else { x };
+        }
+        Ok(spinning.clock.time(self.approach(share, places, x, CONVERGED)?.exp()))
+    }
+
+    /// ln of the counted time that a share of so many places takes, from an estimate of it, until it changes by less than that; infinite when the share is never caught.
+    fn approach(&mut self, share: f64, places: usize, guess: f64, within: f64) -> Result<f64, Lost> {
+        let mut x = guess;
         for round in 0..ROUNDS {
             let Kind::Smooth(curves) = &self.found else { break };
-            let next = self.solve(curves, share, x);
+            let next = self.solve(&curves[..places.min(curves.len())], share, x);
             if !next.is_finite() {
                 return Ok(f64::INFINITY);
             }
-            let done = round > 0 && (next - x).abs() < CONVERGED;
+            let done = round > 0 && (next - x).abs() < within;
             x = next;
             if done {
                 break;
             }
-            self.refine(x)?;
+            self.refine(x, places)?;
         }
-        Ok(spinning.clock.time(x.exp()))
+        Ok(x)
     }
 
     /// A counted time (its ln) from which to search: of a particle of median size.
@@ -407,7 +424,7 @@ impl<'a> Recovery<'a> {
         let counted = self.spinning.clock.counted(time).ln();
         let mut share = self.share(time);
         for _ in 0..ROUNDS {
-            self.refine(counted)?;
+            self.refine(counted, usize::MAX)?;
             let next = self.share(time);
             let done = (next - share).abs() < SETTLED;
             share = next;

@@ -46,7 +46,7 @@ use crate::study::shared::support::About;
 use crate::study::{Context, Study};
 use laval_num::complex::C64;
 use laval_num::order::ascending;
-use laval_num::work::watched;
+use laval_num::work::{Here, watched};
 use operating::Operating;
 use spins::Spins;
 use studied::{Found, Needed};
@@ -134,6 +134,15 @@ impl<R> Known<R> {
     }
 }
 
+/// Two results, each on a processor of its own where there are several.
+fn both<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    let here = Here::now();
+    rayon::join(a, move || {
+        let _counted = here.enter();
+        b()
+    })
+}
+
 /// The lowest and the highest of some speeds.
 fn ends(speeds: &[f64]) -> Option<(f64, f64)> {
     let (low, high) = speeds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), w| (a.min(*w), b.max(*w)));
@@ -145,6 +154,8 @@ fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::R
 }
 
 fn within_work<T: Study>(study: &T, system: &System, context: &Context, units: u64) -> Known<T::Result> {
+    // under a bound on the work a study does one thing after the other, so that where it ends does not depend on the number of threads
+    let context = &Context { work_limit: context.work_limit.min(u64::MAX - 1), ..*context };
     let run = || {
         // coefficients beyond a table that refuses them are not known
         speed_range::able(study, system)?;
@@ -269,74 +280,110 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
     let needed = operating.map(|o| Needed::of(o, sign));
     let map =
         |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
-    let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
-    let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
-    let worst = operating.and_then(|o| {
-        speed_range::able(&map(ordered(o.low, o.high, 2)), system).ok()?;
-        worst::worst(system, o, sign, context)
-    });
     let resonance_margin = operation::required_margin(system).unwrap_or(MARGIN);
     let wide = |margin: f64| (BEYOND * margin).clamp(ABOUT, 0.99);
-    // also beside a study of the file that has few speeds, or none as far as the distance required
-    let near = operating.and_then(|o| {
-        let wide = wide(operation.instability_margin.unwrap_or(MARGIN));
-        let ends = known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
-        if matches!(&stability, Known::Studied(row, _) if fine(row, ends)) {
-            return None;
-        }
-        let about = ordered(ends.0, ends.1, NEAR);
-        let known = match &worst {
-            // the boundaries of what is unstable between two of the speeds as well
-            Some(worst) if !in_region(system) => limited(context, MARGINS, || {
-                speed_range::able(&map(about), system)?;
-                let mut speeds = with_table_speeds(&about, NEAR, system);
-                speeds.extend(&worst.peaks);
-                ascending(&mut speeds);
-                speeds.dedup();
-                row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
-            }),
-            _ => within_work(&map(about), system, context, MARGINS).and_then(|r| r.rows.into_iter().next()),
-        };
-        match known {
-            Known::Yes(r) => Some(r),
-            _ => None,
-        }
-    });
     let mut limits = limits::of(system);
     // unbalance turns with every spin, whatever else excites
     limits.orders.extend(spin_orders(system).into_iter().filter(|k| !limits::of(system).orders.iter().any(|own| same_ratio(*own, *k))));
     ascending(&mut limits.orders);
-    let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
-    let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
-    // what ended early below the operating speeds tells nothing of them
-    let reaches = |r: &CriticalSpeedsResult| {
-        r.end.is_complete() || followed(r, sign).is_some_and(|e| operating.is_none_or(|o| e.1 >= o.high * (1.0 - 1e-9)))
+    let of_stability = || {
+        let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
+        let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
+        let worst = operating.and_then(|o| {
+            speed_range::able(&map(ordered(o.low, o.high, 2)), system).ok()?;
+            worst::worst(system, o, sign, context)
+        });
+        // also beside a study of the file that has few speeds, or none as far as the distance required
+        let near = operating.and_then(|o| {
+            let wide = wide(operation.instability_margin.unwrap_or(MARGIN));
+            let ends = known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
+            if matches!(&stability, Known::Studied(row, _) if fine(row, ends)) {
+                return None;
+            }
+            let about = ordered(ends.0, ends.1, NEAR);
+            let known = match &worst {
+                // the boundaries of what is unstable between two of the speeds as well
+                Some(worst) if !in_region(system) => limited(context, MARGINS, || {
+                    speed_range::able(&map(about), system)?;
+                    let mut speeds = with_table_speeds(&about, NEAR, system);
+                    speeds.extend(&worst.peaks);
+                    ascending(&mut speeds);
+                    speeds.dedup();
+                    row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
+                }),
+                _ => within_work(&map(about), system, context, MARGINS).and_then(|r| r.rows.into_iter().next()),
+            };
+            match known {
+                Known::Yes(r) => Some(r),
+                _ => None,
+            }
+        });
+        (stability, near, worst)
     };
-    let criticals = match criticals {
-        Known::Yes(r) if !reaches(&r) => Known::TooLong,
-        known => known,
-    };
-    let narrow = operating.filter(|o| !o.is_one() || o.high > 0.0).and_then(|o| {
-        let reach = ((1.0 - resonance_margin) * o.low, (1.0 + resonance_margin) * o.high);
-        let known = |r: &CriticalSpeedsResult| {
-            let covers = |e: (f64, f64)| e.0 <= reach.0 * (1.0 + 1e-9) && reach.1 <= e.1 * (1.0 + 1e-9);
-            r.end.is_complete() && followed(r, sign).is_none_or(covers)
+    let of_criticals = || {
+        let criticals = within(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context);
+        let criticals = criticals.or_studied(|r| r.end.is_complete(), || studied::criticals(outcomes, needed?, &limits.orders));
+        // what ended early below the operating speeds tells nothing of them
+        let reaches = |r: &CriticalSpeedsResult| {
+            r.end.is_complete() || followed(r, sign).is_some_and(|e| operating.is_none_or(|o| e.1 >= o.high * (1.0 - 1e-9)))
         };
-        if criticals.get().is_some_and(known) {
-            return None;
-        }
-        let wide = wide(resonance_margin);
-        let ends = self::known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
-        let speed = ordered(ends.0, ends.1, NARROW);
-        match within_work(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context, MARGINS) {
-            Known::Yes(r) if r.end.is_complete() => Some(r),
+        let criticals = match criticals {
+            Known::Yes(r) if !reaches(&r) => Known::TooLong,
+            known => known,
+        };
+        let narrow = operating.filter(|o| !o.is_one() || o.high > 0.0).and_then(|o| {
+            let reach = ((1.0 - resonance_margin) * o.low, (1.0 + resonance_margin) * o.high);
+            let known = |r: &CriticalSpeedsResult| {
+                let covers = |e: (f64, f64)| e.0 <= reach.0 * (1.0 + 1e-9) && reach.1 <= e.1 * (1.0 + 1e-9);
+                r.end.is_complete() && followed(r, sign).is_none_or(covers)
+            };
+            if criticals.get().is_some_and(known) {
+                return None;
+            }
+            let wide = wide(resonance_margin);
+            let ends = self::known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
+            let speed = ordered(ends.0, ends.1, NARROW);
+            match within_work(&CriticalSpeeds { speed, orders: limits.orders.clone(), margin: MARGIN }, system, context, MARGINS) {
+                Known::Yes(r) if r.end.is_complete() => Some(r),
+                _ => None,
+            }
+        });
+        let mut response_study = match &criticals {
+            Known::Studied(_, name) => studied::response_beside(outcomes, needed, name),
             _ => None,
-        }
-    });
-    let mut response_study = match &criticals {
-        Known::Studied(_, name) => studied::response_beside(outcomes, needed, name),
-        _ => None,
+        };
+        let forced = match criticals {
+            Known::Yes(_) | Known::Studied(..) => None,
+            _ => match within(&ForcedResponse::over(speed), system, context)
+                .or_studied(|r| r.end.is_complete(), || studied::forced(outcomes, needed?))
+            {
+                Known::Yes(r) => Some(r),
+                Known::Studied(r, name) => {
+                    response_study = Some(name);
+                    Some(r)
+                }
+                _ => None,
+            },
+        };
+        (criticals, narrow, forced, response_study)
     };
+    let of_run_up = || {
+        let time = rated.and(operation.run_up_time)?;
+        let top = operating.map_or(0.0, |o| sign * o.high);
+        Some(checks::simulate(system, top, time, context))
+    };
+    let of_growing = || {
+        rated.filter(|_| in_region(system) && !transcendental(system)).and_then(|speed| {
+            let search = || roots(system, &rest(system, speed)?, &Request { growing: true, everywhere: true, ..Request::default() });
+            match limited(context, COUNT, search) {
+                Known::Yes(found) => found.growing().map(|_| found.spectrum.least_stable().map(|m| m.value).filter(|v| v.re > 0.0)),
+                _ => None,
+            }
+        })
+    };
+    // none of them rests on another
+    let (((stability, near, worst), (criticals, narrow, forced, response_study)), (run_up, growing)) =
+        both(|| both(of_stability, of_criticals), || both(of_run_up, of_growing));
     // slower waves of a liquid that nothing inside it damps are within rounding
     let fastest = range.1;
     let threshold = match system.domains(fastest).iter().any(Domain::undamped) {
@@ -344,31 +391,7 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         false if has_more_modes(system) => RESOLVED * fastest,
         false => 0.0,
     };
-    let forced = match criticals {
-        Known::Yes(_) | Known::Studied(..) => None,
-        _ => match within(&ForcedResponse::over(speed), system, context)
-            .or_studied(|r| r.end.is_complete(), || studied::forced(outcomes, needed?))
-        {
-            Known::Yes(r) => Some(r),
-            Known::Studied(r, name) => {
-                response_study = Some(name);
-                Some(r)
-            }
-            _ => None,
-        },
-    };
-    let growing = rated.filter(|_| in_region(system) && !transcendental(system)).and_then(|speed| {
-        let search = || roots(system, &rest(system, speed)?, &Request { growing: true, everywhere: true, ..Request::default() });
-        match limited(context, COUNT, search) {
-            Known::Yes(found) => found.growing().map(|_| found.spectrum.least_stable().map(|m| m.value).filter(|v| v.re > 0.0)),
-            _ => None,
-        }
-    });
     let balls = system.slots().iter().any(|s| s.part.movable_masses().is_some());
-    let run_up = rated.zip(operation.run_up_time).map(|(_, time)| {
-        let top = operating.map_or(0.0, |o| sign * o.high);
-        checks::simulate(system, top, time, context)
-    });
     let mut facts = Facts {
         system,
         operating,

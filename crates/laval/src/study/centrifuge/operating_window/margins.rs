@@ -17,6 +17,7 @@ use crate::study::shared::speed_range::fastest_ratio;
 use crate::study::shared::support::{larger, largest};
 use laval_num::complex::{C64, c};
 use laval_num::order::{SortByNumber, ascending};
+use laval_num::quadrature::gauss;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -387,6 +388,9 @@ fn centre_of_mass(system: &System, body: &Station, carried: &[&str], speed: f64)
     Some(((lateral(&still) - lateral(&turning)).scale(1.0 / (speed * speed * mass)), height))
 }
 
+/// Nodes of the sum over the speeds of a run-up.
+const NODES: usize = 32;
+
 /// Energy that a run-up of the undeflected machine takes, J: its moment of inertia about the spin axis, from the spin row, times the speed, summed over the way.
 fn spin_energy(system: &System, speed: f64) -> f64 {
     use crate::model::part::{At, Rows};
@@ -401,10 +405,8 @@ fn spin_energy(system: &System, speed: f64) -> f64 {
         spin
     };
     let mut work = |speed: f64| (row(speed, 1.0) - row(speed, 0.0)) * speed;
-    // exact for an inertia that does not depend on the speed
-    const STEPS: usize = 200;
-    let width = speed / STEPS as f64;
-    (0..STEPS).map(|k| work((k as f64 + 0.5) * width) * width).sum()
+    // exact for an inertia that does not depend on the speed; that of cups which swing out changes smoothly
+    gauss(NODES).into_iter().map(|(x, weight)| work(speed * x) * weight * speed).sum()
 }
 
 /// A first guess of the speed that separates: along the radius from the surface to the outermost place, an upper bound of the demand.

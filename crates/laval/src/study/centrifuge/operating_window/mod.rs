@@ -42,6 +42,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::SPEED_RANGE;
 use crate::study::{Context, Study};
@@ -186,6 +187,12 @@ ramp = "60 s"
         // a run-up begins at rest
         let from = if self.values.number("ramp").is_some() { 0.0 } else { self.speed.from };
         vec![SpinSpeeds::between(from, self.speed.to)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let map = self.map.as_ref().map_or(0, |m| m.1.points.unwrap_or(MAP_POINTS) * SPEEDS / 2);
+        let speeds = 2 * self.speed.points.unwrap_or(SPEEDS) + map;
+        Some(Size::of_rows(speeds, 48 + 4 * system.probes().len()))
     }
 
     fn compute(&self, system: &System, context: &Context) -> Result<WindowResult, Diagnostic> {

@@ -32,6 +32,7 @@ use crate::separation::ramp::Ramp;
 use crate::separation::recovery::Watch;
 use crate::separation::separator::Separator;
 use crate::separation::suspension::Member;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
@@ -241,6 +242,11 @@ ramp = "30 s"
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         Vec::new()
+    }
+
+    fn size(&self, _: &System) -> Option<Size> {
+        // start, sizes and exit of every particle
+        Some(Size::of_rows(self.task.batch.places, 4))
     }
 
     fn compute(&self, _: &System, context: &Context) -> Result<SeparationResult, Diagnostic> {

@@ -30,6 +30,7 @@ pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context
     values.set("relative_tolerance", Value::Number(TOLERANCE), None);
     let mut wrong = Diagnostics::default();
     let Some(study) = RunUp::build(&values, system, &mut wrong) else { return Known::Refused(wrong.into_error()) };
+    let study = study.without_account();
     within(&study, system, context).and_then(|result| study.report(system, &result, RunUp::KIND).ok())
 }
 
