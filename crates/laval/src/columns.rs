@@ -1,18 +1,25 @@
 //! Columns as a Parquet file and back: one row group, compressed with zstd. The same columns give the same bytes.
 //!
+//! Bytes of numbers of equal rank stand together (`BYTE_STREAM_SPLIT`): signs and exponents of neighbours are alike, and only they compress. A column that repeats few numbers has a
+//! dictionary. Columns are encoded beside each other, a few at a time.
+//!
 //! Parquet has no place for the unit of a column. Units and meanings stand in the key-value metadata of the file under `columns`, as JSON:
 //! `{"speed": {"unit": "rad/s", "doc": "spin speed"}, ..}`.
 
-use parquet::basic::{Compression, ConvertedType, Repetition, Type as Physical};
+use bytes::Bytes;
+use parquet::basic::{Compression, ConvertedType, Encoding, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::column::writer::{ColumnCloseResult, ColumnWriter, get_column_writer, get_typed_column_writer_mut};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
+use parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
 use parquet::file::reader::{FileReader, SerializedFileReader};
-use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
-use parquet::schema::types::Type;
+use parquet::file::writer::{SerializedFileWriter, SerializedPageWriter, TrackedWrite};
+use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
+use rayon::prelude::*;
 use serde_json::{Map, Value, json};
+use std::collections::HashSet;
 use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
@@ -66,22 +73,49 @@ fn present<T>(values: &[Option<T>]) -> Vec<i16> {
     values.iter().map(|v| i16::from(v.is_some())).collect()
 }
 
-fn write(column: &mut SerializedColumnWriter, values: Values) -> Result<(), ParquetError> {
+fn write(column: &mut ColumnWriter, values: Values) -> Result<(), ParquetError> {
     match values {
-        Values::Float(v) => column.typed::<DoubleType>().write_batch(v, None, None),
-        Values::Int(v) => column.typed::<Int64Type>().write_batch(v, None, None),
-        Values::Flag(v) => column.typed::<BoolType>().write_batch(v, None, None),
-        Values::Text(v) => column.typed::<ByteArrayType>().write_batch(&v.iter().map(|s| text(s)).collect::<Vec<_>>(), None, None),
+        Values::Float(v) => typed::<DoubleType>(column).write_batch(v, None, None),
+        Values::Int(v) => typed::<Int64Type>(column).write_batch(v, None, None),
+        Values::Flag(v) => typed::<BoolType>(column).write_batch(v, None, None),
+        Values::Text(v) => typed::<ByteArrayType>(column).write_batch(&v.iter().map(|s| text(s)).collect::<Vec<_>>(), None, None),
         Values::OptionalInt(v) => {
             let given: Vec<i64> = v.iter().flatten().copied().collect();
-            column.typed::<Int64Type>().write_batch(&given, Some(&present(v)), None)
+            typed::<Int64Type>(column).write_batch(&given, Some(&present(v)), None)
         }
         Values::OptionalText(v) => {
             let given: Vec<ByteArray> = v.iter().flatten().map(|s| text(s)).collect();
-            column.typed::<ByteArrayType>().write_batch(&given, Some(&present(v)), None)
+            typed::<ByteArrayType>(column).write_batch(&given, Some(&present(v)), None)
         }
     }
     .map(|_| ())
+}
+
+fn typed<'a, 'b: 'a, T: DataType>(column: &'a mut ColumnWriter<'b>) -> &'a mut parquet::column::writer::ColumnWriterImpl<'b, T> {
+    get_typed_column_writer_mut::<T>(column)
+}
+
+/// Numbers looked at to see whether a column repeats few of them, and their share that may differ then.
+const LOOKED_AT: usize = 1024;
+const FEW: usize = 8;
+
+/// A column repeats few numbers.
+fn repeats(v: &[f64]) -> bool {
+    let step = v.len().div_ceil(LOOKED_AT).max(1);
+    let looked_at: Vec<u64> = v.iter().step_by(step).map(|x| x.to_bits()).collect();
+    looked_at.iter().collect::<HashSet<_>>().len() * FEW <= looked_at.len()
+}
+
+/// Columns encoded beside each other: so many stand in memory.
+const BESIDE: usize = 4;
+
+/// A column as the bytes of its pages.
+fn encoded(c: &Column, descr: ColumnDescPtr, properties: WriterPropertiesPtr) -> Result<(Bytes, ColumnCloseResult), ParquetError> {
+    let mut sink = TrackedWrite::new(Vec::new());
+    let mut column = get_column_writer(descr, properties, Box::new(SerializedPageWriter::new(&mut sink)));
+    write(&mut column, c.values)?;
+    let closed = column.close()?;
+    Ok((sink.into_inner()?.into(), closed))
 }
 
 /// The file in memory; `notes` are further entries of its key-value metadata.
@@ -108,15 +142,26 @@ fn encode_columns(columns: &[Column], notes: &[(&str, &str)], out: &mut (dyn Wri
     let about: Map<String, Value> = columns.iter().map(|c| (c.name.to_string(), json!({ "unit": c.unit, "doc": c.doc }))).collect();
     let mut entries: Vec<KeyValue> = notes.iter().map(|(k, v)| KeyValue::new(k.to_string(), v.to_string())).collect();
     entries.push(KeyValue::new("columns".to_string(), Value::Object(about).to_string()));
-    let properties =
-        WriterProperties::builder().set_compression(Compression::ZSTD(Default::default())).set_key_value_metadata(Some(entries)).build();
-    let mut writer = SerializedFileWriter::new(out, schema, Arc::new(properties))?;
+    let mut properties =
+        WriterProperties::builder().set_compression(Compression::ZSTD(Default::default())).set_key_value_metadata(Some(entries));
+    for c in columns {
+        if let Values::Float(v) = c.values {
+            let path = ColumnPath::new(vec![c.name.to_string()]);
+            properties =
+                properties.set_column_dictionary_enabled(path.clone(), repeats(v)).set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
+        }
+    }
+    let properties = Arc::new(properties.build());
+    let mut writer = SerializedFileWriter::new(out, schema, properties.clone())?;
+    let places: Vec<(&Column, ColumnDescPtr)> = columns.iter().zip(writer.schema_descr().columns().iter().cloned()).collect();
     if !columns.is_empty() {
         let mut group = writer.next_row_group()?;
-        for c in columns {
-            let mut column = group.next_column()?.ok_or_else(|| ParquetError::General(format!("no place for the column {}", c.name)))?;
-            write(&mut column, c.values)?;
-            column.close()?;
+        for some in places.chunks(BESIDE) {
+            let made: Vec<_> = some.par_iter().map(|(c, descr)| encoded(c, descr.clone(), properties.clone())).collect();
+            for column in made {
+                let (bytes, closed) = column?;
+                group.append_column(&bytes, closed)?;
+            }
         }
         group.close()?;
     }

@@ -5,7 +5,7 @@ use super::animation::animation;
 use super::embed::hash;
 use super::evidence;
 use super::first_page;
-use super::payload::{column_for, payload};
+use super::payload::{Thinning, drawn_on_page, payload};
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
 use super::text::{escape, prose};
@@ -51,13 +51,13 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     }
     let style = &report.style;
     let over = over_speed(report);
-    let column = column_for(&scenes.iter().flatten().chain(&over).collect::<Vec<_>>());
+    let thinning = Thinning::of(&scenes.iter().flatten().chain(&over).collect::<Vec<_>>());
     let names = Names::new(report);
     let p = &report.provenance;
     let mut s = opening(report);
     match &report.overview {
         Some(page) => {
-            answer(&mut s, page, over.as_ref(), column, style);
+            answer(&mut s, page, over.as_ref(), thinning, style);
             s.push_str("<details class=\"all\"><summary>");
             s.push_str(&say(style, "page-findings"));
             s.push_str("</summary>\n");
@@ -67,7 +67,7 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         None => summary(&mut s, report),
     }
     for (i, (o, scenes)) in report.outcomes.iter().zip(&scenes).enumerate() {
-        study(&mut s, report, scenes, i, column, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
+        study(&mut s, report, scenes, i, thinning, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
     }
     evidence::table(&mut s, report);
     if let Some(input) = &report.input {
@@ -104,7 +104,7 @@ pub fn page_one(report: &Report) -> String {
     let over = over_speed(report);
     let mut s = opening(report);
     match &report.overview {
-        Some(page) => answer(&mut s, page, over.as_ref(), column_for(&over.iter().collect::<Vec<_>>()), &report.style),
+        Some(page) => answer(&mut s, page, over.as_ref(), Thinning::of(&over.iter().collect::<Vec<_>>()), &report.style),
         None => summary(&mut s, report),
     }
     s.push_str("</main>\n</body>\n</html>\n");
@@ -119,10 +119,10 @@ fn over_speed(report: &Report) -> Option<Scene> {
 }
 
 /// The first page.
-fn answer(s: &mut String, page: &Overview, over: Option<&Scene>, column: f64, style: &Style) {
+fn answer(s: &mut String, page: &Overview, over: Option<&Scene>, thinning: Thinning, style: &Style) {
     first_page::head(s, page, style);
     if let Some(scene) = over {
-        drawn(s, scene, "over", column, style);
+        drawn(s, scene, "over", thinning, style);
         hint(s, style);
     }
     first_page::tail(s, page, style);
@@ -242,7 +242,14 @@ fn sentence(f: &Finding, style: &Style) -> String {
     format!("<li class=\"{}\">{tag}{}", f.level.word(), prose(&style.sentence(f)))
 }
 
-fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) -> Result<(), OutcomeError> {
+fn study(
+    s: &mut String,
+    report: &Report,
+    scenes: &[Scene],
+    i: usize,
+    thinning: Thinning,
+    names: Option<&Names>,
+) -> Result<(), OutcomeError> {
     let (o, overview) = (&report.outcomes[i], &report.overview);
     // the question it answers, and its own name where it has one
     let question = report.style.message(&Message::new(["study-", &o.kind].concat()));
@@ -270,7 +277,7 @@ fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f6
         }
     }
     for (k, scene) in scenes.iter().enumerate() {
-        drawn(s, scene, &format!("f{i}-{k}"), column, &report.style);
+        drawn(s, scene, &format!("f{i}-{k}"), thinning, &report.style);
         if i == 0 && k == 0 && overview.is_none() {
             hint(s, &report.style);
         }
@@ -314,7 +321,7 @@ fn hint(s: &mut String, style: &Style) {
 }
 
 /// A figure that the script of the page makes live.
-fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
+fn drawn(s: &mut String, scene: &Scene, id: &str, thinning: Thinning, style: &Style) {
     if scene.tiles.is_some() {
         let _ = writeln!(
             s,
@@ -331,8 +338,10 @@ fn drawn(s: &mut String, scene: &Scene, id: &str, column: f64, style: &Style) {
         "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b></figcaption>\n<div class=\"plot\">",
         prose(&scene.title)
     );
-    s.push_str(&render(scene, WIDE, column.max(1.0), Some(&format!("{id}w"))));
-    s.push_str(&render(scene, NARROW, column.max(1.0), Some(&format!("{id}n"))));
+    let column = thinning.column(scene);
+    let still = column.max(drawn_on_page(scene));
+    s.push_str(&render(scene, WIDE, still, Some(&format!("{id}w"))));
+    s.push_str(&render(scene, NARROW, still, Some(&format!("{id}n"))));
     let _ = writeln!(
         s,
         "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>{}</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",

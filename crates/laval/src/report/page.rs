@@ -1,7 +1,7 @@
 //! Pages other than the report, in its style: they open offline, run no script, and adapt to phones, dark screens and paper.
 
 use super::embed::hash;
-use super::payload::drawn;
+use super::payload::drawn_on_page;
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
 use super::text::prose;
@@ -32,7 +32,7 @@ pub fn figure(figure: &Figure, tables: &[Table], id: &str) -> Result<String, Out
         "<figure class=\"fig\" id=\"{id}\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">{}{}</div>\n</figure>\n",
         prose(&scene.title),
         prose(&scene.alt),
-        render(&scene, WIDE, drawn(&scene), Some(&format!("{id}w"))),
-        render(&scene, NARROW, drawn(&scene), Some(&format!("{id}n"))),
+        render(&scene, WIDE, drawn_on_page(&scene), Some(&format!("{id}w"))),
+        render(&scene, NARROW, drawn_on_page(&scene), Some(&format!("{id}n"))),
     ))
 }

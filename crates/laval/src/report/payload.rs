@@ -10,22 +10,50 @@ use crate::outcome::unit_text;
 use crate::plain;
 use serde_json::{Value, json};
 
-/// Most points in all drawings of a page: about 11 bytes each.
-const MOST_POINTS: usize = 45_000;
+/// Most points in all drawings of a page that can be zoomed, about 11 bytes each. With the part that each drawing has at least there may be twice as many.
+const MOST_POINTS: usize = 30_000;
+/// Most points in a drawing of a file of its own, and in one of the two that a page shows before its script runs.
+const ALONE: usize = 45_000;
+const ON_PAGE: usize = 8_000;
 /// Widths of the pixel columns tried, finest first: the finer, the deeper one can zoom. The last ones are for hundreds of curves.
 const COLUMNS: [f64; 13] = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 256.0, 1024.0];
 
-/// The finest thinning of a drawing by itself: pixels, or more where many curves would make it large.
+/// The finest thinning of a drawing by itself: pixels, or more where many curves would make it large. The highest and the lowest point of a column stay whatever its width.
 pub(super) fn drawn(scene: &Scene) -> f64 {
-    column_for(&[scene]).max(1.0)
+    column_within(&[scene], ALONE).max(1.0)
 }
 
-/// The finest thinning that keeps all scenes together below the limit.
-pub(super) fn column_for(scenes: &[&Scene]) -> f64 {
+/// The same on a page.
+pub(super) fn drawn_on_page(scene: &Scene) -> f64 {
+    column_within(&[scene], ON_PAGE).max(1.0)
+}
+
+/// How the scenes of a page are thinned.
+#[derive(Clone, Copy)]
+pub(super) struct Thinning {
+    /// The finest that keeps all scenes together below the limit of a page.
+    column: f64,
+    /// The part of the limit that each scene has for itself.
+    share: usize,
+}
+
+impl Thinning {
+    /// For these scenes.
+    pub fn of(scenes: &[&Scene]) -> Self {
+        Thinning { column: column_within(scenes, MOST_POINTS), share: MOST_POINTS / scenes.len().max(1) }
+    }
+
+    /// Of a scene: a long orbit beside it makes it no coarser than its own points do.
+    pub fn column(&self, scene: &Scene) -> f64 {
+        self.column.min(column_within(&[scene], self.share))
+    }
+}
+
+fn column_within(scenes: &[&Scene], most: usize) -> f64 {
     let count = |column: f64| -> usize {
         scenes.iter().flat_map(|s| s.panels.iter().flat_map(move |p| p.series.iter().map(move |q| kept(q, &s.x, &p.y, column).len()))).sum()
     };
-    COLUMNS.into_iter().find(|c| count(*c) <= MOST_POINTS).unwrap_or(COLUMNS[COLUMNS.len() - 1])
+    COLUMNS.into_iter().find(|c| count(*c) <= most).unwrap_or(COLUMNS[COLUMNS.len() - 1])
 }
 
 fn kept(s: &Series, x: &AxisView, y: &AxisView, column: f64) -> Vec<usize> {
