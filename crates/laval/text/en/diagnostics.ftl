@@ -1633,6 +1633,8 @@ diag-write-file-si-or-units-such-3458 = write file, si, or units such as "rpm, m
 ## laval/src/study/shared/size.rs
 
 diag-spectra-of-states-6d66 = { $speeds } spectra of { $states } states
+diag-rows-of-numbers-866d = { $rows } rows of { $columns } numbers
+diag-give-fewer-points-6535 = give fewer points
 diag-take-about-gb-of-memory-more-e408 = { $of } take about { $needed } GB of memory, more than the { $most } GB allowed
 
 ## laval/src/study/shared/speed_range.rs

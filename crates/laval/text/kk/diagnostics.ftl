@@ -1307,6 +1307,8 @@ diag-write-file-si-or-units-such-3458 = file, si немесе "rpm, mm, kN" си
 
 diag-spectra-of-states-6d66 = { $states } күйлі { $speeds } спектр
 diag-give-the-range-fewer-points-f548 = ауқымға аз нүкте беріңіз
+diag-rows-of-numbers-866d = әрқайсысында { $columns } сан бар { $rows } жол
+diag-give-fewer-points-6535 = нүктелер санын азайтыңыз
 diag-take-about-gb-of-memory-more-e408 = { $of }: шамамен { $needed } GB жад керек, рұқсат етілгені { $most } GB
 
 ## laval/src/study/shared/speed_range.rs

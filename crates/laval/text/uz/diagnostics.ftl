@@ -1265,6 +1265,8 @@ diag-write-file-si-or-units-such-3458 = file, si yoki birliklarni yozing, masala
 
 diag-spectra-of-states-6d66 = { $states } ta holatning { $speeds } ta spektri
 diag-give-the-range-fewer-points-f548 = oraliqda nuqtalar sonini kamaytiring
+diag-rows-of-numbers-866d = har birida { $columns } ta son bo‘lgan { $rows } ta qator
+diag-give-fewer-points-6535 = nuqtalar sonini kamaytiring
 diag-take-about-gb-of-memory-more-e408 = { $of } taxminan { $needed } GB xotira talab qiladi, ruxsat etilgani { $most } GB
 
 ## laval/src/study/shared/speed_range.rs

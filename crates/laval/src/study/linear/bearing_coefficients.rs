@@ -20,6 +20,7 @@ use crate::solve::characteristic::{Equilibrium, Frame};
 use crate::solve::statics::bearing::{BearingState, bearing_state};
 use crate::solve::statics::own;
 use crate::solve::statics::supports::Support;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, beyond_rounding, inconsistent, largest, one_or_range, state_remarks};
 use crate::study::shared::supporting;
@@ -62,6 +63,11 @@ impl Study for BearingCoefficients {
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let parts = system.slots().iter().filter(|s| s.part.body().is_none()).count();
+        Some(Size::of_rows(self.speed.points.unwrap_or(POINTS), 24 * parts))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -25,6 +25,7 @@ use crate::outcome::{
 use crate::solve::harmonic::free::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
 use crate::solve::harmonic::stability::floquet::Exponents;
 use crate::study::shared::probes;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, larger, range, runs};
 use crate::study::{Context, Study};
@@ -73,6 +74,10 @@ impl Study for LimitCycles {
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         vec![SpinSpeeds::between(self.request.speeds.0, self.request.speeds.1)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        Some(Size::of_spectra(self.request.points, system))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -20,6 +20,7 @@ use crate::solve::harmonic::branches::response::{Request, Response, respond, sym
 use crate::solve::symmetry::Symmetry;
 use crate::study::nonlinear::progress::progress;
 use crate::study::shared::probes;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{one_or_range, probe_name};
 use crate::study::shared::validity::Uses;
@@ -64,6 +65,10 @@ harmonics = 7
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        Some(Size::of_rows(self.speed.points.unwrap_or(25), 32 + 8 * system.stations().len()))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -13,8 +13,22 @@ pub(in crate::study) const KEPT: f64 = 8.0;
 pub(in crate::study) const LISTED: f64 = 48.0;
 /// Modes that are kept of a large machine, about.
 const BAND: f64 = 100.0;
-/// Most bytes of a run.
+/// Most bytes of a run, and the share of the memory of the machine that it may take at most.
 const MOST: f64 = 4e9;
+const SHARE: f64 = 0.5;
+
+/// Most bytes of a run on this machine.
+fn most() -> f64 {
+    #[cfg(target_os = "linux")]
+    {
+        let about = rustix::system::sysinfo();
+        let memory = about.totalram as f64 * f64::from(about.mem_unit);
+        if memory > 0.0 {
+            return MOST.min(SHARE * memory);
+        }
+    }
+    MOST
+}
 
 /// What a run keeps.
 pub struct Size {
@@ -39,10 +53,23 @@ impl Size {
         }
     }
 
+    /// Rows of a table with so many numbers each, which are kept beside it.
+    pub(in crate::study) fn of_rows(rows: usize, columns: usize) -> Size {
+        Size {
+            bytes: rows as f64 * columns as f64 * (KEPT + LISTED),
+            of: text!("{rows} rows of {columns} numbers", rows, columns),
+            fewer: text!("give fewer points"),
+        }
+    }
+
     /// Whether it fits.
     pub(in crate::study) fn check(self) -> Result<(), Diagnostic> {
+        self.check_within(most())
+    }
+
+    fn check_within(self, limit: f64) -> Result<(), Diagnostic> {
         let Size { bytes, of, fewer } = self;
-        if bytes <= MOST {
+        if bytes <= limit {
             return Ok(());
         }
         let gigabytes = |b: f64| significant(1e-9 * b, 2);
@@ -50,8 +77,25 @@ impl Size {
             "{of} take about {needed} GB of memory, more than the {most} GB allowed",
             of,
             needed = gigabytes(bytes),
-            most = gigabytes(MOST)
+            most = gigabytes(limit)
         );
         Err(Diagnostic::error("request.memory", message).help(fewer))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_refusal_states_need_and_limit() {
+        assert!(most() > 0.0 && most() <= MOST);
+        assert!(Size::of_rows(1000, 10).check_within(1e9).is_ok());
+        let refused = Size::of_rows(1_000_000, 100).check_within(2e9).unwrap_err();
+        let said = refused.message.to_string();
+        assert!(said.contains("1000000 rows of 100 numbers take about 5.6 GB") && said.contains("the 2 GB allowed"), "{said}");
+        // a size that is no number does not fit
+        let unknown = Size { bytes: f64::NAN, ..Size::of_rows(1, 1) };
+        assert!(unknown.check_within(1e9).is_err());
     }
 }

@@ -20,6 +20,7 @@ use crate::model::system::System;
 use crate::outcome::{End, Kept, Outcome};
 use crate::solve::statics::supports::{Support, diagonal};
 use crate::solve::support_map::{Root, Spin, SupportMap};
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range_or;
 use crate::study::shared::supporting;
@@ -108,6 +109,11 @@ modes = 4
 
     fn vibration(&self, _: &System) -> Vibration {
         Vibration::Refused
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let points = self.stiffness.and_then(|r| r.points).unwrap_or(POINTS);
+        Some(Size::of_rows(points, 4 * self.modes + 2 * system.slots().len()))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

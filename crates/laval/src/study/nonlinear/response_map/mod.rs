@@ -23,6 +23,7 @@ use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::branches::response::Request;
 use crate::store::{self, Collected};
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
@@ -130,6 +131,11 @@ speed = { from = "100 rpm", to = "12000 rpm" }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         vec![SpinSpeeds::between(self.request.speeds.0, self.request.speeds.1)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let cells = self.axes.iter().map(|a| a.values().len()).product();
+        Some(Size::of_rows(cells, 24 + 8 * system.stations().len()))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
