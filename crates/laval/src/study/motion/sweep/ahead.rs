@@ -8,7 +8,7 @@ use super::refine::{Followed, SteadyPoint};
 use super::rows::Row;
 use super::{Members, Way};
 use crate::store::Rows;
-use crate::study::motion::steady_state::Member;
+use crate::study::motion::steady_state::{Budget, Member};
 use std::ops::Range;
 
 /// Speeds looked at together: as many whatever the number of processors, so that the result does not depend on it.
@@ -29,7 +29,9 @@ impl Members<'_> {
             count = count.min(steps.end - next);
             let speeds: Vec<f64> = (next..next + count).map(|step| self.speed(way, step)).collect();
             let leaps: Vec<Member> = speeds.iter().map(|&w| self.member_at(w, carried.as_ref().map(|c| &c.y))).collect();
-            let first = self.settle(&leaps, &quiet)?;
+            // a leap that is no motion of the sweep is not among its steps
+            let own = Budget::new(u64::MAX);
+            let first = self.settle_within(&leaps, &quiet, if count == 1 { &self.budget } else { &own })?;
             let hops: Vec<Member> = speeds[1..]
                 .iter()
                 .zip(&first)

@@ -424,9 +424,14 @@ impl Members<'_> {
 
     /// Settled motions of members, with their exponents; none when stopped.
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<SteadyPoint>> {
+        self.settle_within(members, counter, &self.budget)
+    }
+
+    /// The same within another budget.
+    fn settle_within(&self, members: &[Member], counter: &Rows, budget: &Budget) -> Option<Vec<SteadyPoint>> {
         let form = Form::of(&self.system, true);
         let probes = self.probes.clone();
-        let task = SteadyStateSearch { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
+        let task = SteadyStateSearch { members, rules: &self.study.rules, counter, budget, probes };
         let all = 0..members.len();
         let settings = Settings { method: self.method, ..Settings::default() };
         let steady_state = ensemble::run(&task, &self.system, form, all.clone(), settings)?;
@@ -435,12 +440,12 @@ impl Members<'_> {
             Some(periods) => {
                 let one = |(m, s): (&Member, &SteadyState)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
                 let members = members.iter().zip(&steady_state).map(one).collect();
-                let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget: &self.budget };
+                let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget };
                 ensemble::run(&pairs, &self.system, form, all, settings)?
             }
         };
         // a motion that the budget cut short is none
-        (!self.budget.used_up()).then(|| steady_state.into_iter().zip(exponents).collect())
+        (!budget.used_up()).then(|| steady_state.into_iter().zip(exponents).collect())
     }
 
     /// Rows of the steps of a chunk, step by step and way by way.
