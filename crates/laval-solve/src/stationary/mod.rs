@@ -300,24 +300,26 @@ impl<'a> Search<'a> {
     fn reach_all(&self, starts: std::ops::Range<usize>, speed: f64) -> Vec<Option<Reached>> {
         let here = Here::now();
         let (system, request, cancel) = (self.problem.system, self.request, self.cancel);
-        let one = |search: &mut Search, index: usize| {
+        let one = |index: usize| {
             let _counted = here.enter();
+            let mut search = Search::new(system, request, cancel);
             let mut x = search.start(index, speed)?;
             let free = search.reach(&mut x, speed);
             Some((x, free))
         };
-        starts.into_par_iter().map_init(|| Search::new(system, request, cancel), one).collect()
+        starts.into_par_iter().map(one).collect()
     }
 
     /// Some branches assessed, on all processors; the first has this number.
     fn assess_all(&self, first: usize, branches: &[Branch]) -> Vec<Result<(Path, bool), Diagnostic>> {
         let here = Here::now();
         let (system, request, cancel) = (self.problem.system, self.request, self.cancel);
-        let one = |search: &mut Search, (k, branch): (usize, &Branch)| {
+        let one = |(k, branch): (usize, &Branch)| {
             let _counted = here.enter();
+            let mut search = Search::new(system, request, cancel);
             search.assess(first + k, branch.clone(), &mut |_| !cancel.load(Ordering::Relaxed))
         };
-        branches.par_iter().enumerate().map_init(|| Search::new(system, request, cancel), one).collect()
+        branches.par_iter().enumerate().map(one).collect()
     }
 
     fn spent(&self, found: &Found) -> bool {

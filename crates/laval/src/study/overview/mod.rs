@@ -138,10 +138,17 @@ impl<R> Known<R> {
 /// Two results, each on a processor of its own where there are several.
 fn both<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     let here = Here::now();
-    rayon::join(a, move || {
-        let _counted = here.enter();
-        b()
-    })
+    // either may run on a thread that works for another computation
+    rayon::join(
+        || {
+            let _counted = here.enter();
+            a()
+        },
+        || {
+            let _counted = here.enter();
+            b()
+        },
+    )
 }
 
 /// The lowest and the highest of some speeds.

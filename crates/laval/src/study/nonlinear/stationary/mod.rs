@@ -451,11 +451,11 @@ const TOGETHER: usize = 8;
 /// The states at some speeds, on all processors.
 fn listed_all(system: &System, request: &Request, found: &Found, speeds: &[f64], context: &Context) -> Vec<Result<Vec<Row>, Diagnostic>> {
     let here = Here::now();
-    let one = |search: &mut Search, speed: &f64| {
+    let one = |speed: &f64| {
         let _counted = here.enter();
-        listed(system, search, found, *speed)
+        listed(system, &mut Search::new(system, request, context.cancel), found, *speed)
     };
-    speeds.par_iter().map_init(|| Search::new(system, request, context.cancel), one).collect()
+    speeds.par_iter().map(one).collect()
 }
 
 /// The states at a speed, classified.
