@@ -208,7 +208,7 @@ diag-acts-on-the-tilt-and-this-25d2 = { $field } acts on the tilt, and this disc
 
 diag-a-wheel-sits-on-a-turning-8ee2 = a wheel sits on a turning body, not on the ground
 diag-name-the-two-shafts-or-discs-cbce = name the two shafts or discs that carry the wheels
-diag-a-transmitted-torque-needs-two-bodies-84a3 = a transmitted torque needs two bodies that twist: say torsional = true of both
+diag-a-gear-joins-the-rotations-of-7f02 = a gear joins the rotations of two bodies: say torsional = true of both
 diag-the-second-body-turns-times-as-56df = the second body turns { $ratio } times as fast as the first, and by the radii { $needed } times; give it a spin of that ratio
 
 ## laval-model/src/parts/liquid/check.rs
@@ -434,9 +434,9 @@ diag-leave-subharmonic-out-or-write-symmetry-a746 = leave subharmonic out, or wr
 diag-the-machine-has-no-symmetry-by-0c76 = the machine has no symmetry by { $symmetry }: part "{ $part }" changes when turned
 diag-the-machine-has-no-symmetry-by-3964 = the machine has no symmetry by { $symmetry }
 diag-use-symmetry-auto-this-machine-is-2aec = use symmetry = "auto"; this machine is symmetric by { $symmetry }
-diag-the-response-cannot-be-followed-ba98 = the response cannot be followed: { $e }
 diag-no-periodic-motion-was-found-at-47e1 = no periodic motion was found at { $lo } nor at { $hi }
 diag-integrate-the-machine-in-time-transient-0e26 = integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all
+diag-the-response-cannot-be-followed-ba98 = the response cannot be followed: { $e }
 
 ## laval-solve/src/harmonic/free/backbone.rs
 

@@ -1651,7 +1651,7 @@ diag-name-it-in-a-shaft-or-b28c = оны білікте немесе дискі�
 diag-is-named-twice-b544 = «{ $name }» екі рет аталған
 diag-joins-two-points-of-one-body-7eda = «{ $name }» бір дененің екі нүктесін қосады
 diag-a-bearing-or-shaft-joins-a-78c9 = мойынтірек не білік денені басқа денемен немесе "ground"-пен қосады
-diag-a-transmitted-torque-needs-two-bodies-84a3 = берілетін моментке бұралатын екі дене керек: екеуіне де torsional = true беріңіз
+diag-a-gear-joins-the-rotations-of-7f02 = беріліс екі дененің айналуын байланыстырады: екеуіне де torsional = true беріңіз
 diag-layers-and-are-in-the-same-4df9 = { $first } және { $second } қабаттары { $position } орнында бір жерде жатыр
 diag-names-a-point-that-does-not-8b5a = { $field } «{ $n }» нүктесін атайды, «{ $body }» денесінде ондай нүкте жоқ
 diag-it-reaches-from-to-517d = ол { $from } мен { $to } аралығында

@@ -1341,7 +1341,7 @@ diag-name-it-in-a-shaft-or-b28c = назовите его в вале или д�
 diag-is-named-twice-b544 = «{ $name }» названо дважды
 diag-joins-two-points-of-one-body-7eda = «{ $name }» соединяет две точки одного тела
 diag-a-bearing-or-shaft-joins-a-78c9 = опора или вал соединяет тело с другим телом или с "ground"
-diag-a-transmitted-torque-needs-two-bodies-84a3 = передаваемому моменту нужны два тела, которые скручиваются: задайте torsional = true для обоих
+diag-a-gear-joins-the-rotations-of-7f02 = передача связывает вращения двух тел: задайте torsional = true для обоих
 diag-layers-and-are-in-the-same-4df9 = слои { $first } и { $second } занимают одно место в { $position }
 diag-names-a-point-that-does-not-8b5a = { $field } называет «{ $n }» – точку, которой у «{ $body }» нет
 diag-it-reaches-from-to-517d = тело простирается от { $from } до { $to }

@@ -1649,7 +1649,7 @@ diag-name-it-in-a-shaft-or-b28c = uni val yoki diskda nomlang: spin = "{ $name }
 diag-is-named-twice-b544 = "{ $name }" ikki marta nomlangan
 diag-joins-two-points-of-one-body-7eda = "{ $name }" bitta jismning ikki nuqtasini bog‘laydi
 diag-a-bearing-or-shaft-joins-a-78c9 = podshipnik yoki val jismni boshqa jism yoki "ground" bilan bog‘laydi
-diag-a-transmitted-torque-needs-two-bodies-84a3 = uzatiladigan momentga buraladigan ikki jism kerak: ikkalasiga ham torsional = true bering
+diag-a-gear-joins-the-rotations-of-7f02 = uzatma ikki jismning aylanishini bog‘laydi: ikkalasiga ham torsional = true bering
 diag-layers-and-are-in-the-same-4df9 = { $first } va { $second } qatlamlar { $position } da bir joyda yotadi
 diag-names-a-point-that-does-not-8b5a = { $field } "{ $n }" nuqtani ko‘rsatadi, "{ $body }" jismida bunday nuqta yo‘q
 diag-it-reaches-from-to-517d = u { $from } dan { $to } gacha cho‘zilgan
