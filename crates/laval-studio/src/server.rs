@@ -2,7 +2,7 @@
 
 use crate::machines::Machines;
 use crate::runs::Runs;
-use crate::{Options, routes};
+use crate::{Options, folder, routes};
 use laval::diagnostic::Diagnostic;
 use laval::text;
 use std::io;
@@ -83,6 +83,12 @@ impl Server {
         options.folder = options.folder.canonicalize().map_err(|e| {
             Diagnostic::error("studio.folder", text!("cannot open {path}: {e}", path = options.folder.display(), e = e.to_string()))
         })?;
+        if let Some(file) = options.file.as_ref().filter(|f| f.exists() && options.text.is_none()) {
+            let name = folder::name_of(&options.folder, file).ok_or_else(|| {
+                Diagnostic::error("studio.file", text!("{path} is a link out of its folder", path = file.display()))
+            })?;
+            folder::read(&options.folder, &name)?;
+        }
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));
         let listener = TcpListener::bind(address).map_err(|e| failed(&e))?;
         listener.set_nonblocking(true).map_err(|e| failed(&e))?;

@@ -49,6 +49,9 @@ pub enum Goal {
     },
 }
 
+/// See [`Sought::tolerance`].
+pub(super) const STATED: f64 = 2e-3;
+
 /// A result with its slopes, one for each of the parameters; NaN where they are not known.
 pub(super) struct Valued {
     pub value: f64,
@@ -63,7 +66,11 @@ pub(super) trait Sought {
     fn quick(&self) -> bool;
     /// Its value, with slopes in these parameters, each a list of indices that move together. `None` where the machine does not have it near where it was.
     fn of(&mut self, system: &System, parameters: &[Vec<usize>], context: &Context) -> Result<Option<Valued>, Diagnostic>;
-    /// Where it was last.
+    /// Distance of the result of the file from where it is stated, over its speed, up to which it is that result.
+    fn tolerance(&self) -> f64 {
+        STATED
+    }
+    /// Where it was last, its speed first.
     fn mark(&self) -> Vec<f64>;
     /// Goes on from an earlier place.
     fn back(&mut self, mark: &[f64]);

@@ -26,6 +26,8 @@ pub(super) struct StabilityLimit {
     value: C64,
     sector: Option<Sector>,
     double: bool,
+    /// The growth rises with the speed.
+    onset: bool,
 }
 
 /// Range searched, over the speed, and speeds in it.
@@ -37,15 +39,16 @@ const FAR: f64 = 0.1;
 /// Last step, over the speed.
 const TOLERANCE: f64 = 1e-12;
 
-fn near(system: &System, at: f64, context: &Context) -> Result<Option<StabilityLimit>, Diagnostic> {
+/// The limit next to a speed: an onset or an end where that is given.
+fn near(system: &System, at: f64, onset: Option<bool>, context: &Context) -> Result<Option<StabilityLimit>, Diagnostic> {
     let speed = RangeValue { from: (1.0 - ABOUT) * at, to: (1.0 + ABOUT) * at, points: Some(SPEEDS) };
     let study = StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
     let found = study.result(system, context)?;
     let Some(row) = found.rows.into_iter().next() else { return Ok(None) };
-    let edge = row.edges.iter().filter(|e| e.located).min_by(|a, b| (a.speed - at).abs().total_cmp(&(b.speed - at).abs()));
+    let edge = row.edges.iter().filter(|e| e.located && onset.is_none_or(|o| e.onset == o)).min_by(|a, b| (a.speed - at).abs().total_cmp(&(b.speed - at).abs()));
     Ok(edge.map(|e| {
         let beside = row.samples.iter().min_by(|a, b| (a.value - e.value).abs().total_cmp(&(b.value - e.value).abs()));
-        StabilityLimit { speed: e.speed, value: e.value, sector: beside.and_then(|s| s.sector), double: e.double }
+        StabilityLimit { speed: e.speed, value: e.value, sector: beside.and_then(|s| s.sector), double: e.double, onset: e.onset }
     }))
 }
 
@@ -54,7 +57,7 @@ impl StabilityLimit {
         if !(at.is_finite() && at != 0.0) {
             return Err(Diagnostic::error("reach.goal", text!("a limit of stability has a speed")));
         }
-        near(system, at, context)?.ok_or_else(|| {
+        near(system, at, None, context)?.ok_or_else(|| {
             Diagnostic::error("reach.goal", text!("there is no limit of stability near {at}", at = text::quantity(at, "rad/s")))
         })
     }
@@ -93,8 +96,10 @@ impl Sought for StabilityLimit {
     fn of(&mut self, system: &System, parameters: &[Vec<usize>], context: &Context) -> Result<Option<Valued>, Diagnostic> {
         let far = |speed: f64| (speed - self.speed).abs() > ABOUT * self.speed.abs();
         let own = if self.double { None } else { self.newton(system) };
-        let Some((speed, value, by_speed)) = own.filter(|o| !far(o.0)) else {
-            let Some(found) = near(system, self.speed, context)? else { return Ok(None) };
+        // what was an onset does not become an end
+        let turned = |slope: C64| (slope.re > 0.0) != self.onset;
+        let Some((speed, value, by_speed)) = own.filter(|o| !far(o.0) && !turned(o.2)) else {
+            let Some(found) = near(system, self.speed, Some(self.onset), context)? else { return Ok(None) };
             *self = found;
             return Ok(Some(Valued { value: self.speed, slopes: vec![f64::NAN; parameters.len()] }));
         };

@@ -1,6 +1,6 @@
 //! Peaks and jumps of the steady response, with the slopes of [`sensitivity`](crate::study::sensitivity).
 
-use super::goal::{Of, Sought, Valued};
+use super::goal::{Of, STATED, Sought, Valued};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::study::nonlinear_response::NonlinearResponse;
@@ -21,10 +21,17 @@ pub(super) struct Placed {
 const BEYOND: f64 = 1.8;
 /// Farthest that a place moves from one machine to the next, over its speed.
 const FAR: f64 = 0.4;
+/// Distance within which peaks of several bodies are one resonance, and places are one jump, over the speed.
+const ONE_PEAK: f64 = 0.01;
+const ONE_JUMP: f64 = 1e-6;
 
 impl Placed {
     pub fn new(kinds: Vec<Kind>, of: Of, at: f64, body: Option<String>, range: (f64, f64)) -> Placed {
         Placed { kinds, of, at, body, range, tilt: false }
+    }
+
+    fn same(&self) -> f64 {
+        if self.kinds.contains(&Kind::Peak) { ONE_PEAK } else { ONE_JUMP }
     }
 
     fn range(&self) -> (f64, f64) {
@@ -56,7 +63,7 @@ impl Sought for Placed {
         // of several bodies with a peak there the one that moves most
         let distance = |p: &Place| (p.moved.speed - self.at).abs();
         let least = own.iter().map(|p| distance(p)).fold(f64::INFINITY, f64::min);
-        let together = own.into_iter().filter(|p| distance(p) <= least + 0.01 * self.at.abs());
+        let together = own.into_iter().filter(|p| distance(p) <= least + self.same() * self.at.abs());
         let Some(place) = together.max_by(|a, b| a.moved.value.total_cmp(&b.moved.value)) else { return Ok(None) };
         self.at = place.moved.speed;
         self.tilt = place.probe.is_tilt();
@@ -74,6 +81,10 @@ impl Sought for Placed {
         };
         let value = if self.of == Of::Speed { place.moved.speed } else { place.moved.value };
         Ok(Some(Valued { value, slopes: parameters.iter().map(slope).collect() }))
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.same().max(STATED)
     }
 
     fn mark(&self) -> Vec<f64> {

@@ -43,7 +43,15 @@ pub(super) fn search(
     let mut evaluations = 0;
     let mut p = start.to_vec();
     let lost = || Diagnostic::error("reach.goal", text!("the machine of the file does not have this result"));
+    let stated = sought.mark().first().copied().unwrap_or(0.0);
     let mut now = valued(machine, sought, &p, free, &mut evaluations, context)?.ok_or_else(lost)?;
+    let found = sought.mark().first().copied().unwrap_or(0.0);
+    // another result beside it is not moved in its place
+    if !((found - stated).abs() <= sought.tolerance() * stated.abs()) {
+        let (stated, found) = (text::quantity(stated, "rad/s"), text::quantity(found, "rad/s"));
+        let message = text!("the result at {stated} cannot be moved: the nearest that can be followed is at {found}", stated, found);
+        return Err(Diagnostic::error("reach.goal", message));
+    }
     let from = now.value;
     let size = wanted.abs().max(from.abs());
     let near = |v: f64| (v - wanted).abs() <= TOLERANCE * size;

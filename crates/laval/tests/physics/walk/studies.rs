@@ -222,5 +222,5 @@ pub const NOTHING: &[(&[&str], &[&str], &str)] = &[
     ),
     (&["turbine.torque"], &["transient"], "at this speed the power limits the torque"),
     (&["rough_balls.contact_damping", "rough_balls.contact_stiffness"], EVERY, "balls that do not meet, or that rest side by side"),
-    (&["rough_balls.ball_mass"], &["response_map"], "the balls rest where the tilted track holds them"),
+    (&["rough_balls.ball_mass", "rough_balls.height"], &["response_map"], "no periodic motion is found at these speeds"),
 ];
