@@ -1,7 +1,7 @@
 // Solids of revolution as meshes, cut open so that the inside can be seen; each vertex knows how a mode moves it.
 
 import { BufferAttribute, BufferGeometry, ShapeUtils, Vector2 } from "three";
-import type { Shape, Solid, Station } from "./types";
+import type { Frames, Shape, Solid, Station } from "./types";
 
 const AROUND = 56;
 
@@ -105,6 +105,11 @@ export function whirl(g: BufferGeometry, stations: Station[]): void {
   to.needsUpdate = true;
 }
 
+/** Two frames one after the other in place of real and imaginary part: between them the motion is straight. */
+export const between = (frames: Frames, body: string | null, k: number): Station[] =>
+  frames.paths.filter(p => p.body === body).sort((a, b) => a.z - b.z)
+    .map(p => ({ body: p.body, z: p.z, x: [p.x[k] ?? 0, p.x[k + 1] ?? 0], y: [p.y[k] ?? 0, p.y[k + 1] ?? 0] }));
+
 /** Largest displacement of a mode. */
 export const largest = (shape: Shape): number =>
-  shape.stations.reduce((most, s) => Math.max(most, Math.hypot(...s.x), Math.hypot(...s.y)), 0);
+  shape.size ?? shape.stations.reduce((most, s) => Math.max(most, Math.hypot(...s.x), Math.hypot(...s.y)), 0);
