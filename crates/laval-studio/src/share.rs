@@ -6,6 +6,7 @@ use axum::http::header::{CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue};
 use axum::response::Response;
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::Loaded;
+use laval::outcome::{Arg, Message};
 use laval::report::{self, Language, Report};
 use laval::run;
 use laval::study::{self, Cancel, Context, Silent};
@@ -40,6 +41,20 @@ pub(crate) fn first_page(text: &str, loaded: &Loaded, language: Language, cancel
     let mut page = study::overview(&loaded.system, &speeds, &[], &context);
     // the studies of the file are not run for it, but they are there
     page.next.retain(|m| loaded.studies.is_empty() || m.key != "next-studies");
+    let own = |kinds: &[&str]| loaded.studies.iter().find(|s| kinds.contains(&s.study.kind()));
+    if own(&["nonlinear_response"]).is_some() {
+        page.left_out.iter_mut().filter(|m| m.key == "left-linear").for_each(|m| m.key = "left-linear-modes".into());
+    }
+    for check in &mut page.checks {
+        let kinds: &[&str] = match check.result.key.as_str() {
+            "stability-needs-stationary" => &["stationary"],
+            "balls-no-study" => &["stationary", "transient"],
+            _ => continue,
+        };
+        if let Some(study) = own(kinds) {
+            check.result = Message::new("check-run-study").arg("study", Arg::name(&study.name));
+        }
+    }
     report.overview = Some(page);
     report
 }

@@ -207,6 +207,7 @@ window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = not assessed on this page: { $names }
 studies-requirements = not met, or not known to be, in { $studies }
+check-run-study = run the study “{ $study }” of the file
 balls-no-study = needs a study "stationary" or "transient"
 balls-left = { $left } left of { $without }
 run-up-computed = largest displacement { $value } ("{ $body }")

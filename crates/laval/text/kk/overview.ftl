@@ -168,6 +168,7 @@ validity-outside-here = шектің { $ratio } есесі: { $statement }
 validity-unbounded = шектен шексіз асады: { $statement }
 validity-nothing = бұл айналу жиілігінде ешбір бөлшек бағаланбады
 validity-studies = файл зерттеулерінде шектен тыс: { $outside }
+check-run-study = файлдағы «{ $study }» зерттеуін орындаңыз
 balls-no-study = «stationary» немесе «transient» зерттеуі қажет
 balls-left = { $left } қалды, шариктерсіз { $without }
 run-up-computed = ең үлкен ығысу { $value } («{ $body }»)

@@ -208,6 +208,7 @@ window-ranges = { $ranges }
 speed-is = { $speed }
 limits-left-out = на этой странице не оценены: { $names }
 studies-requirements = не выполнены или не подтверждены в { $studies }
+check-run-study = выполните расчёт «{ $study }» из файла
 balls-no-study = нужен расчёт «stationary» или «transient»
 balls-left = осталось { $left } из { $without }
 run-up-computed = наибольшее перемещение { $value } («{ $body }»)

@@ -168,6 +168,7 @@ validity-outside-here = chegaraning { $ratio } barobari: { $statement }
 validity-unbounded = chegara cheksiz oshib ketgan: { $statement }
 validity-nothing = bu tezlikda birorta ham qism baholanmagan
 validity-studies = fayl hisoblarida tashqarida: { $outside }
+check-run-study = fayldagi “{ $study }” hisobini bajaring
 balls-no-study = "stationary" yoki "transient" hisobi kerak
 balls-left = { $without } disbalansdan { $left } qoldi
 run-up-computed = eng katta siljish { $value } ("{ $body }" jismi)
