@@ -13,6 +13,8 @@ const SHOWN = 0.22;
 const PERIOD = 1.6;
 /** Seconds of one turn of a transient on the screen; of all of it at least and at most. */
 const TURN = 0.6, SHORTEST = 6, LONGEST = 45;
+/** Frames whose trace is seen. */
+const TRAIL = 48;
 
 interface Uniforms { turn: { value: Vector3 } }
 
@@ -150,7 +152,7 @@ export class SpaceView {
 
   /** Orbits of a few points of each body. */
   private paths(shape: Shape, scale: number): void {
-    const line = new LineBasicMaterial({ color: this.colour("ball"), depthTest: false, transparent: true, opacity: shape.frames?.closed === false ? 0.35 : 0.9 });
+    const line = new LineBasicMaterial({ color: this.colour("ball"), depthTest: false, transparent: true, opacity: 0.9 });
     if (shape.frames) return this.traces(shape.frames, scale, line);
     for (const body of new Set(shape.stations.map(s => s.body))) {
       const own = stationsOf(shape, body), every = Math.max(1, Math.ceil(own.length / 7));
@@ -192,6 +194,9 @@ export class SpaceView {
     if (k !== this.set) {
       for (const o of this.solids()) if (o.name) whirl(o.geometry, between(frames, o.name, k));
       this.set = k;
+      // of a transient the last turns: all of them would hide each other
+      const from = Math.max(0, k - TRAIL);
+      if (!frames.closed) for (const o of this.orbits.children) (o as Line).geometry.setDrawRange(from, k + 2 - from);
     }
     this.at(t);
     const step = times[k + 1] - times[k];
