@@ -42,6 +42,7 @@ pub(crate) fn first_page(text: &str, loaded: &Loaded, language: Language, cancel
     // the studies of the file are not run for it, but they are there
     page.next.retain(|m| loaded.studies.is_empty() || m.key != "next-studies");
     let own = |kinds: &[&str]| loaded.studies.iter().find(|s| kinds.contains(&s.study.kind()));
+    page.next.retain(|m| m.key != "next-run-up" || own(&["run_up"]).is_none());
     if own(&["nonlinear_response"]).is_some() {
         page.left_out.iter_mut().filter(|m| m.key == "left-linear").for_each(|m| m.key = "left-linear-modes".into());
     }

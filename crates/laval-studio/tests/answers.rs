@@ -234,6 +234,8 @@ fn the_first_page_names_the_studies_of_the_file() {
     assert!(!page(balls).contains("needs a study") && page(balls).contains("run the study"));
     let without = balls.split("[[study]]").next().unwrap();
     assert!(page(without).contains("needs a study"));
+    let cream = include_str!("../../../examples/09-cream-separator/machine.toml");
+    assert!(!page(cream).contains("add a study") && page(cream.split("[[study]]").next().unwrap()).contains("add a study"));
     let bearing = SEPARATOR.split("[[study]]").next().unwrap();
     let response = "[[study]]\nkind = \"nonlinear_response\"\nname = \"jumps\"\nspeed = { from = \"500 rpm\", to = \"6000 rpm\" }\n";
     let sentence = "need a study";
