@@ -64,7 +64,9 @@ test("transients of the file, and of machines with balls", async t => {
   const balls = await Server.start("04-ball-balancer");
   t.after(() => balls.close());
   const page = await open(b, balls);
-  await space(page);
+  // it has no modes to wait for
+  await page.click("#tab-space");
+  await page.waitForSelector("#space[data-ready] canvas");
   await page.selectOption("#motion select", "transient:balancing");
   await factIs(page, "larger");
   await page.waitForTimeout(500);

@@ -165,10 +165,14 @@ export class Motion {
   /** Computes the chosen motion for the text and the speed that are now, where it is seen. */
   private ask(): void {
     const motion = this.entry?.motion, { text, speed } = this.studio;
-    if (!motion || !this.shown) return this.lane.stop();
+    if (!motion || !this.shown) { this.asked = ""; return this.lane.stop(); }
     const key = [motion.kind, motion.study].filter(x => x !== undefined).join(":"), f = this.found;
     if (f && f.key === key && f.text === text && f.speed === speed) return;
     if (f && f.key !== key) this.found = null;
+    // it is on its way already
+    const asked = `${key}|${speed}|${text}`;
+    if (this.asked === asked && !this.lane.idle) return;
+    this.asked = asked;
     this.lane.ask({ key, motion, text, speed });
   }
 
@@ -203,6 +207,7 @@ export class Motion {
   }
 
   private ticked = 0;
+  private asked = "";
 
   /** The cards of the modes choose too. */
   private cards(): void {
