@@ -11,4 +11,4 @@ const here = dirname(fileURLToPath(import.meta.url));
 if (!browser()) { console.log("No Chromium found: the page of the studio is not tested.\n0 passed, 0 failed, 1 skipped"); process.exit(0); }
 if (!program()) { console.log("The program is not built (cargo build --release): the page of the studio is not tested.\n0 passed, 0 failed, 1 skipped"); process.exit(0); }
 const files = readdirSync(here).filter(f => f.endsWith(".test.mjs") && f.includes(process.argv[2] ?? "")).map(f => join(here, f));
-process.exit(spawnSync(process.execPath, ["--test", "--test-concurrency=1", ...files], { stdio: "inherit" }).status ?? 1);
+process.exit(spawnSync(process.execPath, ["--test", "--test-concurrency=1", "--test-timeout=120000", "--test-force-exit", ...files], { stdio: "inherit" }).status ?? 1);

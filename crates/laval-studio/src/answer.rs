@@ -2,7 +2,8 @@
 
 use crate::check::changed;
 use crate::edit::{self, Set};
-use crate::machines::Machines;
+use crate::machines::{Machines, Response};
+use crate::motion;
 use crate::scene::Section;
 use crate::share::first_page;
 use crate::targets;
@@ -12,12 +13,13 @@ use laval::outcome::{Outcome, Overview};
 use laval::report::{Language, Style, fragment};
 use laval::run;
 use laval::study::modes::Modes;
-use laval::study::nonlinear_response::NonlinearResponse;
+use laval::study::nonlinear_response::{NonlinearResponse, NonlinearResponseResult};
 use laval::study::stations::Stations;
 use laval::study::{self, Cancel, Context, Silent, TypedStudy};
 use laval::text;
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// `POST api/answer`.
@@ -36,6 +38,9 @@ pub(crate) struct Request {
     /// Speeds of the figures over the speed.
     #[serde(default)]
     points: Option<usize>,
+    /// Which motion, where one is wanted.
+    #[serde(default)]
+    pub motion: Option<motion::Request>,
 }
 
 /// What is wanted.
@@ -48,16 +53,17 @@ pub(crate) enum Want {
     Stability,
     Forced,
     Nonlinear,
+    Motion,
 }
 
 impl Want {
     fn word(self) -> &'static str {
-        ["page", "modes", "campbell", "stability", "forced", "nonlinear"][self as usize]
+        ["page", "modes", "campbell", "stability", "forced", "nonlinear", "motion"][self as usize]
     }
 
     /// The kind of study that answers it.
     fn kind(self) -> &'static str {
-        ["", "modes", "campbell", "stability_map", "forced_response", "nonlinear_response"][self as usize]
+        ["", "modes", "campbell", "stability_map", "forced_response", "nonlinear_response", ""][self as usize]
     }
 }
 
@@ -102,13 +108,14 @@ pub(crate) fn answer(machines: &Machines, request: &Request, language: Language,
     }
 }
 
-struct Answers<'a> {
+/// What answers are computed from.
+pub(crate) struct Answers<'a> {
     machines: &'a Machines,
     text: &'a str,
-    loaded: &'a Loaded,
-    style: Style,
-    request: &'a Request,
-    cancel: &'a Cancel,
+    pub loaded: &'a Loaded,
+    pub style: Style,
+    pub request: &'a Request,
+    pub cancel: &'a Cancel,
 }
 
 impl Answers<'_> {
@@ -117,11 +124,12 @@ impl Answers<'_> {
             Want::Page => Ok(self.page()),
             Want::Modes => self.modes(),
             Want::Nonlinear => self.nonlinear(),
+            Want::Motion => self.motion(),
             _ => self.over_speed(want),
         }
     }
 
-    fn context<'c>(&'c self, name: &'c str) -> Context<'c> {
+    pub fn context<'c>(&'c self, name: &'c str) -> Context<'c> {
         Context { name, cancel: self.cancel, progress: &Silent, work_limit: u64::MAX, keep: None }
     }
 
@@ -131,12 +139,16 @@ impl Answers<'_> {
         json!({ "html": fragment::first_page(&page, &self.style) })
     }
 
+    /// The speed that the page has chosen, or that of the machine.
+    pub fn speed(&self) -> Result<f64, Diagnostics> {
+        let speed = self.request.speed.or(self.loaded.system.machine.speed).filter(|s| s.is_finite());
+        speed.ok_or_else(|| Diagnostics(vec![Diagnostic::error("studio.speed", text!("the machine file gives no speed"))]))
+    }
+
     fn modes(&self) -> Result<Json, Diagnostics> {
         let system = &self.loaded.system;
-        let speed = self.request.speed.or(system.machine.speed).filter(|s| s.is_finite());
         let one = |d| Diagnostics(vec![d]);
-        let missing = || one(Diagnostic::error("studio.speed", text!("the machine file gives no speed")));
-        let speed = speed.ok_or_else(missing)?;
+        let speed = self.speed()?;
         let study: Modes = construct(system, &json!({ "speed": speed }))?;
         let result = study.result(system, &self.context("modes")).map_err(one)?;
         let mut modes: Vec<_> = result.spectrum.modes.iter().collect();
@@ -199,12 +211,31 @@ impl Answers<'_> {
         self.shown(want, &outcome)
     }
 
-    /// The response with as many orders as sufficed for a machine of the same parts: finding their number anew would follow all branches twice.
     fn nonlinear(&self) -> Result<Json, Diagnostics> {
+        let response = self.response()?;
+        let (study, result) = &*response;
+        let outcome = study.outcome(&self.loaded.system, result, Want::Nonlinear.word()).map_err(|d| Diagnostics(vec![d]))?;
+        self.shown(Want::Nonlinear, &outcome)
+    }
+
+    /// The response over the range of speeds, computed once for a text.
+    pub fn response(&self) -> Result<Response, Diagnostics> {
+        if let Some(known) = self.machines.response(self.text) {
+            return Ok(known);
+        }
+        let response = Arc::new(self.computed_response()?);
+        if response.1.end.is_complete() {
+            self.machines.keep(self.text, &response);
+        }
+        Ok(response)
+    }
+
+    /// With as many orders as sufficed for a machine of the same parts: finding their number anew would follow all branches twice.
+    fn computed_response(&self) -> Result<(NonlinearResponse, NonlinearResponseResult), Diagnostics> {
         let system = &self.loaded.system;
         let one = |d| Diagnostics(vec![d]);
         let mut fields = self.fields(Want::Nonlinear);
-        let context = self.context("nonlinear");
+        let context = self.context(Want::Nonlinear.word());
         let automatic = fields.get("harmonics").is_none_or(|h| h == "auto");
         let parts: String = system.slots().iter().map(|s| format!("{} {}\n", s.part.kind(), s.name)).collect();
         if let Some(orders) = self.machines.orders(&parts).filter(|_| automatic) {
@@ -213,7 +244,7 @@ impl Answers<'_> {
             let result = study.result(system, &context).map_err(one)?;
             let dropped = result.response.branches.iter().flat_map(|b| &b.points).map(|p| p.truncation).fold(0.0, f64::max);
             if dropped <= study.request().truncation {
-                return self.shown(Want::Nonlinear, &study.outcome(system, &result, context.name).map_err(one)?);
+                return Ok((study, result));
             }
             fields["harmonics"] = "auto".into();
         }
@@ -222,7 +253,7 @@ impl Answers<'_> {
         if automatic && result.end.is_complete() {
             self.machines.remember(parts, result.response.discretisation.harmonics);
         }
-        self.shown(Want::Nonlinear, &study.outcome(system, &result, context.name).map_err(one)?)
+        Ok((study, result))
     }
 
     fn shown(&self, want: Want, outcome: &Outcome) -> Result<Json, Diagnostics> {

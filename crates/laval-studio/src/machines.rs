@@ -2,6 +2,7 @@
 
 use laval::diagnostic::Diagnostics;
 use laval::file::{self, Catalog, Loaded};
+use laval::study::nonlinear_response::{NonlinearResponse, NonlinearResponseResult};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 /// Files that are kept.
@@ -15,7 +16,12 @@ pub(crate) type Read = Result<Arc<Loaded>, Arc<Diagnostics>>;
 pub(crate) struct Machines {
     files: Mutex<Vec<(Arc<str>, Read)>>,
     orders: Mutex<Option<(String, usize)>>,
+    /// The last response: the figure and the motion of a text are of one computation.
+    response: Mutex<Option<(String, Response)>>,
 }
+
+/// A nonlinear response with its study.
+pub(crate) type Response = Arc<(NonlinearResponse, NonlinearResponseResult)>;
 
 /// All kinds of parts and studies.
 pub(crate) static CATALOG: LazyLock<Catalog> = LazyLock::new(file::catalog);
@@ -47,6 +53,16 @@ impl Machines {
 
     pub fn remember(&self, parts: String, orders: usize) {
         *self.orders.lock().unwrap_or_else(PoisonError::into_inner) = Some((parts, orders));
+    }
+
+    /// The response computed last, if it is that of this text.
+    pub fn response(&self, text: &str) -> Option<Response> {
+        let last = self.response.lock().unwrap_or_else(PoisonError::into_inner);
+        last.as_ref().filter(|l| l.0 == text).map(|l| l.1.clone())
+    }
+
+    pub fn keep(&self, text: &str, response: &Response) {
+        *self.response.lock().unwrap_or_else(PoisonError::into_inner) = Some((text.into(), response.clone()));
     }
 
     fn held<R>(&self, f: impl FnOnce(&mut Vec<(Arc<str>, Read)>) -> R) -> R {

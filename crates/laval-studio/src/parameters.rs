@@ -7,6 +7,7 @@ use laval::outcome::Arg;
 use laval::report::Style;
 use laval::units::{read_in, unit_of};
 use serde_json::{Value as Json, json};
+use std::collections::HashSet;
 
 /// A slider goes from this share of the value to this multiple of it.
 const SPREAD: f64 = 3.0;
@@ -23,8 +24,21 @@ pub(crate) fn numbers(text: &str, loaded: &Loaded) -> Vec<Number> {
         }
     }
     all.retain(|n| n.value.is_finite());
+    written_axes(&mut all);
     all.truncate(MOST);
     all
+}
+
+/// A value of both axes stands beside one of each: what the file writes stays, and of defaults the value of both.
+fn written_axes(all: &mut Vec<Number>) {
+    let of_axis = |path: &str| path.strip_suffix(".x").or_else(|| path.strip_suffix(".y")).map(str::to_string);
+    let whole: HashSet<String> = all.iter().map(|n| n.path.clone()).collect();
+    let split: HashSet<String> =
+        all.iter().filter(|n| n.span.is_some()).filter_map(|n| of_axis(&n.path)).filter(|p| whole.contains(p)).collect();
+    all.retain(|n| match of_axis(&n.path) {
+        Some(both) if whole.contains(&both) => n.span.is_some(),
+        _ => n.span.is_some() || !split.contains(&n.path),
+    });
 }
 
 /// A value with one or two digits, below or above.

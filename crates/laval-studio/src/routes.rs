@@ -5,7 +5,7 @@ use crate::folder::Unsaved;
 use crate::guard::guard;
 use crate::server::State;
 use crate::stream::streamed;
-use crate::{answer, check, edit, folder, page, query, reach, runs, share, start};
+use crate::{answer, check, edit, folder, page, query, ranges, reach, runs, share, start};
 use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::{DefaultBodyLimit, Path, Request, State as Shared};
@@ -39,6 +39,7 @@ pub(crate) fn routes(state: Studio) -> Router {
         .route("/{token}/api/check", post(check))
         .route("/{token}/api/answer", post(answer))
         .route("/{token}/api/edit", post(edit))
+        .route("/{token}/api/ranges", post(ranges))
         .route("/{token}/api/reach", post(reach))
         .route("/{token}/api/share", post(share))
         .route("/{token}/api/runs", post(run))
@@ -113,7 +114,7 @@ async fn start(Shared(state): Shared<Studio>, uri: Uri) -> Response {
 async fn open(Shared(state): Shared<Studio>, uri: Uri) -> Response {
     let language = language(&state, &uri);
     let of = |name| query::value(uri.query(), name);
-    let (file, example) = (of("file"), of("example").or_else(|| of("template")));
+    let (file, example) = (of("file"), of("example"));
     computed(language, move |_| start::open(&state, file.as_deref(), example.as_deref()).map_err(one)).await
 }
 
@@ -154,6 +155,14 @@ async fn edit(Shared(state): Shared<Studio>, uri: Uri, body: Bytes) -> Response 
     let language = language(&state, &uri);
     match read::<edit::Request>(&body, language) {
         Ok(request) => computed(language, move |_| edit::edit(&state.machines, &request)).await,
+        Err(response) => *response,
+    }
+}
+
+async fn ranges(Shared(state): Shared<Studio>, uri: Uri, body: Bytes) -> Response {
+    let language = language(&state, &uri);
+    match read::<ranges::Request>(&body, language) {
+        Ok(request) => computed(language, move |cancel| ranges::ranges(&state.machines, &request, cancel)).await,
         Err(response) => *response,
     }
 }

@@ -3,6 +3,7 @@
 use crate::machines::Machines;
 use crate::runs::Runs;
 use crate::{Options, folder, routes};
+use axum::serve::ListenerExt;
 use laval::diagnostic::Diagnostic;
 use laval::text;
 use std::io;
@@ -122,6 +123,10 @@ impl Server {
         let Server { listener, state, stop } = self;
         let served = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener)?;
+            // an answer is a few small pieces: without this the last waits for the acknowledgement of those before
+            let listener = listener.tap_io(|stream| {
+                let _ = stream.set_nodelay(true);
+            });
             let app = routes::routes(state.clone());
             tokio::select! {
                 done = std::future::IntoFuture::into_future(axum::serve(listener, app)) => done,

@@ -47,7 +47,6 @@ pub(crate) fn start(state: &State, language: Language) -> Json {
         "decimal": decimal,
         "lengths": lengths,
         "examples": options.examples.iter().map(|e| json!({ "name": e.name, "title": e.title })).collect::<Vec<_>>(),
-        "templates": [],
         "completion": completion(&style),
     })
 }

@@ -75,7 +75,7 @@ pub(crate) fn targets(want: Want, outcome: &Outcome, drawn: &Drawn, style: &Styl
                 out.push(shown.target("peak", which, &name, (speed, Some(height)), "y"));
             }
         }
-        Want::Page | Want::Modes => {}
+        Want::Page | Want::Modes | Want::Motion => {}
     }
     out.truncate(MOST);
     out

@@ -221,3 +221,23 @@ fn a_second_response_is_that_of_the_first() {
     at(&s, 2.4);
     assert_eq!(at(&s, 2.6), at(&fresh, 2.6));
 }
+
+/// The first page recommends no study that the file has.
+#[test]
+fn the_first_page_names_the_studies_of_the_file() {
+    let s = Studio::new("named");
+    let page = |text: &str| {
+        let lines = s.post("api/answer", &json!({ "text": text, "want": ["page"] })).lines();
+        lines[0]["html"].as_str().unwrap_or_else(|| panic!("{lines:?}")).to_string()
+    };
+    let balls = include_str!("../../../examples/04-ball-balancer/machine.toml");
+    assert!(!page(balls).contains("needs a study") && page(balls).contains("run the study"));
+    let without = balls.split("[[study]]").next().unwrap();
+    assert!(page(without).contains("needs a study"));
+    let cream = include_str!("../../../examples/09-cream-separator/machine.toml");
+    assert!(!page(cream).contains("add a study") && page(cream.split("[[study]]").next().unwrap()).contains("add a study"));
+    let bearing = SEPARATOR.split("[[study]]").next().unwrap();
+    let response = "[[study]]\nkind = \"nonlinear_response\"\nname = \"jumps\"\nspeed = { from = \"500 rpm\", to = \"6000 rpm\" }\n";
+    let sentence = "need a study";
+    assert!(page(bearing).contains(sentence) && !page(&format!("{bearing}\n{response}")).contains(sentence));
+}

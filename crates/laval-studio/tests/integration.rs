@@ -4,6 +4,8 @@
 mod answers;
 #[path = "client/mod.rs"]
 mod client;
+#[path = "motions.rs"]
+mod motions;
 #[path = "runs.rs"]
 mod runs;
 #[path = "security.rs"]

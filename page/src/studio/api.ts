@@ -1,6 +1,6 @@
 // Requests to the server beside the page.
 
-import type { Answer, Checked, Free, Progress, Reached, Set, Start, Want } from "./types";
+import type { Answer, Checked, Free, MotionKind, Progress, Range, Reached, Set, Start, Want } from "./types";
 
 /** An answer that refuses: the sentence of the server, with its status. */
 export class Refused extends Error {
@@ -53,11 +53,12 @@ const json = async <T>(path: string, body?: unknown, signal: AbortSignal | null 
 };
 
 export const start = (): Promise<Start> => json("start");
-export const open = (what: "example" | "template" | "file", name: string): Promise<{ file: string; text: string }> =>
+export const open = (what: "example" | "file", name: string): Promise<{ file: string; text: string }> =>
   json(`open?${what}=${encodeURIComponent(name)}`);
 export const save = (file: string, text: string, base: string, force: boolean): Promise<{ file: string }> =>
   json("save", { file, text, base, force });
 export const check = (text: string, signal: AbortSignal): Promise<Checked> => json("check", { serial: ++serial, text }, signal);
+export const ranges = (text: string, signal: AbortSignal): Promise<{ ranges: Range[] }> => json("ranges", { serial: ++serial, text }, signal);
 export const reach = (text: string, target: { what: string; which: unknown; to: number }, free: Free[], signal: AbortSignal): Promise<Reached> =>
   json("reach", { serial: ++serial, text, target, free }, signal);
 export const run = (text: string, study: string, file: string): Promise<{ id: string }> => json("runs", { text, study, file });
@@ -68,7 +69,7 @@ export async function share(text: string, pins: { name: string; text: string }[]
 }
 
 /** Answers of several kinds, each handed over as soon as its line is there. */
-export async function answer(body: { text: string; want: Want[]; speed?: number; set?: Set[] }, signal: AbortSignal, each: (a: Answer) => void): Promise<void> {
+export async function answer(body: { text: string; want: (Want | "motion")[]; speed?: number; set?: Set[]; motion?: MotionKind }, signal: AbortSignal, each: (a: Answer) => void): Promise<void> {
   const response = await request("answer", { serial: ++serial, ...body }, signal);
   const reader = response.body?.getReader();
   if (!reader) return;

@@ -14,15 +14,14 @@ function dialog(title: string, ...inside: HTMLElement[]): HTMLDialogElement {
 }
 
 export function openDialog(studio: Studio): void {
-  const { folder_files, examples, templates } = studio.start;
+  const { folder_files, examples } = studio.start;
   const lists: HTMLElement[] = [];
-  const list = (key: string, what: "file" | "example" | "template", all: { name: string; title: string }[]) => {
+  const list = (key: string, what: "file" | "example", all: { name: string; title: string }[]) => {
     if (!all.length) return;
     lists.push(make("section", {}, make("h3", {}, say(key)), make("ul", { class: "choices" }, ...all.map(e => make("li", {},
       make("button", { type: "button", "data-open": e.name, onclick: () => { d.close(); void studio.open(what, e.name); } }, e.title || e.name))))));
   };
   list("files", "file", folder_files.map(name => ({ name, title: name })));
-  list("templates", "template", templates);
   list("examples", "example", examples);
   const d = dialog(say("open"), ...lists);
 }

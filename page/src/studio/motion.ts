@@ -1,20 +1,33 @@
-// Which motion the machine in space shows: a mode, or the orbit under unbalance; play, amplitude, speed.
+// Which motion the machine in space shows: a mode, the response to unbalance, a transient; play, amplitude, speed.
 
-import { number, unit } from "../report/numbers";
+import { minus, number, unit } from "../report/numbers";
+import * as api from "./api";
 import { make, say } from "./dom";
+import { Lane } from "./lane";
 import type { Panels } from "./panels";
 import type { SpaceView } from "./scene";
 import type { Studio } from "./studio";
-import type { Shape } from "./types";
+import type { MotionKind, Shape } from "./types";
 
 const RPM = 30 / Math.PI;
+
+/** Digits of a factor. */
+const factor = (v: number): string => number(+v.toPrecision(2));
+
+/** What can be chosen: a mode that is known, or a motion that is computed once it is chosen. */
+interface Entry { key: string; title: string; shape: Shape | null; motion: MotionKind | null }
 
 export class Motion {
   private view: SpaceView | null = null;
   private loading = false;
   private playing = true;
   private shapes: Shape[] = [];
-  private orbits: Shape[] = [];
+  private entries: Entry[] = [];
+  private chosen = "mode:0";
+  /** The last motions that were computed, and of what. */
+  private found: { key: string; text: string; speed: number | null; shapes: Shape[]; error: string } | null = null;
+  private readonly lane: Lane<{ key: string; motion: MotionKind; text: string; speed: number | null }>;
+  private readonly clock: HTMLElement;
   private readonly pick: HTMLSelectElement;
   private readonly fact: HTMLElement;
   private readonly speed: HTMLInputElement;
@@ -23,8 +36,10 @@ export class Motion {
   private shown = false;
 
   constructor(private readonly host: HTMLElement, controls: HTMLElement, private readonly studio: Studio, private readonly panels: Panels) {
-    this.pick = make("select", { "aria-label": say("motion"), onchange: () => this.choose() });
+    this.pick = make("select", { "aria-label": say("motion"), onchange: () => this.take(this.pick.value) });
     this.fact = make("span", { class: "fact", role: "status" });
+    this.clock = make("span", { class: "clock", "aria-hidden": "true" });
+    this.lane = new Lane((asked, signal) => this.compute(asked, signal), e => studio.failed(e));
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.playing = !still;
     const play = make("button", { type: "button", "aria-pressed": String(!still) }, say(still ? "play" : "pause"));
@@ -36,7 +51,7 @@ export class Motion {
       this.view?.play(on);
     });
     const amplitude = make("input", { type: "range", min: 10, max: 300, value: 100, "aria-label": say("amplitude") });
-    amplitude.addEventListener("input", () => this.view?.setAmplitude(+amplitude.value / 100));
+    amplitude.addEventListener("input", () => { this.view?.setAmplitude(+amplitude.value / 100); this.state(); });
     this.speed = make("input", { type: "range", min: 0, max: 1000, value: 500, "aria-label": say("speed") });
     this.reads = make("output", {});
     this.speed.addEventListener("input", () => {
@@ -45,16 +60,17 @@ export class Motion {
       studio.speed = operating * +this.speed.value / 500;
       this.read();
       panels.refresh();
+      this.list();
     });
-    this.speed.addEventListener("dblclick", () => { studio.speed = null; this.speed.value = "500"; this.read(); panels.refresh(); });
+    this.speed.addEventListener("dblclick", () => { studio.speed = null; this.speed.value = "500"; this.read(); panels.refresh(); this.list(); });
     controls.append(
       make("label", {}, say("motion"), " ", this.pick), play,
-      make("label", {}, say("amplitude"), " ", amplitude), make("label", {}, say("speed"), " ", this.speed, this.reads), this.fact);
+      make("label", {}, say("amplitude"), " ", amplitude), make("label", {}, say("speed"), " ", this.speed, this.reads), this.fact, this.clock);
     panels.when(a => {
       if (a.want === "modes") { this.shapes = a.shapes ?? []; this.list(); this.cards(); }
-      if (a.orbits) { this.orbits = a.orbits; this.list(); }
     });
-    studio.whenMachine(() => { this.read(); this.draw(); });
+    studio.whenText(() => this.ask());
+    studio.whenMachine(() => { this.read(); this.draw(); this.list(); });
   }
 
   private read(): void {
@@ -66,12 +82,14 @@ export class Motion {
   /** The view is made when it is first looked at. */
   async show(on: boolean): Promise<void> {
     this.shown = on;
-    if (!on || this.view || this.loading) { if (on) this.draw(); return; }
+    if (!on) this.lane.stop();
+    if (!on || this.view || this.loading) { if (on) { this.draw(); this.choose(); } return; }
     this.loading = true;
     try {
       const { open } = await import("./scene.js" as string) as typeof import("./scene");
       this.view = open(this.host);
       this.view.play(this.playing);
+      this.view.at = t => this.time(t);
       this.host.dataset.ready = "";
       this.draw();
       this.choose();
@@ -89,25 +107,107 @@ export class Motion {
     this.view.show(scene);
   }
 
-  private all(): Shape[] { return [...this.shapes, ...this.orbits]; }
+  /** Modes, responses and transients of the machine. */
+  private all(): Entry[] {
+    const modes: Entry[] = this.shapes.map((shape, i) => ({ key: `mode:${i}`, title: this.title(shape), shape, motion: null }));
+    const machine = this.studio.machine, speed = this.studio.speed ?? machine?.speed;
+    if (!speed) return modes;
+    const value = number(+(speed * RPM).toPrecision(4)), known = (key: string) => this.found?.key === key ? this.found.shapes : [];
+    const states = known("nonlinear");
+    const one = (i: number) => states.length > 1 ? `, ${say("motion-state", { count: i + 1 })}` : "";
+    const nonlinear = (states.length ? states : [null]).map((shape, i): Entry => ({
+      key: i ? `nonlinear:${i}` : "nonlinear", shape, motion: { kind: "nonlinear" },
+      title: say("motion-nonlinear", { value }) + one(i) + (shape?.stability === "unstable" ? `, ${say("motion-unstable")}` : ""),
+    }));
+    const own = (machine?.studies ?? []).filter(s => s.kind === "transient").map((s): Entry => ({
+      key: `transient:${s.name}`, title: say("motion-transient", { name: s.name }), shape: known(`transient:${s.name}`)[0] ?? null, motion: { kind: "transient", study: s.name },
+    }));
+    return [
+      ...modes,
+      { key: "forced", title: say("motion-forced", { value }), shape: known("forced")[0] ?? null, motion: { kind: "forced" } },
+      ...nonlinear, ...own,
+      { key: "transient", title: say("motion-start", { value }), shape: known("transient")[0] ?? null, motion: { kind: "transient" } },
+    ];
+  }
 
   private list(): void {
-    const all = this.all(), at = Math.max(0, this.pick.selectedIndex);
-    const texts = all.map(s => this.title(s));
-    if (this.pick.options.length !== texts.length) this.pick.replaceChildren(...texts.map(t => make("option", {}, t)));
-    else texts.forEach((t, i) => { if (this.pick.options[i].textContent !== t) this.pick.options[i].textContent = t; });
-    this.pick.selectedIndex = Math.min(at, all.length - 1);
+    this.entries = this.all();
+    const options = this.pick.options;
+    if (options.length !== this.entries.length) this.pick.replaceChildren(...this.entries.map(e => make("option", { value: e.key }, e.title)));
+    else this.entries.forEach((e, i) => {
+      if (options[i].textContent !== e.title) options[i].textContent = e.title;
+      if (options[i].value !== e.key) options[i].value = e.key;
+    });
+    // a mode or a state that is no more
+    if (!this.entries.some(e => e.key === this.chosen)) this.chosen = this.entries.find(e => e.key === this.chosen.split(":")[0])?.key ?? this.entries[0]?.key ?? "mode:0";
+    if (this.pick.value !== this.chosen) this.pick.value = this.chosen;
     this.choose();
   }
 
-  private title(s: Shape): string { return `${/^\d+$/.test(s.name) ? say("mode", { count: s.name }) : s.name} · ${number(+(s.frequency / (2 * Math.PI)).toPrecision(4))}${unit(say("hertz"))}`; }
+  private title(s: Shape): string { return `${say("mode", { count: s.name })} · ${number(+(s.frequency / (2 * Math.PI)).toPrecision(4))}${unit(say("hertz"))}`; }
+
+  private get entry(): Entry | null { return this.entries.find(e => e.key === this.chosen) ?? null; }
+
+  private take(key: string): void {
+    this.chosen = key;
+    this.view?.rewind();
+    if (this.pick.value !== key) this.pick.value = key;
+    this.choose();
+  }
 
   private choose(): void {
-    const s = this.all()[this.pick.selectedIndex] ?? null;
-    this.view?.whirls(s);
-    this.fact.textContent = s ? `${say(`whirl-${s.whirl}`)}, ${say(s.growth > 0 ? "grows" : "decays", { value: number(+Math.abs(s.growth).toPrecision(3)) })}` : "";
-    this.panels.box("modes").querySelectorAll(".mode").forEach((c, i) => c.setAttribute("aria-pressed", String(i === this.pick.selectedIndex)));
+    this.ask();
+    this.view?.whirls(this.entry?.shape ?? null);
+    this.state();
+    this.panels.box("modes").querySelectorAll(".mode").forEach((c, i) => c.setAttribute("aria-pressed", String(this.chosen === `mode:${i}`)));
   }
+
+  /** Computes the chosen motion for the text and the speed that are now, where it is seen. */
+  private ask(): void {
+    const motion = this.entry?.motion, { text, speed } = this.studio;
+    if (!motion || !this.shown) { this.asked = ""; return this.lane.stop(); }
+    const key = [motion.kind, motion.study].filter(x => x !== undefined).join(":"), f = this.found;
+    if (f && f.key === key && f.text === text && f.speed === speed) return;
+    if (f && f.key !== key) this.found = null;
+    // it is on its way already
+    const asked = `${key}|${speed}|${text}`;
+    if (this.asked === asked && !this.lane.idle) return;
+    this.asked = asked;
+    this.lane.ask({ key, motion, text, speed });
+  }
+
+  private async compute(asked: { key: string; motion: MotionKind; text: string; speed: number | null }, signal: AbortSignal): Promise<void> {
+    const { key, motion, text, speed } = asked;
+    await api.answer({ text, want: ["motion"], motion, ...(speed !== null ? { speed } : {}) }, signal, a => {
+      // of a text with a mistake the last motion stays
+      const kept = a.error !== undefined && this.studio.errors > 0 && this.found?.key === key ? this.found.shapes : [];
+      this.found = { key, text, speed, shapes: a.motions ?? kept, error: a.error ?? "" };
+      this.list();
+    });
+  }
+
+  /** What is known of the motion. */
+  private state(): void {
+    const e = this.entry, s = e?.shape, view = this.view;
+    let fact = "";
+    if (e?.motion && this.found?.error) fact = this.found.error;
+    else if (e?.motion && !s) fact = this.shown ? say("computing") : "";
+    else if (e?.motion && s) fact = say("shown", { value: s.largest ?? "", from: factor(view?.enlarged ?? 0), to: factor(view?.slowed ?? 0) });
+    else if (s) fact = `${say(`whirl-${s.whirl}`)}, ${say(s.growth > 0 ? "grows" : "decays", { value: number(+Math.abs(s.growth).toPrecision(3)) })}`;
+    if (this.fact.textContent !== fact) this.fact.textContent = fact;
+    if (!s?.frames || s.frames.closed) this.clock.textContent = "";
+  }
+
+  /** Time of a transient, a few times a second. */
+  private time(t: number): void {
+    const now = performance.now();
+    if (now - this.ticked < 100 || this.entry?.shape?.frames?.closed !== false) return;
+    this.ticked = now;
+    this.clock.textContent = say("time", { value: minus(t.toFixed(t < 10 ? 3 : 1)) });
+  }
+
+  private ticked = 0;
+  private asked = "";
 
   /** The cards of the modes choose too. */
   private cards(): void {
@@ -116,11 +216,11 @@ export class Motion {
     cards.forEach((c, i) => {
       c.setAttribute("role", "button");
       c.tabIndex = 0;
-      const act = () => { this.pick.selectedIndex = i; this.choose(); };
+      const act = () => this.take(`mode:${i}`);
       c.addEventListener("click", act);
       c.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); act(); } });
     });
-    cards.forEach((c, i) => c.setAttribute("aria-pressed", String(i === this.pick.selectedIndex)));
+    cards.forEach((c, i) => c.setAttribute("aria-pressed", String(this.chosen === `mode:${i}`)));
   }
 
   recolour(): void { this.view?.recolour(); }

@@ -55,7 +55,7 @@ export class Panels {
       find("#contents").append(make("button", { type: "button", onclick: () => p.box.scrollIntoView({ block: "start" }) }, say(`short-${want}`)));
     }
     studio.whenText(() => this.refresh());
-    studio.quick = a => { const p = a.want === "edit" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
+    studio.quick = a => { const p = a.want === "edit" || a.want === "motion" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
     studio.quickFits = () => { const p = this.panels.get("modes"); if (p) p.asked = this.key(); };
     studio.whenMachine(() => { for (const p of this.panels.values()) p.box.classList.toggle("stale", studio.errors > 0); });
   }

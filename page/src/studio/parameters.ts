@@ -1,9 +1,11 @@
 // Every number of the machine: a slider, the value as the file writes it, and whether it may be moved by the program.
 
+import * as api from "./api";
 import { say, make } from "./dom";
+import { Lane } from "./lane";
 import { fromSlider, toSlider, written } from "./quantity";
 import type { Studio } from "./studio";
-import type { Free, Parameter } from "./types";
+import type { Free, Parameter, Range } from "./types";
 
 /** The label without the name of the part, which stands above. */
 function short(p: Parameter): string {
@@ -22,6 +24,8 @@ interface Row {
   /** Range of the slider: it stays as long as the value is inside, so that a thumb that is moved does not shift its own scale. */
   from: number;
   to: number;
+  /** Another number of the file limits the range. */
+  narrow: boolean;
   unit: HTMLElement;
   /** Text that stands in the field. */
   shown: string;
@@ -33,7 +37,34 @@ export class Parameters {
   private sliding = false;
 
   constructor(private readonly host: HTMLElement, private readonly studio: Studio, private readonly released: () => void) {
-    studio.whenMachine(() => this.update());
+    this.lane = new Lane(async (text, signal) => this.narrow(text, (await api.ranges(text, signal)).ranges), e => { if (!(e instanceof api.Refused)) studio.failed(e); });
+    studio.whenMachine(() => { this.update(); this.soon(); });
+  }
+
+  private readonly lane: Lane<string>;
+  private later = 0;
+  private narrowed = "";
+
+  /** Ranges are narrowed once nothing changes for a moment: each takes reading the file several times. */
+  private soon(): void {
+    clearTimeout(this.later);
+    this.lane.stop();
+    if (this.studio.text === this.narrowed) return;
+    this.later = window.setTimeout(() => { if (this.sliding) this.soon(); else if (!this.studio.errors) this.lane.ask(this.studio.text); }, 400);
+  }
+
+  private narrow(text: string, ranges: Range[]): void {
+    if (text !== this.studio.text || this.sliding) return;
+    this.narrowed = text;
+    const by = new Map(ranges.map(r => [r.path, r]));
+    for (const [path, row] of this.rows) {
+      const to = by.get(path) ?? row.of;
+      // a range that another number does not limit stays, so that the thumb keeps its place
+      if (!by.has(path) && !row.narrow) continue;
+      row.narrow = by.has(path);
+      [row.from, row.to] = [to.low, to.high];
+      row.slider.value = String(toSlider(row.of.value, row.from, row.to));
+    }
   }
 
   /** Parameters that the program may move, with their ranges. */
@@ -96,7 +127,7 @@ export class Parameters {
     const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", unit);
     const box = make("div", { class: "row", "data-path": p.path },
       make("label", { class: "name", title: p.doc }, short(p)), slider, field, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
-    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, unit, shown: "" };
+    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, narrow: false, unit, shown: "" };
     slider.addEventListener("input", () => {
       if (!this.sliding) { this.sliding = true; this.studio.begin(); }
       this.studio.change([{ path: row.of.path, value: fromSlider(+slider.value, row.from, row.to) }]);

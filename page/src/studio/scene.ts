@@ -1,16 +1,20 @@
 // The machine in space, moving as a mode or an orbit does.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, HemisphereLight, LineBasicMaterial, LineLoop, Mesh, MeshLambertMaterial,
+  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, HemisphereLight, Line, LineBasicMaterial, LineLoop, Mesh, MeshLambertMaterial,
   PerspectiveCamera, Scene as World, Vector3, WebGLRenderer,
 } from "three";
-import { largest, mesh, moved, stationsOf, whirl } from "./solid";
-import type { Scene, Shape } from "./types";
+import { between, largest, mesh, moved, stationsOf, whirl } from "./solid";
+import type { Frames, Scene, Shape } from "./types";
 
 /** Largest displacement shown, as part of the radius of the machine. */
 const SHOWN = 0.22;
 /** Seconds of one whirl on the screen. */
 const PERIOD = 1.6;
+/** Seconds of one turn of a transient on the screen; of all of it at least and at most. */
+const TURN = 0.6, SHORTEST = 6, LONGEST = 45;
+/** Frames whose trace is seen. */
+const TRAIL = 48;
 
 interface Uniforms { turn: { value: Vector3 } }
 
@@ -29,6 +33,9 @@ export class SpaceView {
   private ball = 1;
   private angle = { around: 0.7, up: 0.42, far: 1 };
   private phase = 0;
+  /** Part of the frames that has been played, and the frame whose vertices are set. */
+  private played = 0;
+  private set = -1;
   private before = 0;
   private frame = 0;
   private coarse = 2;
@@ -38,6 +45,8 @@ export class SpaceView {
   frames = 0;
   playing = true;
   amplitude = 1;
+  /** Called with the time of what is played, s. */
+  at: (time: number) => void = () => {};
 
   constructor(private readonly host: HTMLElement) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
@@ -110,11 +119,33 @@ export class SpaceView {
   /** The motion shown; null is rest. */
   whirls(shape: Shape | null): void {
     this.shape = shape;
-    for (const o of [...this.orbits.children]) { this.orbits.remove(o); (o as LineLoop).geometry.dispose(); }
-    for (const o of this.machine.children) if (o instanceof Mesh) whirl(o.geometry, shape ? stationsOf(shape, o.name || null) : []);
+    this.set = -1;
+    for (const o of [...this.orbits.children]) { this.orbits.remove(o); (o as Line).geometry.dispose(); }
+    if (!shape?.frames) for (const o of this.solids()) whirl(o.geometry, shape ? stationsOf(shape, o.name || null) : []);
     const most = shape ? largest(shape) : 0;
     if (shape && most > 0) this.paths(shape, this.scale(most));
     this.wake();
+  }
+
+  private solids(): Mesh[] { return this.machine.children.filter(o => o instanceof Mesh); }
+
+  /** From the beginning. */
+  rewind(): void { this.played = 0; }
+
+  /** Displacements on the screen over those of the machine. */
+  get enlarged(): number { return this.shape ? this.scale(largest(this.shape)) : 0; }
+
+  /** Seconds on the screen for one of the machine. */
+  get slowed(): number {
+    if (!this.shape) return 0;
+    const end = this.shape.frames?.times.at(-1);
+    return end ? this.seconds(this.shape) / end : PERIOD * this.shape.frequency / (2 * Math.PI);
+  }
+
+  /** Seconds of all frames on the screen. */
+  private seconds(shape: Shape): number {
+    const turns = shape.turns ?? 1;
+    return shape.frames?.closed ? turns * PERIOD : Math.min(LONGEST, Math.max(SHORTEST, turns * TURN));
   }
 
   private scale(most: number): number { return most > 0 ? SHOWN * this.amplitude * this.radius / most : 0; }
@@ -122,6 +153,7 @@ export class SpaceView {
   /** Orbits of a few points of each body. */
   private paths(shape: Shape, scale: number): void {
     const line = new LineBasicMaterial({ color: this.colour("ball"), depthTest: false, transparent: true, opacity: 0.9 });
+    if (shape.frames) return this.traces(shape.frames, scale, line);
     for (const body of new Set(shape.stations.map(s => s.body))) {
       const own = stationsOf(shape, body), every = Math.max(1, Math.ceil(own.length / 7));
       own.filter((_, i) => i % every === 0 || i === own.length - 1).forEach(s => {
@@ -138,6 +170,37 @@ export class SpaceView {
         this.orbits.add(loop);
       });
     }
+  }
+
+  private traces(frames: Frames, scale: number, line: LineBasicMaterial): void {
+    for (const body of new Set(frames.paths.map(p => p.body))) {
+      const own = frames.paths.filter(p => p.body === body), every = Math.max(1, Math.ceil(own.length / 7)), at = this.scene?.solids.find(q => q.body === body)?.at ?? [0, 0];
+      own.filter((_, i) => i % every === 0 || i === own.length - 1).forEach(p => {
+        const g = new BufferGeometry();
+        g.setAttribute("position", new BufferAttribute(new Float32Array(p.x.flatMap((x, k) => [at[0] + scale * x, at[1] + scale * p.y[k], p.z])), 3));
+        const trace = new Line(g, line);
+        trace.frustumCulled = false;
+        trace.renderOrder = 9;
+        this.orbits.add(trace);
+      });
+    }
+  }
+
+  /** Sets the vertices to the frames before and after the time that is reached; where it lies between them. */
+  private frameAt(frames: Frames): number {
+    const { times } = frames, t = this.played * (times.at(-1) ?? 0);
+    let k = this.set >= 0 && times[this.set] <= t ? this.set : 0;
+    while (k < times.length - 2 && times[k + 1] <= t) k++;
+    if (k !== this.set) {
+      for (const o of this.solids()) if (o.name) whirl(o.geometry, between(frames, o.name, k));
+      this.set = k;
+      // of a transient the last turns: all of them would hide each other
+      const from = Math.max(0, k - TRAIL);
+      if (!frames.closed) for (const o of this.orbits.children) (o as Line).geometry.setDrawRange(from, k + 2 - from);
+    }
+    this.at(t);
+    const step = times[k + 1] - times[k];
+    return step > 0 ? Math.min(1, Math.max(0, (t - times[k]) / step)) : 0;
   }
 
   /** Colours of another theme. */
@@ -206,12 +269,18 @@ export class SpaceView {
   private draw(t: number): void {
     this.frame = 0;
     const moves = this.playing && this.shape !== null;
-    if (moves && this.before) this.phase += (t - this.before) / 1000 / PERIOD * 2 * Math.PI;
+    if (moves && this.before) {
+      const passed = Math.min((t - this.before) / 1000, 0.1);
+      this.phase += passed / PERIOD * 2 * Math.PI;
+      if (this.shape?.frames) this.played = (this.played + passed / this.seconds(this.shape)) % 1;
+    }
     if (moves) this.pace(t);
     this.before = moves ? t : 0;
     this.sharpness(moves);
-    const scale = this.shape ? this.scale(largest(this.shape)) : 0;
-    this.uniforms.turn.value.set(Math.cos(this.phase), Math.sin(this.phase), scale);
+    if (this.shape?.frames) {
+      const part = this.frameAt(this.shape.frames);
+      this.uniforms.turn.value.set(1 - part, -part, this.enlarged);
+    } else this.uniforms.turn.value.set(Math.cos(this.phase), Math.sin(this.phase), this.enlarged);
     const { around, up, far } = this.angle, wide = Math.min(1, this.camera.aspect);
     const d = far * this.ball / Math.sin(this.camera.fov * Math.PI / 360) / wide;
     this.camera.position.set(d * Math.cos(up) * Math.sin(around), d * Math.sin(up), d * Math.cos(up) * Math.cos(around));

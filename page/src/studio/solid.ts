@@ -1,7 +1,7 @@
 // Solids of revolution as meshes, cut open so that the inside can be seen; each vertex knows how a mode moves it.
 
 import { BufferAttribute, BufferGeometry, ShapeUtils, Vector2 } from "three";
-import type { Shape, Solid, Station } from "./types";
+import type { Frames, Shape, Solid, Station } from "./types";
 
 const AROUND = 56;
 
@@ -92,19 +92,36 @@ export function moved(stations: Station[], z: number): Moved {
 export const stationsOf = (shape: Shape, body: string | null): Station[] =>
   body === null ? [] : shape.stations.filter(s => s.body === body).sort((a, b) => a.z - b.z);
 
-/** Writes the motion of a mode into the vertices of a solid. */
-export function whirl(g: BufferGeometry, stations: Station[]): void {
-  const place = g.getAttribute("position") as BufferAttribute, to = g.getAttribute("whirl") as BufferAttribute;
-  const seen = new Map<number, Moved>();
+/** Places along the axis that vertices have, and which one each has. */
+interface Levels { places: number[]; of: Uint32Array }
+
+function levels(g: BufferGeometry): Levels {
+  const known = g.userData.levels as Levels | undefined;
+  if (known) return known;
+  const place = g.getAttribute("position") as BufferAttribute, seen = new Map<number, number>(), of = new Uint32Array(place.count);
   for (let i = 0; i < place.count; i++) {
-    const z = place.getZ(i);
-    let m = seen.get(z);
-    if (!m) { m = moved(stations, z); seen.set(z, m); }
-    to.setXYZW(i, ...m);
+    const z = place.getZ(i), n = seen.get(z) ?? seen.size;
+    seen.set(z, n);
+    of[i] = n;
+  }
+  return g.userData.levels = { places: [...seen.keys()], of };
+}
+
+/** Writes the motion of a mode, or of two frames, into the vertices of a solid. */
+export function whirl(g: BufferGeometry, stations: Station[]): void {
+  const to = g.getAttribute("whirl") as BufferAttribute, out = to.array, { places, of } = levels(g), all = places.map(z => moved(stations, z));
+  for (let i = 0; i < of.length; i++) {
+    const m = all[of[i]];
+    out[4 * i] = m[0]; out[4 * i + 1] = m[1]; out[4 * i + 2] = m[2]; out[4 * i + 3] = m[3];
   }
   to.needsUpdate = true;
 }
 
+/** Two frames one after the other in place of real and imaginary part: between them the motion is straight. */
+export const between = (frames: Frames, body: string | null, k: number): Station[] =>
+  frames.paths.filter(p => p.body === body).sort((a, b) => a.z - b.z)
+    .map(p => ({ body: p.body, z: p.z, x: [p.x[k] ?? 0, p.x[k + 1] ?? 0], y: [p.y[k] ?? 0, p.y[k + 1] ?? 0] }));
+
 /** Largest displacement of a mode. */
 export const largest = (shape: Shape): number =>
-  shape.stations.reduce((most, s) => Math.max(most, Math.hypot(...s.x), Math.hypot(...s.y)), 0);
+  shape.size ?? shape.stations.reduce((most, s) => Math.max(most, Math.hypot(...s.x), Math.hypot(...s.y)), 0);

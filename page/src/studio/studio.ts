@@ -136,7 +136,7 @@ export class Studio {
     this.editor.end(keep);
   }
 
-  async open(what: "example" | "template" | "file", name: string): Promise<void> {
+  async open(what: "example" | "file", name: string): Promise<void> {
     try {
       const { file, text } = await api.open(what, name);
       this.file = file;

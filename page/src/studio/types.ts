@@ -18,7 +18,6 @@ export interface Start {
   decimal?: string;
   lengths?: string;
   examples: Named[];
-  templates: Named[];
   completion: Completion;
 }
 
@@ -72,7 +71,24 @@ export type Set = { path: string; value: number } | { path: string; written: str
 
 type Complex = [number, number];
 export interface Station { body: string; z: number; x: Complex; y: Complex }
-export interface Shape { name: string; frequency: number; growth: number; whirl: string; stations: Station[] }
+/** Displacements of stations at times, m; of a periodic motion the last frame is the first. */
+export interface Frames { times: number[]; closed: boolean; paths: { body: string; z: number; x: number[]; y: number[] }[] }
+export interface Shape {
+  name: string;
+  frequency: number;
+  growth: number;
+  whirl: string;
+  stations: Station[];
+  /** In place of complex amplitudes. */
+  frames?: Frames;
+  /** Largest displacement, m, and as text with its body. */
+  size?: number;
+  largest?: string;
+  stability?: string;
+  /** Turns of the rotor from the first to the last frame. */
+  turns?: number;
+}
+export interface MotionKind { kind: "forced" | "nonlinear" | "transient"; study?: string }
 
 /** What can be pulled in a figure. */
 export interface Target {
@@ -91,18 +107,22 @@ export const WANTS = ["page", "modes", "campbell", "stability", "forced", "nonli
 export type Want = typeof WANTS[number];
 
 export interface Answer {
-  want: Want | "edit";
+  want: Want | "motion" | "edit";
   serial?: number;
   ms?: number;
   html?: string;
   findings?: string[];
   shapes?: Shape[];
-  orbits?: Shape[];
+  /** With `speed`: motions to be played at that speed, rad/s. */
+  motions?: Shape[];
+  speed?: number;
   targets?: Target[];
   edits?: Edit[];
   error?: string;
 }
 
+/** The values of a parameter with which the file describes a machine, within the range of its slider. */
+export interface Range { path: string; low: number; high: number }
 export interface Free { path: string; low: number; high: number }
 export interface Reached {
   edits: Edit[];

@@ -58,7 +58,9 @@ fn literals(text: &str) -> BTreeSet<&str> {
 fn sentences_and_their_arguments_are_those_of_the_sources() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut sources = read(&root.join("src"), "rs");
-    sources.extend(read(&root.join("../laval-cli/src"), "rs"));
+    for user in ["../laval-cli/src", "../laval-studio/src"] {
+        sources.extend(read(&root.join(user), "rs"));
+    }
     let known = messages("en");
     assert!(known.len() > 400);
     let mut missing = Vec::new();

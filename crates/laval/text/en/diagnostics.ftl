@@ -1810,6 +1810,13 @@ diag-there-is-no-file-33b6 = there is no file { $path }
 diag-is-larger-than-mb-3ad7 = { $path } is larger than { $size } MB
 diag-has-changed-on-the-disk-since-3764 = { $path } has changed on the disk since it was opened
 
+## laval-studio/src/motion.rs
+
+diag-the-request-names-no-motion-2e64 = the request names no motion
+diag-the-response-has-no-bound-at-244c = the response has no bound at this speed: an undamped resonance
+diag-no-state-of-the-nonlinear-response-5f5e = no state of the nonlinear response was found at this speed
+diag-the-file-has-no-transient-e71e = the file has no transient { $name }
+
 ## laval-studio/src/reach.rs
 
 diag-there-is-no-result-that-can-f05c = there is no result { $what } that can be moved

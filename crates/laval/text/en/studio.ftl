@@ -32,7 +32,6 @@ studio-new-file = new file
 studio-file-name = File name
 studio-files = Files of this folder
 studio-examples = Examples
-studio-templates = Templates
 studio-changed-on-disk = The file on disk is different
 studio-overwrite = Overwrite
 studio-load-from-disk = Load from disk
@@ -59,6 +58,15 @@ studio-drag-this = Drag: { $name }, { $value }
 
 # Motion in 3-D.
 studio-motion = Motion
+studio-motion-forced = Linear unbalance response at { $value } rpm
+studio-motion-nonlinear = Nonlinear unbalance response at { $value } rpm
+studio-motion-state = state { $count }
+studio-motion-unstable = unstable
+studio-motion-start = Transient from equilibrium at { $value } rpm
+studio-motion-transient = Transient “{ $name }”
+studio-shown = Largest displacement: { $value }. Shown { $from } times larger, { $to } times slower.
+studio-computing = Computation in progress
+studio-time = { $value } s
 studio-mode = Mode { $count }
 studio-whirl-forward = forward
 studio-whirl-backward = backward

@@ -1696,3 +1696,7 @@ diag-name-a-file-or-an-example-9b54 = файлды немесе мысалды �
 diag-is-no-machine-file-its-name-3c42 = { $path } – машина файлы емес: аты .toml болып аяқталмайды
 diag-the-studio-is-open-in-the-faee = Студия браузерде ашылды; Ctrl-C оны аяқтайды.
 diag-note-no-browser-could-be-opened-e857 = ескерту: браузер ашылмады; жоғарыдағы мекенжайды ашыңыз
+diag-the-request-names-no-motion-2e64 = сұрауда қозғалыс көрсетілмеген
+diag-the-response-has-no-bound-at-244c = бұл айналу жиілігінде тербеліс шектелмейді: өшірілмейтін резонанс
+diag-no-state-of-the-nonlinear-response-5f5e = бұл айналу жиілігінде бейсызық тербелістің күйі табылмады
+diag-the-file-has-no-transient-e71e = файлда { $name } атты transient зерттеуі жоқ

@@ -32,7 +32,6 @@ studio-new-file = жаңа файл
 studio-file-name = Файл атауы
 studio-files = Осы қалтаның файлдары
 studio-examples = Мысалдар
-studio-templates = Үлгілер
 studio-changed-on-disk = Дискідегі файл өзгерген
 studio-overwrite = Үстінен жазу
 studio-load-from-disk = Дискіден жүктеу
@@ -59,6 +58,15 @@ studio-drag-this = Сүйреңіз: { $name }, { $value }
 
 # Үш өлшемді қозғалыс.
 studio-motion = Қозғалыс
+studio-motion-forced = Дисбаланстан болатын сызықтық тербеліс, { $value } айн/мин
+studio-motion-nonlinear = Дисбаланстан болатын бейсызық тербеліс, { $value } айн/мин
+studio-motion-state = { $count }-күй
+studio-motion-unstable = орнықсыз
+studio-motion-start = Тепе-теңдіктен басталатын өтпелі процесс, { $value } айн/мин
+studio-motion-transient = «{ $name }» өтпелі процесі
+studio-shown = Ең үлкен ығысу: { $value }. Үлкейту × { $from }, баяулату × { $to }.
+studio-computing = Есептеу жүріп жатыр
+studio-time = { $value } с
 studio-mode = { $count }-мода
 studio-whirl-forward = тура прецессия
 studio-whirl-backward = кері прецессия

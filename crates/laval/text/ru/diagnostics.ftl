@@ -1386,3 +1386,7 @@ diag-name-a-file-or-an-example-9b54 = назовите файл или прим�
 diag-is-no-machine-file-its-name-3c42 = { $path } – не файл машины: имя не кончается на .toml
 diag-the-studio-is-open-in-the-faee = Студия открыта в браузере; Ctrl-C завершает её.
 diag-note-no-browser-could-be-opened-e857 = замечание: браузер открыть не удалось; откройте адрес выше
+diag-the-request-names-no-motion-2e64 = в запросе не указано движение
+diag-the-response-has-no-bound-at-244c = отклик при этой частоте вращения не ограничен: резонанс без демпфирования
+diag-no-state-of-the-nonlinear-response-5f5e = при этой частоте вращения не найдено ни одного режима нелинейного отклика
+diag-the-file-has-no-transient-e71e = в файле нет расчёта transient с именем { $name }

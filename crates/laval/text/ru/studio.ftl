@@ -32,7 +32,6 @@ studio-new-file = новый файл
 studio-file-name = Имя файла
 studio-files = Файлы этой папки
 studio-examples = Примеры
-studio-templates = Шаблоны
 studio-changed-on-disk = Файл на диске изменён
 studio-overwrite = Перезаписать
 studio-load-from-disk = Загрузить с диска
@@ -59,6 +58,15 @@ studio-drag-this = Перетащите: { $name }, { $value }
 
 # Движение в объёме.
 studio-motion = Движение
+studio-motion-forced = Линейный отклик на дисбаланс, { $value } об/мин
+studio-motion-nonlinear = Нелинейный отклик на дисбаланс, { $value } об/мин
+studio-motion-state = режим { $count }
+studio-motion-unstable = неустойчивый
+studio-motion-start = Переходный процесс из равновесия, { $value } об/мин
+studio-motion-transient = Переходный процесс «{ $name }»
+studio-shown = Наибольшее смещение: { $value }. Увеличение × { $from }, замедление × { $to }.
+studio-computing = Выполняется расчёт
+studio-time = { $value } с
 studio-mode = Мода { $count }
 studio-whirl-forward = прямая прецессия
 studio-whirl-backward = обратная прецессия

@@ -1694,3 +1694,7 @@ diag-name-a-file-or-an-example-9b54 = fayl yoki misolni nomlang
 diag-is-no-machine-file-its-name-3c42 = { $path } – mashina fayli emas: nomi .toml bilan tugamaydi
 diag-the-studio-is-open-in-the-faee = Studiya brauzerda ochildi; Ctrl-C uni tugatadi.
 diag-note-no-browser-could-be-opened-e857 = eslatma: brauzer ochilmadi; yuqoridagi manzilni oching
+diag-the-request-names-no-motion-2e64 = so‘rovda harakat ko‘rsatilmagan
+diag-the-response-has-no-bound-at-244c = bu tezlikda javob chegaralanmagan: so‘ndirishsiz rezonans
+diag-no-state-of-the-nonlinear-response-5f5e = bu tezlikda chiziqsiz javobning holati topilmadi
+diag-the-file-has-no-transient-e71e = faylda { $name } nomli transient hisobi yo‘q

@@ -32,7 +32,6 @@ studio-new-file = yangi fayl
 studio-file-name = Fayl nomi
 studio-files = Shu jildning fayllari
 studio-examples = Misollar
-studio-templates = Andozalar
 studio-changed-on-disk = Diskdagi fayl o‘zgargan
 studio-overwrite = Ustidan yozish
 studio-load-from-disk = Diskdan yuklash
@@ -59,6 +58,15 @@ studio-drag-this = Suring: { $name }, { $value }
 
 # Uch o‘lchamli harakat.
 studio-motion = Harakat
+studio-motion-forced = Disbalansga chiziqli javob, { $value } ayl/min
+studio-motion-nonlinear = Disbalansga chiziqsiz javob, { $value } ayl/min
+studio-motion-state = { $count }-holat
+studio-motion-unstable = noturg‘un
+studio-motion-start = Muvozanat holatidan o‘tish jarayoni, { $value } ayl/min
+studio-motion-transient = “{ $name }” o‘tish jarayoni
+studio-shown = Eng katta siljish: { $value }. Kattalashtirish × { $from }, sekinlashtirish × { $to }.
+studio-computing = Hisob bajarilmoqda
+studio-time = { $value } s
 studio-mode = { $count }-moda
 studio-whirl-forward = to‘g‘ri pretsessiya
 studio-whirl-backward = teskari pretsessiya
