@@ -85,9 +85,8 @@ impl Server {
             Diagnostic::error("studio.folder", text!("cannot open {path}: {e}", path = options.folder.display(), e = e.to_string()))
         })?;
         if let Some(file) = options.file.as_ref().filter(|f| f.exists() && options.text.is_none()) {
-            let name = folder::name_of(&options.folder, file).ok_or_else(|| {
-                Diagnostic::error("studio.file", text!("{path} is a link out of its folder", path = file.display()))
-            })?;
+            let name = folder::name_of(&options.folder, file)
+                .ok_or_else(|| Diagnostic::error("studio.file", text!("{path} is a link out of its folder", path = file.display())))?;
             folder::read(&options.folder, &name)?;
         }
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));

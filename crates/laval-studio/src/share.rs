@@ -60,8 +60,7 @@ pub(crate) fn first_page(text: &str, loaded: &Loaded, language: Language, cancel
         }
     }
     // what other studies of the file find may be worse than this page
-    let others: Vec<Arg> =
-        loaded.studies.iter().filter(|s| !ON_PAGE.contains(&s.study.kind())).map(|s| Arg::name(&s.name)).collect();
+    let others: Vec<Arg> = loaded.studies.iter().filter(|s| !ON_PAGE.contains(&s.study.kind())).map(|s| Arg::name(&s.name)).collect();
     if !others.is_empty() {
         page.headline.push(Message::new("headline-studies-not-run").arg("studies", Arg::List(others)));
         page.verdict = page.verdict.max(Verdict::NotComputed);

@@ -151,7 +151,7 @@ mod tests {
             let entry = |i: usize, j: usize, lane: usize| {
                 let x = ((17 * i + 29 * j + 41 * lane + 13 * i * j) as f64).sin();
                 // a small diagonal in every other lane
-                let scale = if i == j && lane % 2 == 0 { 1e-3 } else { 1.0 };
+                let scale = if i == j && lane.is_multiple_of(2) { 1e-3 } else { 1.0 };
                 c(x * scale, scale * ((7 * i + 3 * j + lane + 5 * i * j) as f64).cos())
             };
             let right = |i: usize, j: usize, lane: usize| c((i + 2 * j + lane) as f64, 1.0 - (i * j) as f64);

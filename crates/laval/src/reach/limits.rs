@@ -45,7 +45,11 @@ fn near(system: &System, at: f64, onset: Option<bool>, context: &Context) -> Res
     let study = StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
     let found = study.result(system, context)?;
     let Some(row) = found.rows.into_iter().next() else { return Ok(None) };
-    let edge = row.edges.iter().filter(|e| e.located && onset.is_none_or(|o| e.onset == o)).min_by(|a, b| (a.speed - at).abs().total_cmp(&(b.speed - at).abs()));
+    let edge = row
+        .edges
+        .iter()
+        .filter(|e| e.located && onset.is_none_or(|o| e.onset == o))
+        .min_by(|a, b| (a.speed - at).abs().total_cmp(&(b.speed - at).abs()));
     Ok(edge.map(|e| {
         let beside = row.samples.iter().min_by(|a, b| (a.value - e.value).abs().total_cmp(&(b.value - e.value).abs()));
         StabilityLimit { speed: e.speed, value: e.value, sector: beside.and_then(|s| s.sector), double: e.double, onset: e.onset }
