@@ -1055,6 +1055,7 @@ diag-is-the-nearest-that-can-be-c685 = { $value } is the nearest that can be rea
 ## laval/src/reach/search.rs
 
 diag-the-machine-of-the-file-does-df10 = the machine of the file does not have this result
+diag-the-result-at-cannot-be-moved-edb0 = the result at { $stated } cannot be moved: the nearest that can be followed is at { $found }
 
 ## laval/src/report/renew.rs
 
@@ -1838,6 +1839,7 @@ diag-the-report-cannot-be-drawn-a076 = the report cannot be drawn: { $e }
 diag-the-server-cannot-be-started-9a0d = the server cannot be started: { $e }
 diag-a-token-has-at-least-8-da81 = a token has at least 8 letters and digits
 diag-cannot-open-9fcf = cannot open { $path }: { $e }
+diag-is-a-link-out-of-its-b2fe = { $path } is a link out of its folder
 
 ## laval-studio/src/share.rs
 

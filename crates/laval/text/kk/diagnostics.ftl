@@ -1700,3 +1700,5 @@ diag-the-request-names-no-motion-2e64 = сұрауда қозғалыс көрс
 diag-the-response-has-no-bound-at-244c = бұл айналу жиілігінде тербеліс шектелмейді: өшірілмейтін резонанс
 diag-no-state-of-the-nonlinear-response-5f5e = бұл айналу жиілігінде бейсызық тербелістің күйі табылмады
 diag-the-file-has-no-transient-e71e = файлда { $name } атты transient зерттеуі жоқ
+diag-the-result-at-cannot-be-moved-edb0 = { $stated } кезіндегі нәтижені жылжытуға болмайды: бақылауға болатын ең жақыны { $found } кезінде
+diag-is-a-link-out-of-its-b2fe = { $path } — өз қалтасынан тыс сілтеме

@@ -1390,3 +1390,5 @@ diag-the-request-names-no-motion-2e64 = в запросе не указано д
 diag-the-response-has-no-bound-at-244c = отклик при этой частоте вращения не ограничен: резонанс без демпфирования
 diag-no-state-of-the-nonlinear-response-5f5e = при этой частоте вращения не найдено ни одного режима нелинейного отклика
 diag-the-file-has-no-transient-e71e = в файле нет расчёта transient с именем { $name }
+diag-the-result-at-cannot-be-moved-edb0 = результат при { $stated } нельзя передвинуть: ближайший, за которым можно следить, находится при { $found }
+diag-is-a-link-out-of-its-b2fe = { $path } — ссылка за пределы своей папки

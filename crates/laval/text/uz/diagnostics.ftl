@@ -1698,3 +1698,5 @@ diag-the-request-names-no-motion-2e64 = so‘rovda harakat ko‘rsatilmagan
 diag-the-response-has-no-bound-at-244c = bu tezlikda javob chegaralanmagan: so‘ndirishsiz rezonans
 diag-no-state-of-the-nonlinear-response-5f5e = bu tezlikda chiziqsiz javobning holati topilmadi
 diag-the-file-has-no-transient-e71e = faylda { $name } nomli transient hisobi yo‘q
+diag-the-result-at-cannot-be-moved-edb0 = { $stated } dagi natijani siljitib bo‘lmaydi: kuzatish mumkin bo‘lgan eng yaqini { $found } da
+diag-is-a-link-out-of-its-b2fe = { $path } — o‘z jildidan tashqariga havola
