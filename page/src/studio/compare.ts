@@ -33,11 +33,14 @@ export class Compare {
   }
 
   /** Keeps the design of the text. */
-  pin(): void {
+  async pin(): Promise<void> {
+    const text = this.studio.text, machine = this.studio.machine?.name || say("design"), payloads = this.panels.payloads();
+    let checks;
+    try { checks = await this.panels.checksNow(); } catch (e) { return this.studio.failed(e); }
+    if (!checks) return;
     if (this.pins.length >= MOST) this.pins.shift();
     this.count++;
-    const name = `${this.studio.machine?.name || say("design")} ${this.count}`;
-    this.pins.push({ name, text: this.studio.text, checks: this.panels.checks(), payloads: this.panels.payloads() });
+    this.pins.push({ name: `${machine} ${this.count}`, text, checks, payloads });
     this.changed();
   }
 

@@ -57,7 +57,14 @@ export class Panels {
     studio.whenText(() => this.refresh());
     studio.quick = a => { const p = a.want === "edit" || a.want === "motion" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
     studio.quickFits = () => { const p = this.panels.get("modes"); if (p) p.asked = this.key(); };
-    studio.whenMachine(() => { for (const p of this.panels.values()) p.box.classList.toggle("stale", studio.errors > 0); });
+    studio.whenMachine(() => this.dim());
+    studio.whenStatus(() => { if (!studio.reachable) this.dim(); });
+  }
+
+  /** What is shown belongs to another text: that of before an error, or of before the server was gone. */
+  private dim(): void {
+    const other = this.studio.errors > 0 || !this.studio.reachable;
+    for (const p of this.panels.values()) p.box.classList.toggle("stale", other);
   }
 
   private make(want: Want): Panel {
@@ -174,14 +181,35 @@ export class Panels {
   /** Draws anew what is there, after pins changed. */
   redraw(): void { for (const p of this.panels.values()) if (p.last) { this.draw(p, p.last); this.listeners.forEach(f => f(p.last as Answer)); } }
 
-  /** Numbers of the figures shown, to be kept with a pin. */
-  payloads(): Partial<Record<Want, Payload[]>> {
-    return Object.fromEntries([...this.panels.values()].filter(p => p.figures.length).map(p => [p.want, p.figures.map(f => f.data)]));
+  /** A panel shows the answer to the text and the speed of now. */
+  private current(p: Panel): boolean {
+    return p.last !== null && p.asked === this.key() && !p.running && !p.box.classList.contains("stale");
   }
 
-  /** Checks of page one. */
-  checks(): Check[] {
-    const rows = this.panels.get("page")?.body.querySelectorAll<HTMLTableRowElement>("table.chk tbody tr") ?? [];
+  /** Numbers of the figures that belong to the text of now, to be kept with a pin. */
+  payloads(): Partial<Record<Want, Payload[]>> {
+    const shown = [...this.panels.values()].filter(p => p.figures.length && this.current(p));
+    return Object.fromEntries(shown.map(p => [p.want, p.figures.map(f => f.data)]));
+  }
+
+  /** Checks of page one of the text of now, computed where the panel shows those of another; nothing where the text describes no machine. */
+  async checksNow(): Promise<Check[] | null> {
+    const p = this.panels.get("page");
+    if (p && this.current(p)) return this.checks();
+    let found: Check[] | null = null;
+    await api.answer({ text: this.studio.text, want: ["page"] }, new AbortController().signal, a => {
+      if (a.want !== "page") return;
+      if (a.error !== undefined) return this.studio.tell(a.error);
+      const page = make("div");
+      page.innerHTML = a.html ?? "";
+      found = this.checks(page);
+    });
+    return found;
+  }
+
+  /** Checks of a page one: of that shown, or of another. */
+  checks(page: ParentNode | undefined = this.panels.get("page")?.body): Check[] {
+    const rows = page?.querySelectorAll<HTMLTableRowElement>("table.chk tbody tr") ?? [];
     return [...rows].map(r => {
       const [what, result, , verdict] = [...r.cells].map(c => c.textContent ?? ""), state = r.cells[3]?.className.replace(/^s /, "") ?? "no";
       const short = r.cells[1]?.firstChild?.textContent ?? result;
