@@ -15,7 +15,8 @@ mod processor;
 #[path = "common/row.rs"]
 mod row;
 
-use clock::clock;
+// studies may work on threads of their own
+use clock::all_threads as clock;
 use laval::model::system::System;
 use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};

@@ -18,7 +18,8 @@ mod processor;
 #[path = "common/row.rs"]
 mod row;
 
-use clock::clock;
+// studies may work on threads of their own
+use clock::all_threads as clock;
 use laval::solve::harmonic::branches::response::{Request, respond};
 use processor::processor;
 use row::row;

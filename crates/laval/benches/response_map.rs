@@ -15,7 +15,8 @@ mod processor;
 #[path = "common/row.rs"]
 mod row;
 
-use clock::clock;
+// studies may work on threads of their own
+use clock::all_threads as clock;
 use laval::model::field::RangeValue;
 use laval::outcome::Outcome;
 use laval::solve::harmonic::branches::response::Request;

@@ -13,7 +13,8 @@ mod processor;
 #[path = "common/row.rs"]
 mod row;
 
-use clock::clock;
+// studies may work on threads of their own
+use clock::all_threads as clock;
 use laval::separation::cup::{Hanging, SwingingCup};
 use laval::separation::exit::Cylinder;
 use laval::separation::law::Law;

@@ -17,7 +17,8 @@ mod processor;
 #[path = "common/row.rs"]
 mod row;
 
-use clock::clock;
+// studies may work on threads of their own
+use clock::all_threads as clock;
 use common::shaft::shaft;
 use laval::solve::criticals::criticals;
 use laval::solve::linear_response::responses;
