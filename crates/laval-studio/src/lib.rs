@@ -1,7 +1,7 @@
 //! `laval studio`: a page that shows a machine and answers while it is changed, and the server beside it.
 //!
 //! The server listens on the loopback address alone. Every address begins with a random token, requests of other origins are refused, and no file outside the
-//! folder that it was started in is read or written ([`guard`], [`folder`]). Computations run on threads of their own and end when the page no longer waits for them ([`abandon`]).
+//! folder that it was started in is read or written (`guard`, `folder`). Computations run on threads of their own and end when the page no longer waits for them (`abandon`).
 
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
