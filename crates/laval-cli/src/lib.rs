@@ -8,6 +8,7 @@
 mod check;
 mod import;
 mod input;
+mod interrupt;
 mod language;
 mod new;
 mod pdf;

@@ -4,7 +4,7 @@ use crate::input::{self, Input};
 use crate::pdf;
 use crate::pieces;
 use crate::progress::Bar;
-use crate::{DONE, FAILED, STOPPED, WRONG, guarded, language, terminal};
+use crate::{DONE, FAILED, STOPPED, WRONG, guarded, interrupt, language, terminal};
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{Loaded, NamedStudy};
 use laval::outcome::{Arg, End, Finding, Outcome};
@@ -162,16 +162,11 @@ pub fn prepare(args: &Request) -> Result<(Input, Loaded), u8> {
 
 /// First Ctrl-C: stop at the next step. Second: at once.
 pub fn listen() {
-    let stop = || {
-        if CANCEL.swap(true, Ordering::Relaxed) {
-            std::process::exit(i32::from(STOPPED));
-        }
+    interrupt::listen(|| {
+        CANCEL.store(true, Ordering::Relaxed);
         terminal::complain("\n");
         terminal::say(&text!("stopping; Ctrl-C again stops at once"));
-    };
-    if let Err(e) = ctrlc::set_handler(stop) {
-        terminal::say(&text!("warning: Ctrl-C will stop at once and lose what is not yet written ({e})", e = e.to_string()));
-    }
+    });
 }
 
 /// The reason of a refusal, as a finding.

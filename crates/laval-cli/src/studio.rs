@@ -1,14 +1,13 @@
 //! `laval studio`.
 
 use crate::new::TEMPLATES;
-use crate::{DONE, WRONG, input, language, terminal};
+use crate::{DONE, WRONG, input, interrupt, language, terminal};
 use laval::diagnostic::Diagnostic;
 use laval::report::Language;
 use laval::text;
 use laval_studio::{Example, Options, Server};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What may be said to `studio`.
 #[derive(clap::Args)]
@@ -67,17 +66,7 @@ pub fn studio(args: &Args) -> u8 {
         Err(d) => return complain(&d),
     };
     let handle = server.handle();
-    // a second Ctrl-C ends the program at once
-    let stopping = AtomicBool::new(false);
-    let listened = ctrlc::set_handler(move || {
-        if stopping.swap(true, Ordering::Relaxed) {
-            std::process::exit(i32::from(crate::STOPPED));
-        }
-        handle.stop();
-    });
-    if let Err(e) = listened {
-        terminal::say(&text!("warning: Ctrl-C will stop at once and lose what is not yet written ({e})", e = e.to_string()));
-    }
+    interrupt::listen(move || handle.stop());
     let address = server.address();
     terminal::print(&format!("{address}\n"));
     if !args.no_browser {

@@ -1,4 +1,4 @@
-// Live figures: each is asked anew after a change as long as it can be seen.
+// Live figures: each is requested again after a change while it is in sight.
 
 import { Chosen, Figure } from "../report/figure";
 import type { Payload } from "../report/payload";
@@ -119,7 +119,7 @@ export class Panels {
       await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, run.abort.signal, a => { if (a.want === p.want) this.show(p, a); });
     } catch (e) {
       p.running = null;
-      // what the server refuses is not asked again
+      // a refused request is not repeated
       if (p.asked === run.key && !(e instanceof api.Refused)) p.asked = null;
       if (!api.aborted(e)) return this.studio.failed(e);
       return this.pump();

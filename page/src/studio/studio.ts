@@ -57,7 +57,7 @@ export class Studio {
   parameter(path: string): Parameter | undefined { return this.machine?.parameters.find(p => p.path === path); }
 
   changed(): void {
-    // the modes that came with a change are drawn before anything else is asked for
+    // modes that arrived with a change are drawn before the next request
     if (this.applying) setTimeout(() => this.spread(), 0); else this.spread();
   }
 

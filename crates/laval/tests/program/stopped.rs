@@ -5,7 +5,7 @@ use laval::outcome::{Arg, End, Level, Message, Outcome};
 use laval::study::{Cancel, Context};
 
 /// A disc on a stiffening bearing, whose response peaks and folds between 300 and 600 rad/s.
-const ROTOR: &str = r#"
+pub const ROTOR: &str = r#"
 [machine]
 speed = "300 rad/s"
 [[part]]

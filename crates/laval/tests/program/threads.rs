@@ -1,5 +1,6 @@
 //! Results have the same bits whatever the number of threads.
 
+use super::stopped::ROTOR;
 use crate::common::files::load;
 use laval::study::{Context, overview};
 
@@ -48,29 +49,6 @@ cxx = 200.0
 cyy = 200.0
 [operation]
 run_up_time = "2 s"
-"#;
-
-/// A disc on a stiffening bearing.
-const ROTOR: &str = r#"
-[machine]
-speed = "300 rad/s"
-[[part]]
-kind = "disc"
-name = "drum"
-mass = "2 kg"
-eccentricity = "50 um"
-[[part]]
-kind = "bearing_cubic"
-name = "bearing"
-between = ["drum", "ground"]
-law = "isotropic"
-stiffness = "2e5 N/m"
-cubic_stiffness = "1e11 N/m^3"
-[[part]]
-kind = "damper"
-name = "losses"
-between = ["drum", "ground"]
-damping = "55 N s/m"
 "#;
 
 /// A balancer with two balls.

@@ -1872,6 +1872,10 @@ diag-give-the-file-20d8 = give the file: { $inside }
 diag-is-larger-than-64-mb-6cae = { $path } is larger than 64 MB
 diag-laval-new-writes-a-machine-file-4dc1 = laval new writes a machine file to start from
 
+## laval-cli/src/interrupt.rs
+
+diag-warning-ctrl-c-will-stop-at-f5b8 = warning: Ctrl-C will stop at once and lose what is not yet written ({ $e })
+
 ## laval-cli/src/lib.rs
 
 diag-note-threads-cannot-be-started-one-a291 = note: { $wanted } threads cannot be started ({ $e }): one computes. RAYON_NUM_THREADS says how many are wanted.
@@ -1915,7 +1919,6 @@ diag-days-910f = { $n } days
 diag-contains-no-study-e25a = { $file } contains no study
 diag-add-a-study-block-laval-studies-c25e = add a [[study]] block; laval studies lists the kinds
 diag-stopping-ctrl-c-again-stops-at-3a4d = stopping; Ctrl-C again stops at once
-diag-warning-ctrl-c-will-stop-at-f5b8 = warning: Ctrl-C will stop at once and lose what is not yet written ({ $e })
 diag-not-run-3464 = not run: { $left }
 diag-warning-also-holds-results-of-study-0789 = warning: { $out } also holds results of study { $names }, which is of an earlier machine file
 diag-warning-also-holds-results-of-studies-8275 = warning: { $out } also holds results of studies { $names }, which are of an earlier machine file

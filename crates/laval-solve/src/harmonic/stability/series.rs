@@ -146,7 +146,7 @@ impl Series {
         }
         let accurate = self.is_accurate(elements, tolerance);
         if accurate && self.count.is_multiple_of(2) {
-            // every other sample resolves what is left
+            // every other sample resolves the orders that remain
             let width = elements.len();
             self.count /= 2;
             for i in 1..self.count {
