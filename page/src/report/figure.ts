@@ -1,6 +1,7 @@
 // A drawing with readout, zoom and legend switches. It is complete without them.
 
 import { place, ticks, value } from "./axis";
+import { inside } from "./inside";
 import { Extent, redraw } from "./redraw";
 import { number, unit } from "./numbers";
 import { el } from "./path";
@@ -310,7 +311,19 @@ export class Figure {
     if (c.x) this.x = [place(this.data.x, c.x[0]), place(this.data.x, c.x[1])];
     c.y.forEach((y, i) => { if (y && this.data.p[i]) this.y[i] = [place(this.data.p[i].y, y[0]), place(this.data.p[i].y, y[1])]; });
     if ([this.x, ...this.y].some(([a, b]) => !(b - a > 1e-9))) return this.unzoomed();
+    if (this.empty()) return this.unzoomed();
     this.redraw();
+  }
+
+  /** Nothing of the visible curves lies in the range: none of the figure, or none of a drawing whose own range was chosen. */
+  private empty(): boolean {
+    const drawn = this.data.p.map((p, i) => {
+      const seen = this.of(i).map((c, k) => ({ ...c, joined: p.s[k].k === "l", e: p.s[k].e })).filter(c => !this.hidden.has(c.e));
+      if (!seen.length) return null;
+      return p.h !== null || seen.some(c => inside(c, this.x, this.y[i]));
+    });
+    const own = drawn.some((d, i) => d === false && (this.y[i][0] !== 0 || this.y[i][1] !== 1));
+    return own || drawn.includes(false) && !drawn.includes(true);
   }
 
   key(e: Pressed): void {
