@@ -1,7 +1,7 @@
 // Starts the program and a browser; what the tests do on the page.
 
 import { spawn } from "node:child_process";
-import { accessSync, constants, cpSync, existsSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { accessSync, constants, cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { delimiter, dirname, join } from "node:path";
@@ -66,6 +66,12 @@ const ARGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--disable-backgrou
 
 export const launch = (...more) => chromium.launch({ executablePath: browser(), args: [...ARGS, ...more] });
 
+/** Words of the page as the catalogue of a language has them. */
+function words(language) {
+  const lines = readFileSync(join(root, "crates/laval/text", language, "studio.ftl"), "utf8").split("\n");
+  return Object.fromEntries(lines.filter(l => l.startsWith("studio-")).map(l => [l.slice(0, l.indexOf(" =")), l.slice(l.indexOf("=") + 2).replace(/\{ \$(\w+) \}/g, "{$1}")]));
+}
+
 /** A page with the machine shown; what it complains about is collected. */
 export async function open(b, server, { width = 1440, height = 900, query = "", ...rest } = {}) {
   const context = await b.newContext({ viewport: { width, height }, acceptDownloads: true, ...rest });
@@ -79,6 +85,13 @@ export async function open(b, server, { width = 1440, height = 900, query = "", 
   if (process.env.LAVAL_ASSETS) await page.route(/\/assets\/[\w.]+$|\/[0-9a-f]{32}\/(\?.*)?$/, (route, request) => {
     const name = /assets\/([\w.]+)$/.exec(request.url())?.[1] ?? "index.html";
     return route.fulfill({ path: join(process.env.LAVAL_ASSETS, name), contentType: { html: "text/html", css: "text/css", js: "text/javascript" }[name.split(".").pop()] });
+  });
+  // words of the sources go with the page of the sources
+  if (process.env.LAVAL_ASSETS) await page.route(/\/api\/start(\?.*)?$/, async route => {
+    const response = await route.fetch().catch(() => null);
+    if (!response) return route.abort();
+    const start = await response.json();
+    return route.fulfill({ response, json: { ...start, words: { ...words(start.language), ...start.words } } });
   });
   // the editor hangs on its element
   await page.addInitScript(() => { window.editorView = () => document.querySelector("#editor").shadowRoot.querySelector(".cm-content").cmTile.view; });

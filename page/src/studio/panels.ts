@@ -1,9 +1,11 @@
 // Live figures: each is requested again after a change while it is in sight.
 
 import { Chosen, Figure } from "../report/figure";
+import { number, unit } from "../report/numbers";
 import type { Payload } from "../report/payload";
 import * as api from "./api";
 import { find, make, say } from "./dom";
+import { keep } from "./focus";
 import { PATIENCE } from "./lane";
 import { Layer, overlay } from "./overlay";
 import type { Studio } from "./studio";
@@ -21,6 +23,8 @@ interface Panel {
   box: HTMLElement;
   body: HTMLElement;
   took: HTMLElement;
+  /** In the heading: the speed that the modes are those of. */
+  at: HTMLElement;
   /** A request on its way: which text, since when. */
   running: { abort: AbortController; key: string; since: number } | null;
   /** When it was answered last. */
@@ -68,11 +72,11 @@ export class Panels {
   }
 
   private make(want: Want): Panel {
-    const took = make("span", { class: "took", "aria-hidden": "true" }), body = make("div", { class: "body" });
+    const took = make("span", { class: "took", "aria-hidden": "true" }), at = make("span", { class: "at" }), body = make("div", { class: "body" });
     const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
-      make("h2", { id: `title-${want}` }, say(`want-${want}`), took), body);
+      make("h2", { id: `title-${want}` }, say(`want-${want}`), at, took), body);
     const panel: Panel = {
-      want, box, body, took, seen: false, asked: null, figures: [], last: null, running: null, answered: 0,
+      want, box, body, took, at, seen: false, asked: null, figures: [], last: null, running: null, answered: 0,
     };
     return panel;
   }
@@ -150,7 +154,8 @@ export class Panels {
 
   private draw(p: Panel, a: Answer): void {
     const chosen: Chosen[] = p.figures.map(f => f.choice()), open = [...p.body.querySelectorAll("details")].map(d => d.open);
-    const html = a.html ?? "";
+    const html = a.html ?? "", refocus = keep(p.body);
+    if (p.want === "modes") p.at.textContent = this.speed(a);
     p.body.innerHTML = html || `<p class="none"></p>`;
     if (!html) p.body.querySelector("p")!.textContent = say("nothing");
     p.body.querySelectorAll("details").forEach((d, i) => { if (open[i] !== undefined) d.open = open[i]; });
@@ -164,6 +169,13 @@ export class Panels {
       if (chosen[n]) f.choose(chosen[n]);
     });
     if (p.want !== "page" && a.targets?.length && p.figures[0] && this.pulled) targets(p.figures[0], p.body, a.targets, this.pulled);
+    refocus();
+  }
+
+  /** Speed of the modes as it is written elsewhere. */
+  private speed(a: Answer): string {
+    const w = a.speed ?? this.studio.speed ?? this.studio.machine?.speed;
+    return w ? `${number(+(w * 30 / Math.PI).toPrecision(4))}${unit(say("rpm"))}` : "";
   }
 
   /** Another machine: nothing of the last one stays. */
@@ -173,7 +185,7 @@ export class Panels {
       p.asked = p.last = null;
       p.figures = [];
       p.body.replaceChildren();
-      p.took.textContent = "";
+      p.took.textContent = p.at.textContent = "";
       p.box.classList.remove("filled", "stale");
     }
   }

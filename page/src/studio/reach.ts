@@ -1,16 +1,18 @@
 // Drag the answer: the program moves the released parameters until the result is where it was pulled to.
 
 import * as api from "./api";
+import { wanted } from "./ask";
 import { button, make, say } from "./dom";
 import { Lane } from "./lane";
 import { inFile } from "./quantity";
 import { minus, number, unit } from "../report/numbers";
 import { el } from "../report/path";
 import type { Studio } from "./studio";
-import type { Pulled } from "./targets";
-import type { Free, Reached, Target } from "./types";
+import type { Named, Pulled } from "./targets";
+import type { Free, Reached } from "./types";
 
-interface Goal { target: Target; to: number; text: string; unit: string }
+/** `at` is the place on the axis, `to` the same in SI units. */
+interface Goal { target: Named; at: number; to: number; text: string; unit: string }
 
 export class Reach implements Pulled {
   private readonly lane: Lane<Goal>;
@@ -18,17 +20,55 @@ export class Reach implements Pulled {
   private released = false;
   private unfolded = false;
   private goal: Goal | null = null;
+  /** Text that the message speaks of, and the last goal that this text has reached. */
+  private holds: string | null = null;
+  private there: Goal | null = null;
+  private applying = false;
 
   constructor(private readonly host: HTMLElement, private readonly studio: Studio, private readonly free: () => Free[]) {
-    this.lane = new Lane((g, signal) => this.work(g, signal), e => { this.answer = null; studio.failed(e); });
+    this.lane = new Lane((g, signal) => this.work(g, signal), e => { this.answer = null; this.released = false; this.idle(); studio.failed(e); });
     this.lane.idled = () => { if (this.released) this.finish(); };
+    studio.whenText(() => this.outlived());
     this.idle();
   }
 
   /** Without a pull: what can be done here. */
   idle(): void {
     const n = this.free().length;
+    this.holds = null;
+    this.goal = this.there = null;
+    if (n && this.studio.notice === say("release-first")) this.studio.tell("");
     this.host.replaceChildren(make("p", { class: "hint" }, n ? say("pull-help", { count: n }) : say("release-first")));
+  }
+
+  /** The text is another one: what is said of the one before goes. */
+  private outlived(): void {
+    if (this.applying || this.holds === null || this.holds === this.studio.text || !this.lane.idle) return;
+    // a value that is being written stays
+    if (this.host.querySelector(".pick")) { this.holds = this.there = null; return; }
+    this.idle();
+  }
+
+  /** A change of the text that the message speaks of. */
+  private apply(a: Reached): void {
+    this.applying = true;
+    this.studio.editor.apply(a.edits);
+    this.applying = false;
+    this.holds = this.studio.text;
+    if (this.studio.notice) this.studio.tell("");
+  }
+
+  wanted(t: Named): number | null {
+    const g = this.goal;
+    if (g?.target.key !== t.key) return null;
+    return !this.lane.idle || this.there === g && this.holds === this.studio.text ? g.at : null;
+  }
+
+  /** A target as it is known in the text of now: it stands where it was moved to last. */
+  private now(t: Named): Named {
+    const g = this.there;
+    if (!g || g.target.key !== t.key || this.holds !== this.studio.text || t.along !== "x" || typeof t.which !== "object") return t;
+    return { ...t, which: { ...t.which, at: g.to } };
   }
 
   begin(): boolean {
@@ -42,35 +82,47 @@ export class Reach implements Pulled {
     return false;
   }
 
-  move(target: Target, v: number, text: string, unit: string): void {
-    this.goal = { target, to: v / target.factor, text, unit };
+  move(target: Named, v: number, text: string, unit: string): void {
+    this.goal = { target: this.now(target), at: v, to: v / target.factor, text, unit };
     this.lane.ask(this.goal);
   }
 
-  end(_: Target, kept: boolean): void {
+  end(_: Named, kept: boolean): void {
     if (!kept) { this.lane.stop(); this.answer = null; this.idle(); return; }
     this.released = true;
     if (this.lane.idle) this.finish();
   }
 
-  pick(target: Target, v: number, name: string): void {
-    const field = make("input", { type: "text", inputmode: "decimal", value: +v.toPrecision(5), "aria-label": target.label });
+  pick(target: Named, v: number, name: string): void {
+    const field = make("input", { type: "text", value: +v.toPrecision(5), "aria-label": target.label, "aria-describedby": "pick-wrong", autocomplete: "off", spellcheck: "false" });
+    const wrong = make("p", { class: "wrong", id: "pick-wrong", role: "alert" });
+    const right = () => { field.removeAttribute("aria-invalid"); wrong.textContent = ""; };
     const go = () => {
-      const wanted = parseFloat(field.value.replace(",", "."));
-      if (!isFinite(wanted)) return;
+      const to = wanted(field.value, name);
+      if (to === null) {
+        field.setAttribute("aria-invalid", "true");
+        wrong.textContent = say("not-a-number", { name });
+        return field.focus();
+      }
+      right();
       this.released = true;
-      this.goal = { target, to: wanted / target.factor, text: number(wanted) + unit(name), unit: name };
+      this.goal = { target: this.now(target), at: to, to: to / target.factor, text: number(to) + unit(name), unit: name };
       this.lane.ask(this.goal);
     };
+    field.addEventListener("input", right);
     field.addEventListener("keydown", e => { if (e.key === "Enter") { e.preventDefault(); go(); } else if (e.key === "Escape") this.idle(); });
-    this.host.replaceChildren(make("p", { class: "pick" }, make("label", {}, target.label, " ", field, unit(name)), " ", button("reach", go)));
+    this.host.replaceChildren(make("p", { class: "pick" }, make("label", {}, target.label, " ", field, unit(name)), " ", button("reach", go)), wrong);
     field.select();
   }
 
   private async work(g: Goal, signal: AbortSignal): Promise<void> {
-    const { what, which } = g.target;
-    this.answer = await api.reach(this.studio.text, { what, which, to: g.to }, this.free(), signal);
-    this.show(g, this.answer);
+    const { what, which } = g.target, text = this.studio.text;
+    const answer = await api.reach(text, { what, which, to: g.to }, this.free(), signal);
+    // its changes would fall on other places of a text that was changed meanwhile
+    if (text !== this.studio.text) return this.work(g, signal);
+    this.answer = answer;
+    this.holds = text;
+    this.show(g, answer);
   }
 
   /** The text changes when the handle is let go, as one step. */
@@ -78,8 +130,9 @@ export class Reach implements Pulled {
     this.released = false;
     const a = this.answer;
     if (!a || !this.goal) return;
-    if (a.reached) this.studio.editor.apply(a.edits);
-    else if (a.edits.length) this.host.append(button("take-nearest", () => { this.studio.editor.apply(a.edits); this.idle(); }, { class: "nearest" }));
+    if (this.holds !== this.studio.text) { this.released = true; return this.lane.ask(this.goal); }
+    if (a.reached) { this.apply(a); this.there = this.goal; }
+    else if (a.edits.length) this.host.append(button("take-nearest", () => { this.apply(a); this.idle(); }, { class: "nearest" }));
   }
 
   private show(g: Goal, a: Reached): void {
