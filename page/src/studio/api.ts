@@ -1,6 +1,6 @@
 // Requests to the server beside the page.
 
-import type { Answer, Checked, Free, MotionKind, Progress, Range, Reached, Set, Start, Want } from "./types";
+import type { Answer, Checked, Free, Listed, MotionKind, Progress, Range, Reached, Set, Start, Want } from "./types";
 
 /** An answer that refuses: the sentence of the server, with its status. */
 export class Refused extends Error {
@@ -53,6 +53,14 @@ const json = async <T>(path: string, body?: unknown, signal: AbortSignal | null 
 };
 
 export const start = (): Promise<Start> => json("start");
+/** What the page begins with in the language that the program was started in. */
+export async function startOwn(): Promise<Start> {
+  const chosen = language;
+  language = "";
+  const answer = start();
+  language = chosen;
+  return answer;
+}
 export const open = (what: "example" | "file", name: string): Promise<{ file: string; text: string }> =>
   json(`open?${what}=${encodeURIComponent(name)}`);
 export const save = (file: string, text: string, base: string, force: boolean): Promise<{ file: string }> =>
@@ -61,6 +69,7 @@ export const check = (text: string, signal: AbortSignal): Promise<Checked> => js
 export const ranges = (text: string, signal: AbortSignal): Promise<{ ranges: Range[] }> => json("ranges", { serial: ++serial, text }, signal);
 export const reach = (text: string, target: { what: string; which: unknown; to: number }, free: Free[], signal: AbortSignal): Promise<Reached> =>
   json("reach", { serial: ++serial, text, target, free }, signal);
+export const runs = (): Promise<{ runs: Listed[] }> => json("runs");
 export const run = (text: string, study: string, file: string): Promise<{ id: string }> => json("runs", { text, study, file });
 export const steer = (id: string, what: "pause" | "resume" | "cancel"): Promise<unknown> => json(`runs/${encodeURIComponent(id)}/${what}`, {});
 

@@ -1,10 +1,10 @@
 // The page of the studio: asks what there is to show, and puts the pieces together.
 
-import * as api from "./api";
 import { bar } from "./bar";
 import { Compare } from "./compare";
 import { find, make, say, teach } from "./dom";
 import { Editor } from "./editor";
+import { begin } from "./language";
 import { Motion } from "./motion";
 import { Panels } from "./panels";
 import { Parameters } from "./parameters";
@@ -22,11 +22,6 @@ function kept(): { file: string; base: string; text: string } | null {
     sessionStorage.removeItem("laval-kept");
     return text ? JSON.parse(text) as { file: string; base: string; text: string } : null;
   } catch { return null; }
-}
-
-function wanted(): string {
-  const asked = new URLSearchParams(location.search).get("lang");
-  try { return asked ?? localStorage.getItem("laval-language") ?? ""; } catch { return asked ?? ""; }
 }
 
 /** Tabs that show one of several things; arrow keys move between them. */
@@ -94,7 +89,6 @@ function lay(start: Start): void {
 }
 
 theme.apply(theme.kept());
-api.speak(wanted());
-api.start().then(lay, (e: unknown) => {
+begin().then(lay, (e: unknown) => {
   document.body.append(make("p", { class: "fatal", role: "alert" }, e instanceof Error ? e.message : String(e)));
 });

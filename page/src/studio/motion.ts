@@ -23,6 +23,8 @@ export class Motion {
   private playing = true;
   private shapes: Shape[] = [];
   private entries: Entry[] = [];
+  /** What is wanted, and what is shown of it: the wanted mode may not be known yet, or be no more. */
+  private wish = "mode:0";
   private chosen = "mode:0";
   /** The last motions that were computed, and of what. */
   private found: { key: string; text: string; speed: number | null; shapes: Shape[]; error: string } | null = null;
@@ -36,7 +38,7 @@ export class Motion {
   private shown = false;
 
   constructor(private readonly host: HTMLElement, controls: HTMLElement, private readonly studio: Studio, private readonly panels: Panels) {
-    this.pick = make("select", { "aria-label": say("motion"), onchange: () => this.take(this.pick.value) });
+    this.pick = make("select", { "aria-label": say("motion"), autocomplete: "off", onchange: () => this.take(this.pick.value) });
     this.fact = make("span", { class: "fact", role: "status" });
     this.clock = make("span", { class: "clock", "aria-hidden": "true" });
     this.lane = new Lane((asked, signal) => this.compute(asked, signal), e => studio.failed(e));
@@ -138,8 +140,8 @@ export class Motion {
       if (options[i].textContent !== e.title) options[i].textContent = e.title;
       if (options[i].value !== e.key) options[i].value = e.key;
     });
-    // a mode or a state that is no more
-    if (!this.entries.some(e => e.key === this.chosen)) this.chosen = this.entries.find(e => e.key === this.chosen.split(":")[0])?.key ?? this.entries[0]?.key ?? "mode:0";
+    const has = (key: string) => this.entries.some(e => e.key === key), kind = this.wish.split(":")[0];
+    this.chosen = [this.wish, kind].find(has) ?? this.entries[0]?.key ?? "mode:0";
     if (this.pick.value !== this.chosen) this.pick.value = this.chosen;
     this.choose();
   }
@@ -149,7 +151,7 @@ export class Motion {
   private get entry(): Entry | null { return this.entries.find(e => e.key === this.chosen) ?? null; }
 
   private take(key: string): void {
-    this.chosen = key;
+    this.wish = this.chosen = key;
     this.view?.rewind();
     if (this.pick.value !== key) this.pick.value = key;
     this.choose();

@@ -137,4 +137,5 @@ export interface Reached {
   curve?: [number, number][];
 }
 
-export interface Progress { state: string; done: number; total: number; error?: string }
+export interface Progress { state: string; done: number; total: number; error?: string; report?: boolean }
+export interface Listed extends Progress { id: string; study: string }
