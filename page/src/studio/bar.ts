@@ -4,6 +4,7 @@ import * as api from "./api";
 import type { Compare } from "./compare";
 import { conflictDialog, openDialog, saveAs } from "./dialogs";
 import { button, find, make, say } from "./dom";
+import { choose } from "./language";
 import type { Studio } from "./studio";
 import * as theme from "./theme";
 
@@ -27,15 +28,17 @@ export function bar(studio: Studio, compare: Compare, recoloured: () => void): v
   const save = button("save", () => { if (studio.file && studio.base) void studio.save(); else saveAs(studio); }, { "data-act": "save" });
   const language = make("select", { id: "language", "aria-label": say("language") }, ...studio.start.languages.map(l => make("option", { value: l.code, lang: l.code }, l.name)));
   language.value = studio.start.language;
-  language.addEventListener("change", () => {
+  language.addEventListener("change", () => void choose(language.value).then(search => {
     // words are everywhere: the page is laid anew, with the text as it is
     try {
       sessionStorage.setItem("laval-kept", JSON.stringify({ file: studio.file, base: studio.base, text: studio.text }));
-      localStorage.setItem("laval-language", language.value);
     } catch { /* the file is read again */ }
     leaving = true;
-    location.search = `?lang=${language.value}`;
-  });
+    if (location.search === search) location.reload(); else location.search = search;
+  }, (e: unknown) => {
+    language.value = studio.start.language;
+    studio.failed(e);
+  }));
   let now = theme.kept();
   const shade = make("button", { type: "button", "data-act": "theme" }, say(`theme-${now}`));
   shade.addEventListener("click", () => {
@@ -52,7 +55,7 @@ export function bar(studio: Studio, compare: Compare, recoloured: () => void): v
     make("span", { class: "group right" }, language, shade));
 
   let leaving = false, said = "";
-  studio.conflict = sentence => conflictDialog(studio, sentence);
+  studio.conflict = (sentence, file) => conflictDialog(studio, sentence, file);
   studio.whenStatus(() => {
     file.textContent = `${studio.file || say("new-file")}${studio.unsaved ? " •" : ""}`;
     file.title = studio.unsaved ? say("unsaved") : "";
@@ -61,14 +64,15 @@ export function bar(studio: Studio, compare: Compare, recoloured: () => void): v
     const title = `${studio.machine?.name || studio.file || "laval"} · laval studio`;
     if (document.title !== title) document.title = title;
     const n = studio.errors, first = studio.diagnostics.find(d => d.severity === "error");
-    const state = `${studio.reachable}|${studio.notice}|${n}|${first?.message}|${first?.from}`;
+    const unsent = studio.reachable ? [] : studio.unsent.map(path => studio.parameter(path)?.label ?? path);
+    const state = `${studio.reachable}|${unsent.join()}|${studio.notice}|${n}|${first?.message}|${first?.from}`;
     if (state === said) return;
     said = state;
     status.replaceChildren();
     status.className = "";
     if (!studio.reachable) {
       status.className = "lost";
-      status.textContent = say("lost");
+      status.textContent = say("lost") + (unsent.length ? ` ${say("unsent", { name: unsent.join(", ") })}` : "");
     } else if (studio.notice) {
       status.className = "notice";
       status.append(studio.notice, " ", button("close", () => studio.tell("")));

@@ -1,6 +1,7 @@
 // Windows over the page: what to open, and what to do about a file that changed on disk.
 
 import { button, make, say } from "./dom";
+import { filename } from "./filename";
 import type { Studio } from "./studio";
 
 function dialog(title: string, ...inside: HTMLElement[]): HTMLDialogElement {
@@ -26,23 +27,27 @@ export function openDialog(studio: Studio): void {
   const d = dialog(say("open"), ...lists);
 }
 
-export function conflictDialog(studio: Studio, sentence: string): void {
+export function conflictDialog(studio: Studio, sentence: string, file: string): void {
   const d = dialog(say("changed-on-disk"), make("p", {}, sentence), make("p", { class: "acts" },
-    button("overwrite", () => { d.close(); void studio.save(true); }),
-    button("load-from-disk", () => { d.close(); void studio.open("file", studio.file); })));
+    button("overwrite", () => { d.close(); void studio.save(file, true); }),
+    button("load-from-disk", () => { d.close(); void studio.open("file", file); })));
 }
 
 export function saveAs(studio: Studio): void {
-  const name = make("input", { type: "text", value: studio.file || "machine.toml", "aria-label": say("file-name") });
+  const name = make("input", { type: "text", class: "file-name", value: studio.file || "machine.toml", "aria-label": say("file-name"), "aria-describedby": "file-wrong", autocomplete: "off", spellcheck: "false" });
+  const wrong = make("p", { class: "wrong", id: "file-wrong", role: "alert" });
   const go = () => {
-    const file = name.value.trim();
-    if (!file) return;
-    if (file !== studio.file) studio.base = "";
-    studio.file = file;
+    const file = filename(name.value);
+    if (file === null) {
+      name.setAttribute("aria-invalid", "true");
+      wrong.textContent = say("file-name-wrong");
+      return name.focus();
+    }
     d.close();
-    void studio.save();
+    void studio.save(file);
   };
+  name.addEventListener("input", () => { name.removeAttribute("aria-invalid"); wrong.textContent = ""; });
   name.addEventListener("keydown", e => { if (e.key === "Enter") { e.preventDefault(); go(); } });
-  const d = dialog(say("save-as"), make("p", {}, make("label", {}, say("file-name"), " ", name), " ", button("save", go)));
+  const d = dialog(say("save-as"), make("p", {}, make("label", {}, say("file-name"), " ", name), " ", button("save", go)), wrong);
   name.select();
 }

@@ -1,11 +1,12 @@
 // Every number of the machine: a slider, the value as the file writes it, and whether it may be moved by the program.
 
 import * as api from "./api";
+import { bare } from "./ask";
 import { say, make } from "./dom";
 import { Lane } from "./lane";
 import { fromSlider, toSlider, written } from "./quantity";
 import type { Studio } from "./studio";
-import type { Free, Parameter, Range } from "./types";
+import type { Free, Parameter, Range, Set as Wanted } from "./types";
 
 /** The label without the name of the part, which stands above. */
 function short(p: Parameter): string {
@@ -29,6 +30,8 @@ interface Row {
   unit: HTMLElement;
   /** Text that stands in the field. */
   shown: string;
+  /** What was typed was refused while the file had this value: it stays until it is mended. */
+  refused: string | null;
 }
 
 export class Parameters {
@@ -39,6 +42,7 @@ export class Parameters {
   constructor(private readonly host: HTMLElement, private readonly studio: Studio, private readonly released: () => void) {
     this.lane = new Lane(async (text, signal) => this.narrow(text, (await api.ranges(text, signal)).ranges), e => { if (!(e instanceof api.Refused)) studio.failed(e); });
     studio.whenMachine(() => { this.update(); this.soon(); });
+    studio.refused = (set, sentence) => this.refuse(set, sentence);
   }
 
   private readonly lane: Lane<string>;
@@ -75,8 +79,8 @@ export class Parameters {
 
   /** A bound is written in the units of the file. */
   private bound(r: Row, input: HTMLInputElement, otherwise: number): number {
-    const v = input.value.trim() === "" ? NaN : +input.value.replace(",", ".");
-    return isFinite(v) ? v / written(r.of).factor : otherwise;
+    const v = bare(input.value);
+    return v !== null ? v / written(r.of).factor : otherwise;
   }
 
   /** Another machine: nothing of the last one stays. */
@@ -85,17 +89,39 @@ export class Parameters {
     this.rows.clear();
   }
 
+  /** Fields keep what was refused, with the reason; sliders go back. */
+  private refuse(set: Wanted[], sentence: string): void {
+    for (const s of set) {
+      const row = this.rows.get(s.path);
+      if (!row || !("written" in s)) continue;
+      row.refused = row.of.shown;
+      row.shown = row.written.value = s.written;
+      row.written.setAttribute("aria-invalid", "true");
+      row.written.title = sentence;
+    }
+    this.update();
+  }
+
+  private mended(row: Row): void {
+    row.refused = null;
+    row.written.removeAttribute("aria-invalid");
+    row.written.removeAttribute("title");
+  }
+
   private update(): void {
     const all = this.studio.machine?.parameters ?? [], known = new Set(all.map(p => p.path)), active = document.activeElement;
     for (const [path, row] of this.rows) if (!known.has(path)) { row.box.remove(); this.rows.delete(path); }
     for (const p of all) {
       const row = this.rows.get(p.path) ?? this.add(p);
       row.of = p;
+      // what waits for the connection stays as it was wanted
+      if (this.studio.waits(p.path) && !this.studio.reachable) continue;
       if (p.value < row.from || p.value > row.to) { row.from = p.low; row.to = p.high; }
       // an input that is written to is laid out anew even when nothing changes
       const slides = this.sliding && row.slider === active, at = String(toSlider(p.value, row.from, row.to));
       if (!slides && row.slider.value !== at) row.slider.value = at;
-      if (row.shown === p.shown || row.written === active) continue;
+      if (row.refused !== null && row.refused !== p.shown) this.mended(row);
+      if (row.shown === p.shown || row.written === active || row.refused !== null) continue;
       row.shown = row.written.value = p.shown;
       row.slider.setAttribute("aria-valuetext", p.shown);
     }
@@ -127,7 +153,7 @@ export class Parameters {
     const range = make("div", { class: "range", hidden: true }, say("range"), " ", low, "–", high, " ", unit);
     const box = make("div", { class: "row", "data-path": p.path },
       make("label", { class: "name", title: p.doc }, short(p)), slider, field, make("label", { class: "release" }, free, make("span", {}, say("released"))), range);
-    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, narrow: false, unit, shown: "" };
+    const row: Row = { box, slider, written: field, free, low, high, of: p, from: p.low, to: p.high, narrow: false, unit, shown: "", refused: null };
     slider.addEventListener("input", () => {
       if (!this.sliding) { this.sliding = true; this.studio.begin(); }
       this.studio.change([{ path: row.of.path, value: fromSlider(+slider.value, row.from, row.to) }]);
@@ -138,10 +164,16 @@ export class Parameters {
     field.addEventListener("change", () => {
       const text = field.value.trim();
       row.shown = field.value;
+      this.mended(row);
       if (text && text !== row.of.shown) this.studio.change([{ path: row.of.path, written: text }]);
       else row.shown = field.value = row.of.shown;
     });
-    field.addEventListener("keydown", e => { if (e.key === "Escape") { field.value = row.of.shown; field.blur(); } });
+    field.addEventListener("keydown", e => {
+      if (e.key === "Escape") { this.mended(row); row.shown = field.value = row.of.shown; field.blur(); }
+    });
+    for (const bound of [low, high]) bound.addEventListener("input", () => {
+      if (bound.value.trim() && bare(bound.value) === null) bound.setAttribute("aria-invalid", "true"); else bound.removeAttribute("aria-invalid");
+    });
     free.addEventListener("change", () => {
       range.hidden = !free.checked;
       box.classList.toggle("free", free.checked);

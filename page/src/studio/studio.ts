@@ -31,15 +31,21 @@ export class Studio {
   private readonly onMachine: Listener[] = [];
   private readonly onStatus: Listener[] = [];
   private readonly checks: Lane<string>;
-  private readonly edits: Lane<Set[]>;
+  private readonly edits: Lane<null>;
+  /** Values that were asked for and are not in the text yet, by path. */
+  private readonly waiting = new Map<string, Set>();
+  /** Set by the page: values that the program refused, and why. */
+  refused: (set: Set[], sentence: string) => void = () => {};
   private applying = false;
   private ended: { keep: boolean } | null = null;
   /** Last sentence about something that was not done. */
   notice = "";
+  /** The text that it speaks of. */
+  private noticed = "";
 
   constructor(readonly start: Start) {
     this.checks = new Lane((text, signal) => this.check(text, signal), e => this.failed(e));
-    this.edits = new Lane((set, signal) => this.set(set, signal), e => { this.promised = null; this.failed(e); });
+    this.edits = new Lane((_, signal) => this.send(signal), e => { this.promised = null; this.failed(e); });
     this.edits.idled = () => this.finish();
   }
 
@@ -62,6 +68,7 @@ export class Studio {
   }
 
   private spread(): void {
+    if (this.notice && this.noticed !== this.text) this.notice = "";
     this.checks.ask(this.text);
     this.onText.forEach(f => f());
     this.status();
@@ -69,7 +76,12 @@ export class Studio {
 
   status(): void { this.onStatus.forEach(f => f()); }
 
-  tell(sentence: string): void { this.notice = sentence; this.status(); }
+  /** A sentence about the text of now; it goes with it. */
+  tell(sentence: string): void {
+    this.notice = sentence;
+    this.noticed = this.text;
+    this.status();
+  }
 
   private async check(text: string, signal: AbortSignal): Promise<void> {
     const answer: Checked = await api.check(text, signal);
@@ -83,8 +95,28 @@ export class Studio {
     this.status();
   }
 
-  /** Asks for values of parameters; the newest wins. */
-  change(set: Set[]): void { this.edits.ask(set); }
+  /** Asks for values of parameters; of each the newest wins. */
+  change(set: Set[]): void {
+    for (const s of set) this.waiting.set(s.path, s);
+    this.edits.ask(null);
+  }
+
+  /** Whether a value of this parameter is on its way. */
+  waits(path: string): boolean { return this.waiting.has(path); }
+  get unsent(): string[] { return [...this.waiting.keys()]; }
+
+  /** Sends what waits; without a connection it goes on waiting. */
+  private async send(signal: AbortSignal): Promise<void> {
+    const set = [...this.waiting.values()], done = () => { for (const s of set) if (this.waiting.get(s.path) === s) this.waiting.delete(s.path); };
+    if (!set.length) return;
+    try {
+      await this.set(set, signal);
+    } catch (e) {
+      if (e instanceof Refused) { done(); this.refused(set, e.message); }
+      throw e;
+    }
+    done();
+  }
 
   private async set(set: Set[], signal: AbortSignal): Promise<void> {
     const text = this.text, speed = this.speed;
@@ -110,7 +142,10 @@ export class Studio {
         this.promised = null;
         this.quick(a);
         if (edits) apply(); else this.quickFits();
-      } else if (a.error !== undefined) this.tell(a.error);
+      } else if (a.error !== undefined) {
+        this.tell(a.error);
+        this.refused(set, a.error);
+      }
     });
     apply();
   }
@@ -125,7 +160,7 @@ export class Studio {
   /** The drag ends when its last change is in the text. */
   end(keep = true): void {
     this.ended = { keep };
-    if (!keep) this.edits.stop();
+    if (!keep) { this.waiting.clear(); this.edits.stop(); }
     if (this.edits.idle) this.finish();
   }
 
@@ -141,28 +176,30 @@ export class Studio {
       const { file, text } = await api.open(what, name);
       this.file = file;
       this.base = what === "file" ? text : "";
+      this.waiting.clear();
       this.opened();
       this.editor.open(text, true);
       this.tell("");
     } catch (e) { this.failed(e); }
   }
 
-  async save(force = false): Promise<void> {
+  /** A name that is refused leaves the name of before. */
+  async save(name = this.file, force = false): Promise<void> {
     const text = this.text;
     try {
-      const { file } = await api.save(this.file, text, this.base, force);
+      const { file } = await api.save(name, text, name === this.file ? this.base : "", force);
       this.answered();
       this.file = file;
       this.base = text;
       this.tell(say("saved", { name: file }));
     } catch (e) {
-      if (e instanceof Refused && e.status === 409) this.conflict(e.message);
+      if (e instanceof Refused && e.status === 409) this.conflict(e.message, name);
       else this.failed(e);
     }
   }
 
   /** Set by the page: what to do about a file that changed on disk. */
-  conflict: (sentence: string) => void = () => {};
+  conflict: (sentence: string, file: string) => void = () => {};
 
   /** A request failed: the sentence of the server, or the connection is lost. */
   failed(e: unknown): void {
@@ -174,9 +211,13 @@ export class Studio {
     if (!this.reachable) { this.reachable = true; this.status(); }
   }
 
+  /** Set by the page: the connection is there again. */
+  returned: () => void = () => {};
+
   /** The server does not answer: tried again every second; then everything is asked anew. */
   private lost(): void {
-    if (!this.reachable) return;
+    // what waits is named in the sentence
+    if (!this.reachable) return this.status();
     this.reachable = false;
     this.status();
     const again = async () => {
@@ -187,6 +228,9 @@ export class Studio {
       }
       this.reachable = true;
       this.changed();
+      this.returned();
+      // after the check of the text, so that values that wait come last
+      if (this.waiting.size) this.edits.ask(null);
     };
     setTimeout(() => void again(), 1000);
   }
