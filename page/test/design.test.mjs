@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { Server, changed, launch, open, panel, parameter, picture, pull, text, write } from "./studio.mjs";
+import { Server, changed, launch, open, panel, parameter, picture, pull, route, text, write } from "./studio.mjs";
 
 let b, server, page;
 before(async () => { b = await launch(); server = await Server.start(); });
@@ -102,10 +102,58 @@ parameter = { parameter = "oil.free_surface_radius", from = "30 mm", to = "68 mm
   await picture(page, "running");
   await job.locator("button", { hasText: "Cancel" }).click();
   await state("cancelled");
+  assert.match(await job.locator(".state").textContent(), /^cancelled · \d+ \/ \d+$/);
+  const [done, total] = (await job.locator(".state").textContent()).match(/\d+/g).map(Number);
+  assert.ok(done > 0 && done < total && Math.abs(await job.locator("progress").evaluate(e => e.value) - done / total) < 1e-6, `${done} of ${total}`);
   await run("modes").first().click();
   await state("done");
   const [report] = await Promise.all([page.context().waitForEvent("page"), page.locator("#runs .job[data-state=done] a").click()]);
   await report.waitForLoadState();
   assert.match(await report.title(), /oil separator/);
   assert.ok(existsSync(join(server.folder, "out")));
+});
+
+test("runs of the program are listed again, and can be steered; a cancelled one stands where it was", async () => {
+  await page.evaluate(() => editorView().dispatch({
+    changes: { from: editorView().state.doc.length, insert: `
+[[study]]
+kind = "stability_map"
+name = "fine map"
+speed = { from = "25 rad/s", to = "5000 rad/s", points = 300 }
+parameter = { parameter = "oil.free_surface_radius", from = "30 mm", to = "68 mm", points = 300 }
+` } }));
+  await page.locator("#runs .studies li", { hasText: "fine map" }).locator("button").click();
+  await page.waitForSelector("#runs .job[data-state=running]");
+  const id = await page.locator("#runs .job").first().getAttribute("data-run");
+  const list = [
+    { id, study: "fine map", state: "running", done: 1, total: 9 },
+    { id: "902", study: "half a map", state: "cancelled", done: 3, total: 8, report: true },
+    { id: "901", study: "old map", state: "done", done: 8, total: 8 },
+    { id: "900", study: "bad map", state: "failed", done: 0, total: 0, error: "no such part" },
+  ];
+  const two = await page.context().newPage();
+  if (process.env.LAVAL_ASSETS) await route(two);
+  await two.route(/\/api\/runs(\?.*)?$/, r => r.request().method() === "GET" ? r.fulfill({ json: { runs: list } }) : r.continue());
+  await two.goto(server.address);
+  await two.waitForFunction(() => document.querySelectorAll("#runs .job").length === 4);
+  const job = n => two.locator("#runs .job").nth(n);
+  assert.deepEqual(await two.locator("#runs .job b").allTextContents(), ["fine map", "half a map", "old map", "bad map"]);
+  assert.equal(await job(1).locator(".state").textContent(), "cancelled · 3 / 8");
+  assert.equal(await job(1).locator("progress").evaluate(e => e.value), 3 / 8);
+  assert.equal(await job(1).locator("a").count(), 1, "what it has is reported");
+  assert.equal(await job(2).locator("a").count(), 1);
+  assert.equal(await job(3).locator(".state").textContent(), "no such part");
+  await two.locator("#runs").scrollIntoViewIfNeeded();
+  await picture(two, "runs-again");
+  // the other tab steers it
+  await job(0).locator("button", { hasText: "Pause" }).click();
+  await page.waitForSelector("#runs .job[data-state=paused]");
+  await two.waitForSelector('#runs .job[data-state=paused]');
+  await job(0).locator("button", { hasText: "Cancel" }).click();
+  await page.waitForSelector("#runs .job[data-state=cancelled]");
+  // looked at again: nothing twice
+  await two.evaluate(() => dispatchEvent(new Event("focus")));
+  await two.waitForTimeout(300);
+  assert.equal(await two.locator("#runs .job").count(), 4);
+  await two.close();
 });

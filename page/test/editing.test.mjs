@@ -115,12 +115,38 @@ test("an error stands at its place; figures of the last machine stay; the mend c
   await page.waitForSelector("#panel-modes:not(.stale)");
 });
 
+test("a refused value stays at its field with the reason until it is mended", async () => {
+  const field = parameter(page, "drum.mass").locator(".written"), invalid = () => field.getAttribute("aria-invalid");
+  await write(page, "drum.mass", "3 mm");
+  await page.waitForSelector("#status.notice");
+  await page.waitForFunction(() => document.querySelector('.row[data-path="drum.mass"] .written').getAttribute("aria-invalid") === "true");
+  assert.match(await field.getAttribute("title"), /mass/);
+  await picture(page, "refused");
+  // a change of another number does not hide it
+  await write(page, "housing.mass", "12 kg");
+  await shows("housing.mass", "12 kg");
+  await page.waitForTimeout(200);
+  assert.deepEqual([await field.inputValue(), await invalid()], ["3 mm", "true"]);
+  assert.equal(await page.locator("#status.notice").count(), 0);
+  await write(page, "drum.mass", "3 kg");
+  await page.waitForFunction(() => /mass = "3 kg"/.test(editorView().state.doc.toString()));
+  assert.deepEqual([await field.inputValue(), await invalid(), await field.getAttribute("title")], ["3 kg", null, null]);
+  // the file mends it too
+  await write(page, "drum.mass", "4 mm");
+  await page.waitForFunction(() => document.querySelector('.row[data-path="drum.mass"] .written').getAttribute("aria-invalid") === "true");
+  await undo();
+  await shows("drum.mass", "2.4 kg");
+  assert.equal(await invalid(), null);
+});
+
 test("completion offers kinds and keys with their documentation", async () => {
   await page.locator("#editor .cm-content").click();
   await page.keyboard.press("Control+End");
   await page.keyboard.type('\n\n[[part]]\nkind = "dam');
   await page.waitForSelector(".cm-tooltip-autocomplete");
   assert.match(await page.locator(".cm-tooltip-autocomplete").textContent(), /damper/);
+  // a list that has just opened takes no key
+  await page.waitForTimeout(150);
   await page.keyboard.press("Enter");
   await page.keyboard.press("End");
   await page.keyboard.type("\ndampi");

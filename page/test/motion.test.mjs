@@ -60,6 +60,27 @@ test("the response follows the file and the speed", async () => {
   await page.context().close();
 });
 
+test("the modes say at which speed they are; the choice shows what is shown", async t => {
+  const slow = await Server.start();
+  t.after(() => slow.close());
+  const page = await open(b, slow), chosen = () => page.locator("#motion select").inputValue();
+  await panel(page, "modes");
+  assert.equal(await chosen(), "mode:0");
+  assert.match(await page.locator("#title-modes").textContent(), /3000 rpm/);
+  assert.ok((await page.locator("#motion option").count()) > 6);
+  await page.locator("#motion input").nth(1).fill("600");
+  await page.waitForFunction(() => /3600 rpm/.test(document.querySelector("#title-modes").textContent));
+  assert.equal(await chosen(), "mode:0");
+  assert.deepEqual(page.complaints, []);
+  // modes that come late are no reason for another choice
+  await page.route(/\/api\/answer/, async route => { if (route.request().postDataJSON().want[0] === "modes") await new Promise(r => setTimeout(r, 1500)); await route.continue(); });
+  await page.reload();
+  await page.waitForSelector("#motion option", { state: "attached" });
+  await page.waitForFunction(() => document.querySelectorAll("#motion option").length > 6);
+  assert.equal(await chosen(), "mode:0");
+  await page.context().close();
+});
+
 test("transients of the file, and of machines with balls", async t => {
   const balls = await Server.start("04-ball-balancer");
   t.after(() => balls.close());

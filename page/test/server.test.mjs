@@ -54,6 +54,92 @@ test("a server that goes is reported; the text stays; when it is back the figure
   await page.context().close();
 });
 
+test("values typed or set without a server are sent when it is back", async () => {
+  const page = await open(b, server);
+  await panel(page, "modes");
+  await page.waitForTimeout(300);
+  const was = await text(page);
+  await server.end();
+  await write(page, "drum.mass", "2.9 kg");
+  await page.waitForSelector("#status.lost");
+  assert.equal(await parameter(page, "drum.mass").locator(".written").inputValue(), "2.9 kg");
+  const slider = parameter(page, "bearing.stiffness").locator("input[type=range]");
+  await slider.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");
+  const place = await slider.inputValue();
+  await slider.blur();
+  await write(page, "housing.mass", "-7 kg");
+  await page.waitForFunction(() => /drum mass.*bearing stiffness.*housing mass/.test(document.querySelector("#status.lost")?.textContent ?? ""));
+  await picture(page, "lost-values");
+  assert.equal(await text(page), was);
+  await page.waitForTimeout(1300);
+  assert.equal(await parameter(page, "drum.mass").locator(".written").inputValue(), "2.9 kg");
+  await write(page, "housing.mass", "12 kg");
+  await server.again();
+  await page.waitForFunction(() => { const t = editorView().state.doc.toString(); return /mass = "2.9 kg"/.test(t) && /mass = "12 kg"/.test(t); }, null, { timeout: 10_000 });
+  await page.waitForTimeout(500);
+  assert.equal(await slider.inputValue(), place);
+  assert.equal(await parameter(page, "drum.mass").locator(".written").inputValue(), "2.9 kg");
+  assert.equal(await page.locator("#status").textContent(), "");
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+test("a name that no file can have is refused at the field; .toml is added", async t => {
+  const own = await Server.start();
+  t.after(() => own.close());
+  const page = await open(b, own), sent = [];
+  page.on("request", r => { if (r.url().includes("/api/save")) sent.push(r.postDataJSON().file); });
+  await page.click("[data-act=save-as]");
+  const field = page.locator("dialog .file-name");
+  for (const wrong of ["", "   ", "..", "folder/", "a\\b", "rotor.txt", ".toml"]) {
+    await field.fill(wrong);
+    await field.press("Enter");
+    assert.equal(await field.getAttribute("aria-invalid"), "true", wrong);
+    assert.match(await page.locator("dialog .wrong").textContent(), /\.toml/);
+  }
+  await picture(page, "save-as-wrong");
+  assert.deepEqual(sent, []);
+  await field.fill("rotor 2");
+  await field.press("Enter");
+  await page.waitForSelector("#status.notice");
+  assert.deepEqual(sent, ["rotor 2.toml"]);
+  assert.equal(await page.locator("#file").textContent(), "rotor 2.toml");
+  // a folder that is not there: the name of before stays
+  await page.click("[data-act=save-as]");
+  await field.fill("nowhere/x");
+  await field.press("Enter");
+  await page.waitForFunction(() => /nowhere/.test(document.querySelector("#status.notice")?.textContent ?? ""));
+  assert.equal(await page.locator("#file").textContent(), "rotor 2.toml");
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
+test("a language that was chosen holds for programs that were started in the language of then", async t => {
+  const russian = await Server.start("02-rigid-rotor");
+  t.after(() => russian.close());
+  const page = await open(b, russian), lang = () => page.evaluate(() => document.documentElement.lang);
+  const ready = async () => { await page.waitForSelector("html[data-ready]"); await page.waitForSelector("#parameters .row", { state: "attached" }); };
+  const leave = page.waitForEvent("load");
+  await page.selectOption("#language", "kk");
+  await leave;
+  await ready();
+  assert.equal(await lang(), "kk");
+  await page.goto(russian.address);
+  await ready();
+  assert.equal(await lang(), "kk", "it holds for this program");
+  await russian.end();
+  await russian.again("--lang", "ru");
+  await page.goto(russian.address);
+  await ready();
+  assert.equal(await lang(), "ru", "the newer wish holds");
+  await page.reload();
+  await ready();
+  assert.equal(await lang(), "ru");
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
 test("examples are opened, each is shown without a complaint", async () => {
   const page = await open(b, server);
   await page.click("[data-act=open]");

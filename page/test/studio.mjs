@@ -41,8 +41,8 @@ export class Server {
   }
 
   /** Starts it at the same place as before. */
-  async again() {
-    const child = spawn(program(), ["studio", "--port", String(this.port), "--token", this.token, "--no-open", "machine.toml"], { cwd: this.folder, stdio: ["ignore", "pipe", "pipe"] });
+  async again(...more) {
+    const child = spawn(program(), ["studio", "--port", String(this.port), "--token", this.token, "--no-open", ...more, "machine.toml"], { cwd: this.folder, stdio: ["ignore", "pipe", "pipe"] });
     this.child = child;
     let heard = "", errors = "";
     child.stderr.on("data", d => { errors += d; });
@@ -72,6 +72,21 @@ function words(language) {
   return Object.fromEntries(lines.filter(l => l.startsWith("studio-")).map(l => [l.slice(0, l.indexOf(" =")), l.slice(l.indexOf("=") + 2).replace(/\{ \$(\w+) \}/g, "{$1}")]));
 }
 
+/** The page of a new build in place of the one that the program has. */
+export async function route(page) {
+  await page.route(/\/assets\/[\w.]+$|\/[0-9a-f]{32}\/(\?.*)?$/, (r, request) => {
+    const name = /assets\/([\w.]+)$/.exec(request.url())?.[1] ?? "index.html";
+    return r.fulfill({ path: join(process.env.LAVAL_ASSETS, name), contentType: { html: "text/html", css: "text/css", js: "text/javascript" }[name.split(".").pop()] });
+  });
+  // words of the sources go with the page of the sources
+  await page.route(/\/api\/start(\?.*)?$/, async r => {
+    const response = await r.fetch().catch(() => null);
+    if (!response) return r.abort();
+    const start = await response.json();
+    return r.fulfill({ response, json: { ...start, words: { ...words(start.language), ...start.words } } });
+  });
+}
+
 /** A page with the machine shown; what it complains about is collected. */
 export async function open(b, server, { width = 1440, height = 900, query = "", ...rest } = {}) {
   const context = await b.newContext({ viewport: { width, height }, acceptDownloads: true, ...rest });
@@ -82,17 +97,7 @@ export async function open(b, server, { width = 1440, height = 900, query = "", 
     // a request that is abandoned, a server that is away and software rendering are no defects of the page
     if (m.type() === "error" && !/Failed to load resource|ERR_/.test(m.text())) page.complaints.push(m.text());
   });
-  if (process.env.LAVAL_ASSETS) await page.route(/\/assets\/[\w.]+$|\/[0-9a-f]{32}\/(\?.*)?$/, (route, request) => {
-    const name = /assets\/([\w.]+)$/.exec(request.url())?.[1] ?? "index.html";
-    return route.fulfill({ path: join(process.env.LAVAL_ASSETS, name), contentType: { html: "text/html", css: "text/css", js: "text/javascript" }[name.split(".").pop()] });
-  });
-  // words of the sources go with the page of the sources
-  if (process.env.LAVAL_ASSETS) await page.route(/\/api\/start(\?.*)?$/, async route => {
-    const response = await route.fetch().catch(() => null);
-    if (!response) return route.abort();
-    const start = await response.json();
-    return route.fulfill({ response, json: { ...start, words: { ...words(start.language), ...start.words } } });
-  });
+  if (process.env.LAVAL_ASSETS) await route(page);
   // the editor hangs on its element
   await page.addInitScript(() => { window.editorView = () => document.querySelector("#editor").shadowRoot.querySelector(".cm-content").cmTile.view; });
   await page.goto(server.address + query);
@@ -129,7 +134,8 @@ export async function write(page, path, value) {
 
 /** Pulls what is drawn by some pixels. */
 export async function pull(page, handle, dx, dy, steps = 12) {
-  await handle.scrollIntoViewIfNeeded();
+  // it may be drawn anew meanwhile
+  await handle.scrollIntoViewIfNeeded().catch(() => handle.scrollIntoViewIfNeeded());
   const box = await handle.boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
   await page.mouse.move(x, y);
   await page.mouse.down();

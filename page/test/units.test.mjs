@@ -107,3 +107,48 @@ test("solids of revolution move as their stations do", async () => {
   const w = g.getAttribute("whirl");
   for (let i = 0; i < n.count; i++) assert.ok(Math.abs(w.getX(i) - (1 + n.getZ(i) / 2)) < 1e-5);
 });
+
+test("knobs of handles lie apart from each other: speeds up from the axis, sizes beside the curve", async () => {
+  const { staggered, GAP } = await load("studio/knobs.ts"), area = { left: 0, right: 300, top: 0, bottom: 160 };
+  const apart = all => all.every((p, i) => all.every((q, j) => i === j || Math.hypot(p.x - q.x, p.y - q.y) >= 26));
+  const speeds = staggered([40, 41, 52, 120, 141].map(x => ({ x, y: 160, along: "x" })), area);
+  assert.ok(apart(speeds), JSON.stringify(speeds));
+  assert.deepEqual(speeds.map(p => p.x), [40, 41, 52, 120, 141]);
+  assert.deepEqual([speeds[0].y, speeds[3].y], [160, 160]);
+  const sizes = staggered([{ x: 298, y: 20, along: "y" }, { x: 298, y: 22, along: "y" }, { x: 298, y: 24, along: "y" }], area);
+  assert.ok(apart(sizes) && sizes.every((p, i) => p.y === 20 + 2 * i && p.x <= 300), JSON.stringify(sizes));
+  const both = staggered([{ x: 100, y: 155, along: "y" }, { x: 100, y: 160, along: "x" }], area);
+  assert.deepEqual(both, [{ x: 100 + GAP, y: 155 }, { x: 100, y: 160 }]);
+  // as many as there are, all stay inside
+  const many = staggered(Array.from({ length: 24 }, () => ({ x: 5, y: 160, along: "x" })), area);
+  assert.ok(many.every(p => p.y >= 0 && p.y <= 160));
+});
+
+test("a number is read with the units of its axis, and no other", async () => {
+  const { wanted, bare } = await load("studio/ask.ts"), near = (text, shown, v) => assert.ok(Math.abs(wanted(text, shown) - v) < 1e-9 * Math.abs(v), `${text}: ${wanted(text, shown)}`);
+  for (const [t, v] of [["25000", 25000], [" 25 000 rpm", 25000], ["25\u00a0000", 25000], ["30 Hz", 1800], ["30hz", 1800], ["100 rad/s", 3000 / Math.PI], ["1,5e3", 1500], ["\u22125", -5], ["- 5", -5], ["+5 RPM", 5], [".5", 0.5]]) near(t, "rpm", v);
+  near("3000 rpm", "Hz", 50);
+  near("3000 rpm", "rad/s", 100 * Math.PI);
+  for (const u of ["µm", "μm", "um"]) near(`250 ${u}`, "mm", 0.25);
+  near("2 mm", "µm", 2000);
+  near("0,002 m", "mm", 2);
+  for (const t of ["", " ", "abc", "nan", "NaN", "inf", "-", "1.2.3", "1,000.5", "30 mm", "5 kg", "rpm", "1e999", "3 4"]) assert.equal(wanted(t, "rpm"), null, t);
+  assert.equal(wanted("5 rpm", "mm"), null);
+  assert.equal(wanted("5 N", "N"), 5);
+  assert.deepEqual([bare("46,5"), bare("46.5 mm"), bare("")], [46.5, null, null]);
+});
+
+test("names of files that can be saved", async () => {
+  const { filename } = await load("studio/filename.ts");
+  for (const [written, name] of [["a.toml", "a.toml"], [" rotor ", "rotor.toml"], ["sub/rotor", "sub/rotor.toml"], ["ротор 2", "ротор 2.toml"], ["v1.2.toml", "v1.2.toml"]]) assert.equal(filename(written), name);
+  for (const wrong of ["", "   ", "..", ".", "../a.toml", "a/", "a//b", "/a", "a\\b", "C:a", ".toml", "a.txt", "a/..", "a\u0000b", "a/ /b"]) assert.equal(filename(wrong), null, wrong);
+});
+
+test("whether a curve passes through a range", async () => {
+  const { inside } = await load("report/inside.ts"), line = { x: [0, 1], y: [0, 1], joined: true };
+  assert.ok(inside(line, [0.4, 0.6], [0.4, 0.6]));
+  assert.ok(!inside(line, [0.4, 0.5], [0.6, 0.9]));
+  assert.ok(!inside({ ...line, joined: false }, [0.4, 0.6], [0.4, 0.6]));
+  assert.ok(!inside({ x: [0, 0.5, 1], y: [0, NaN, 1], joined: true }, [0.4, 0.6], [0.4, 0.6]));
+  assert.ok(inside({ x: [0.5], y: [0.5], joined: true }, [0, 1], [0, 1]));
+});

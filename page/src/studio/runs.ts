@@ -63,10 +63,10 @@ export class Runs {
   private follow(id: string, name: string, now: Listed | null = null): void {
     this.known.add(id);
     const bar = make("progress", { max: 1, "aria-label": name }), state = make("span", { class: "state" });
-    let paused = false, last: Progress | null = null, going: Progress | null = null;
+    let paused = false, last: Progress | null = null, going: Progress | null = null, cancelled = false;
     const steer = (what: "pause" | "resume" | "cancel") => api.steer(id, what).catch((e: unknown) => this.studio.failed(e));
     const hold = button("pause", () => { void steer(paused ? "resume" : "pause"); });
-    const cancel = button("cancel", () => { void steer("cancel"); });
+    const cancel = button("cancel", () => { cancelled = true; void steer("cancel"); });
     const acts = make("span", { class: "acts" }, hold, cancel);
     const job = make("li", { class: "job", "data-run": id, "data-state": "running" }, make("b", {}, name), bar, state, acts);
     this.jobs.prepend(job);
@@ -74,7 +74,7 @@ export class Runs {
     const show = (p: Progress) => {
       // what is left is passed over at the end: a cancelled run stands where it was
       if (p.state === "cancelled" && p.done >= p.total && going) p = { ...p, done: going.done, total: going.total };
-      if (!OVER.has(p.state)) going = p;
+      if (!OVER.has(p.state) && !cancelled) going = p;
       last = p;
       job.dataset.state = p.state;
       paused = p.state === "paused";
