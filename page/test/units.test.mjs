@@ -120,8 +120,8 @@ test("knobs of handles lie apart from each other: speeds up from the axis, sizes
   const both = staggered([{ x: 100, y: 155, along: "y" }, { x: 100, y: 160, along: "x" }], area);
   assert.deepEqual(both, [{ x: 100 + GAP, y: 155 }, { x: 100, y: 160 }]);
   // as many as there are, all stay inside
-  const many = staggered(Array.from({ length: 24 }, () => ({ x: 5, y: 160, along: "x" })), area);
-  assert.ok(many.every(p => p.y >= 0 && p.y <= 160));
+  const many = staggered(Array.from({ length: 24 }, (_, i) => i % 2 ? { x: 5, y: 160, along: "x" } : { x: 6, y: 10 + i, along: "y" }), area);
+  assert.ok(apart(many) && many.every(p => p.x >= -1 && p.x <= 301 && p.y >= -1 && p.y <= 161), JSON.stringify(many));
 });
 
 test("a number is read with the units of its axis, and no other", async () => {

@@ -8,10 +8,11 @@ export interface Area { left: number; right: number; top: number; bottom: number
 export const GAP = 30;
 
 /** Steps away from the wanted place, the nearest first. */
-const AWAY = [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6];
+const AWAY = Array.from({ length: 41 }, (_, n) => (n % 2 ? 1 : -1) * Math.ceil(n / 2));
+const UP = AWAY.filter(n => n >= 0);
 
 /**
- * Moves knobs along their guide lines until each can be grasped: speeds up from the axis, sizes to the sides of the curve.
+ * Moves knobs along their guide lines until each can be grasped: speeds up from the axis, sizes to the sides of the curve. Where a line is full they stand beside it.
  * Speeds come first, since their place on the axis is the one that is looked for.
  */
 export function staggered(wanted: Knob[], area: Area): { x: number; y: number }[] {
@@ -22,8 +23,8 @@ export function staggered(wanted: Knob[], area: Area): { x: number; y: number }[
   for (const i of order) {
     const k = wanted[i];
     const tries = k.along === "x"
-      ? AWAY.filter(n => n >= 0).map(n => ({ x: k.x, y: k.y - n * GAP }))
-      : AWAY.map(n => ({ x: k.x + n * GAP, y: k.y }));
+      ? AWAY.flatMap(beside => UP.map(n => ({ x: k.x + beside * GAP, y: k.y - n * GAP })))
+      : AWAY.flatMap(beside => AWAY.map(n => ({ x: k.x + n * GAP, y: k.y + beside * GAP })));
     out[i] = tries.find(p => inside(p) && free(p)) ?? { x: k.x, y: k.y };
     placed.push(out[i]);
   }

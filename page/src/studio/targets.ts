@@ -80,7 +80,9 @@ function handle(f: Figure, v: View, host: HTMLElement, { t, x, y, kx, ky }: Held
   });
   const line = (X: number, Y: number) => t.along === "x" ? `M${X} ${p.y0}v${p.h}` : `M${v.x0} ${Y}h${v.w}`;
   g.append(el("title", {}, `${say("pull-this", { name: t.label })}: ${shown}`));
-  g.append(el("path", { class: "guide", d: line(x, y) }), el("circle", { class: "hit", cx: kx, cy: ky, r: 14 }), el("circle", { class: "knob", cx: kx, cy: ky, r: 6 }));
+  // a knob beside its line is joined to it
+  const joint = t.along === "x" ? `M${x} ${ky}H${kx}` : `M${kx} ${y}V${ky}`;
+  g.append(el("path", { class: "guide", d: line(x, y) + joint }), el("circle", { class: "hit", cx: kx, cy: ky, r: 14 }), el("circle", { class: "knob", cx: kx, cy: ky, r: 6 }));
   g.append(el("path", { class: "arrows", transform: `translate(${kx} ${ky})`, d: t.along === "x" ? "M-7 -3L-10 0L-7 3M7 -3L10 0L7 3" : "M-3 -7L0 -10L3 -7M-3 7L0 10L3 7" }));
   const ghost = el("path", { class: "ghost", visibility: "hidden" });
   g.append(ghost);
