@@ -92,8 +92,16 @@ test("a slider is one step of undo; Escape gives a drag up", async () => {
 test("keys move a handle", async () => {
   const was = await text(page);
   await page.locator('.handle[data-path="oil.free_surface_radius"]').focus();
+  const radius = async () => +/free_surface_radius = "([\d.]+) mm"/.exec(await text(page))[1];
+  const from = await radius();
   await page.keyboard.press("ArrowRight");
   await changed(page, was);
+  await page.waitForTimeout(400);
+  const step = await radius() - from;
+  // quick presses add up
+  for (let i = 0; i < 4; i++) await page.keyboard.press("ArrowRight");
+  await page.waitForTimeout(700);
+  assert.ok(Math.abs(await radius() - from - 5 * step) < 0.1 * step, `${from} ${step} ${await radius()}`);
 });
 
 test("an error stands at its place; figures of the last machine stay; the mend clears it", async () => {

@@ -118,6 +118,7 @@ test("a result is written with a unit; what is no number is refused at the field
   assert.equal(await field.getAttribute("aria-invalid"), null);
   await field.press("Enter");
   await page.waitForSelector("#reach .ok");
+  assert.match(await inFocus(), /stability_limit/, "the keyboard goes on at the handle");
   assert.ok(Math.abs(asked[0] - 420 * 2 * Math.PI) < 1e-6 * asked[0], `${asked}`);
   assert.match(await page.locator("#reach .ok").textContent(), /25.?200 rpm/);
 });

@@ -85,6 +85,22 @@ test("values typed or set without a server are sent when it is back", async () =
   await page.context().close();
 });
 
+test("a value that meets a change of the text is in the text after it", async () => {
+  const page = await open(b, server);
+  let hold = null;
+  const held = new Promise(done => { hold = done; });
+  await page.route(/\/api\/answer/, async r => {
+    if (r.request().postDataJSON().set && hold) { hold(); hold = null; await new Promise(d => setTimeout(d, 400)); }
+    await r.continue();
+  });
+  await write(page, "drum.mass", "2.7 kg");
+  await held;
+  await page.evaluate(() => editorView().dispatch({ changes: { from: 0, insert: "# first\n" } }));
+  await page.waitForFunction(() => { const t = editorView().state.doc.toString(); return t.startsWith("# first\n") && /mass = "2.7 kg"/.test(t); }, null, { timeout: 5000 });
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
+});
+
 test("a name that no file can have is refused at the field; .toml is added", async t => {
   const own = await Server.start();
   t.after(() => own.close());

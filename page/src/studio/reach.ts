@@ -3,6 +3,7 @@
 import * as api from "./api";
 import { wanted } from "./ask";
 import { button, make, say } from "./dom";
+import { refocus } from "./focus";
 import { Lane } from "./lane";
 import { inFile } from "./quantity";
 import { minus, number, unit } from "../report/numbers";
@@ -110,7 +111,7 @@ export class Reach implements Pulled {
       this.lane.ask(this.goal);
     };
     field.addEventListener("input", right);
-    field.addEventListener("keydown", e => { if (e.key === "Enter") { e.preventDefault(); go(); } else if (e.key === "Escape") this.idle(); });
+    field.addEventListener("keydown", e => { if (e.key === "Enter") { e.preventDefault(); go(); } else if (e.key === "Escape") { this.idle(); refocus(document, target.key); } });
     this.host.replaceChildren(make("p", { class: "pick" }, make("label", {}, target.label, " ", field, unit(name)), " ", button("reach", go)), wrong);
     field.select();
   }
@@ -160,7 +161,10 @@ export class Reach implements Pulled {
         make("tbody", {}, ...a.trade.map(t => make("tr", { class: t.reached ? "" : "bound" }, cell(name(t.path)), cell(amount(t.path, t.value)), cell(this.result(g, t.target)))))));
       parts.push(details);
     }
+    const inside = this.host.contains(document.activeElement);
     this.host.replaceChildren(...parts);
+    // the field is gone: the keyboard goes on at the handle
+    if (inside) refocus(document, g.target.key);
   }
 
   private result(g: Goal, v: number): string { return number(+(v * g.target.factor).toPrecision(4)) + unit(g.unit); }

@@ -86,7 +86,9 @@ export class Runs {
       if (p.state === "done") bar.value = 1;
       const report = make("a", { href: api.reportOf(id), target: "_blank", rel: "noopener" }, say("report"));
       const remove = button("remove", () => job.remove(), { "aria-label": say("remove-this", { name }) });
+      const inside = acts.contains(document.activeElement);
       acts.replaceChildren(...(p.state === "done" || p.report ? [report, remove] : [remove]));
+      if (inside) remove.focus();
     };
     // what is over needs no connection; of a cancelled one its event says whether there is a report
     if (now && OVER.has(now.state) && (now.state !== "cancelled" || now.report !== undefined)) return show(now);

@@ -10,6 +10,8 @@ import { inFile } from "./quantity";
 export class Section {
   private active: string | null = null;
   private drawn = "";
+  /** Value that the keys wanted last, until it is drawn. */
+  private last: { path: string; value: number } | null = null;
 
   constructor(private readonly host: HTMLElement, private readonly studio: Studio) {
     studio.whenMachine(() => this.draw());
@@ -19,6 +21,7 @@ export class Section {
     const d = this.studio.machine?.drawing;
     this.host.classList.toggle("stale", this.studio.errors > 0);
     if (!d) { this.host.replaceChildren(); this.drawn = ""; return; }
+    if (this.last && !this.studio.waits(this.last.path)) this.last = null;
     const key = d.svg + JSON.stringify(d.handles);
     if (key === this.drawn) return;
     this.drawn = key;
@@ -52,7 +55,9 @@ export class Section {
       if (!by) return;
       e.preventDefault();
       const span = p ? p.high - p.low : Math.abs(h.value);
-      this.studio.change([{ path: h.path, value: this.limited(h, h.value + by * span / 100) }]);
+      const from = this.last?.path === h.path ? this.last.value : h.value;
+      this.last = { path: h.path, value: this.limited(h, from + by * span / 100) };
+      this.studio.change([this.last]);
     });
     return g;
   }

@@ -34,6 +34,7 @@ export class Studio {
   private readonly edits: Lane<null>;
   /** Values that were asked for and are not in the text yet, by path. */
   private readonly waiting = new Map<string, Set>();
+  private sent: Set[] = [];
   /** Set by the page: values that the program refused, and why. */
   refused: (set: Set[], sentence: string) => void = () => {};
   private applying = false;
@@ -63,6 +64,8 @@ export class Studio {
   parameter(path: string): Parameter | undefined { return this.machine?.parameters.find(p => p.path === path); }
 
   changed(): void {
+    // its modes may take longer than the next wish
+    if (this.applying) this.taken();
     // modes that arrived with a change are drawn before the next request
     if (this.applying) setTimeout(() => this.spread(), 0); else this.spread();
   }
@@ -107,15 +110,22 @@ export class Studio {
 
   /** Sends what waits; without a connection it goes on waiting. */
   private async send(signal: AbortSignal): Promise<void> {
-    const set = [...this.waiting.values()], done = () => { for (const s of set) if (this.waiting.get(s.path) === s) this.waiting.delete(s.path); };
+    const set = this.sent = [...this.waiting.values()], text = this.text;
     if (!set.length) return;
     try {
       await this.set(set, signal);
     } catch (e) {
-      if (e instanceof Refused) { done(); this.refused(set, e.message); }
+      if (e instanceof Refused) { this.taken(); this.refused(set, e.message); }
       throw e;
     }
-    done();
+    // its places were those of a text that was changed meanwhile
+    if (text !== this.text && set.some(s => this.waiting.get(s.path) === s)) return this.edits.ask(null);
+    this.taken();
+  }
+
+  /** What was sent is in the text, or will never be. */
+  private taken(): void {
+    for (const s of this.sent) if (this.waiting.get(s.path) === s) this.waiting.delete(s.path);
   }
 
   private async set(set: Set[], signal: AbortSignal): Promise<void> {
@@ -144,6 +154,7 @@ export class Studio {
         if (edits) apply(); else this.quickFits();
       } else if (a.error !== undefined) {
         this.tell(a.error);
+        this.taken();
         this.refused(set, a.error);
       }
     });

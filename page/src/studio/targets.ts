@@ -84,6 +84,9 @@ function handle(f: Figure, v: View, host: HTMLElement, { t, x, y, kx, ky }: Held
   const joint = t.along === "x" ? `M${x} ${ky}H${kx}` : `M${kx} ${y}V${ky}`;
   g.append(el("path", { class: "guide", d: line(x, y) + joint }), el("circle", { class: "hit", cx: kx, cy: ky, r: 14 }), el("circle", { class: "knob", cx: kx, cy: ky, r: 6 }));
   g.append(el("path", { class: "arrows", transform: `translate(${kx} ${ky})`, d: t.along === "x" ? "M-7 -3L-10 0L-7 3M7 -3L10 0L7 3" : "M-3 -7L0 -10L3 -7M-3 7L0 10L3 7" }));
+  // which of several it is, while it is pointed at
+  const left = kx > v.x0 + v.w / 2;
+  g.append(el("text", { class: "value", x: kx + (left ? -13 : 13), y: ky - 10, "text-anchor": left ? "end" : "start" }, `${t.label} ${shown}`));
   const ghost = el("path", { class: "ghost", visibility: "hidden" });
   g.append(ghost);
 
