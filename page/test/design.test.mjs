@@ -126,14 +126,19 @@ parameter = { parameter = "oil.free_surface_radius", from = "30 mm", to = "68 mm
   await page.waitForSelector("#runs .job[data-state=running]");
   const id = await page.locator("#runs .job").first().getAttribute("data-run");
   const list = [
-    { id, study: "fine map", state: "running", done: 1, total: 9 },
     { id: "902", study: "half a map", state: "cancelled", done: 3, total: 8, report: true },
     { id: "901", study: "old map", state: "done", done: 8, total: 8 },
     { id: "900", study: "bad map", state: "failed", done: 0, total: 0, error: "no such part" },
   ];
   const two = await page.context().newPage();
   if (process.env.LAVAL_ASSETS) await route(two);
-  await two.route(/\/api\/runs(\?.*)?$/, r => r.request().method() === "GET" ? r.fulfill({ json: { runs: list } }) : r.continue());
+  // the first one goes on, as the tab that started it knows
+  const first = () => page.locator(`#runs .job[data-run="${id}"]`).evaluate(e => ({ state: e.dataset.state, counts: e.querySelector(".state").textContent.match(/\d+/g) ?? [0, 0] }));
+  await two.route(/\/api\/runs(\?.*)?$/, async r => {
+    if (r.request().method() !== "GET") return r.continue();
+    const { state, counts: [done, total] } = await first();
+    return r.fulfill({ json: { runs: [{ id, study: "fine map", state, done: +done, total: +total, report: state === "cancelled" }, ...list] } });
+  });
   await two.goto(server.address);
   await two.waitForFunction(() => document.querySelectorAll("#runs .job").length === 4);
   const job = n => two.locator("#runs .job").nth(n);
@@ -147,10 +152,13 @@ parameter = { parameter = "oil.free_surface_radius", from = "30 mm", to = "68 mm
   await picture(two, "runs-again");
   // the other tab steers it
   await job(0).locator("button", { hasText: "Pause" }).click();
-  await page.waitForSelector("#runs .job[data-state=paused]");
-  await two.waitForSelector('#runs .job[data-state=paused]');
+  await page.waitForSelector(`#runs .job[data-run="${id}"][data-state=paused]`);
+  await two.waitForSelector(`#runs .job[data-run="${id}"][data-state=paused]`);
+  await job(0).locator("button", { hasText: "Resume" }).click();
+  await two.waitForSelector(`#runs .job[data-run="${id}"][data-state=running]`);
   await job(0).locator("button", { hasText: "Cancel" }).click();
-  await page.waitForSelector("#runs .job[data-state=cancelled]");
+  await two.waitForSelector(`#runs .job[data-run="${id}"][data-state=cancelled]`);
+  assert.equal(await job(0).locator("a").count(), 1);
   // looked at again: nothing twice
   await two.evaluate(() => dispatchEvent(new Event("focus")));
   await two.waitForTimeout(300);

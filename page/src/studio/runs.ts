@@ -2,45 +2,69 @@
 
 import * as api from "./api";
 import { button, make, say } from "./dom";
+import { Job, Steer } from "./job";
 import type { Studio } from "./studio";
-import type { Listed, Progress, Study } from "./types";
+import type { Listed, Study } from "./types";
 
-const OVER = new Set(["done", "cancelled", "failed"]);
+/** Time between two looks at the runs that go on, ms. */
+const BETWEEN = 400;
 
 export class Runs {
   private readonly list: HTMLElement;
   private readonly jobs: HTMLElement;
   private drawn = "";
-  /** Runs that are listed, or were removed from the list here. */
-  private readonly known = new Set<string>();
+  /** Runs of this program, those included that were removed from the list here. */
+  private readonly known = new Map<string, Job>();
+  /** The program lists its runs: no connection is held for each, of which a browser has few for all tabs. */
+  private lists = false;
+  private next = 0;
 
   constructor(host: HTMLElement, private readonly studio: Studio) {
     this.list = make("ul", { class: "studies" });
     this.jobs = make("ul", { class: "jobs", "aria-live": "polite" });
     host.append(this.list, this.jobs);
     studio.whenMachine(() => this.draw());
-    // runs of another tab, or of before a reload
+    // runs that another tab has started
     document.addEventListener("visibilitychange", () => { if (!document.hidden) void this.fetch(); });
     addEventListener("focus", () => void this.fetch());
     studio.returned = () => {
       // a program that was started anew counts its runs from the beginning
-      this.known.clear();
-      for (const e of this.jobs.querySelectorAll<HTMLElement>(".job")) if (!OVER.has(e.dataset.state!)) this.known.add(e.dataset.run!);
+      for (const [id, job] of this.known) if (job.over) this.known.delete(id);
+      void this.fetch();
     };
     void this.fetch();
   }
 
-  /** Lists the runs that the program remembers, the newest first. */
+  /** Asks for the runs that the program remembers, the newest first. */
   private async fetch(): Promise<void> {
+    clearTimeout(this.next);
+    // one that is started meanwhile is not in the answer yet
+    const before = [...this.known.values()];
     let found: Listed[];
     try {
       found = (await api.runs()).runs;
     } catch (e) {
       // an older program lists none
-      if (!(e instanceof api.Refused)) this.studio.failed(e);
-      return;
+      if (e instanceof api.Refused) return;
+      for (const job of this.known.values()) job.wait();
+      return this.studio.failed(e);
     }
-    for (const r of [...found].reverse()) if (!this.known.has(r.id)) this.follow(r.id, r.study, r);
+    this.lists = true;
+    for (const r of [...found].reverse()) {
+      const job = this.known.get(r.id) ?? this.add(r.id, r.study);
+      // whether a cancelled run has a report stands in its event
+      if (r.state === "cancelled" && r.report === undefined) { if (!job.over) this.events(job); }
+      else job.show(r);
+    }
+    const all = new Set(found.map(r => r.id));
+    for (const job of before) if (!job.over && !all.has(job.id)) job.show({ state: "failed", done: 0, total: 0 });
+    this.soon();
+  }
+
+  /** Looks again while something goes on. */
+  private soon(): void {
+    clearTimeout(this.next);
+    if ([...this.known.values()].some(j => !j.over)) this.next = window.setTimeout(() => void this.fetch(), document.hidden ? 5 * BETWEEN : BETWEEN);
   }
 
   private draw(): void {
@@ -56,46 +80,31 @@ export class Runs {
   private async start(s: Study): Promise<void> {
     try {
       const { id } = await api.run(this.studio.text, s.name, this.studio.file);
-      if (!this.known.has(id)) this.follow(id, s.name);
+      const job = this.known.get(id) ?? this.add(id, s.name);
+      if (this.lists) await this.fetch(); else this.events(job);
     } catch (e) { this.studio.failed(e); }
   }
 
-  private follow(id: string, name: string, now: Listed | null = null): void {
-    this.known.add(id);
-    const bar = make("progress", { max: 1, "aria-label": name }), state = make("span", { class: "state" });
-    let paused = false, last: Progress | null = null, going: Progress | null = null, cancelled = false;
-    const steer = (what: "pause" | "resume" | "cancel") => api.steer(id, what).catch((e: unknown) => this.studio.failed(e));
-    const hold = button("pause", () => { void steer(paused ? "resume" : "pause"); });
-    const cancel = button("cancel", () => { cancelled = true; void steer("cancel"); });
-    const acts = make("span", { class: "acts" }, hold, cancel);
-    const job = make("li", { class: "job", "data-run": id, "data-state": "running" }, make("b", {}, name), bar, state, acts);
-    this.jobs.prepend(job);
-    let close = () => {};
-    const show = (p: Progress) => {
-      // what is left is passed over at the end: a cancelled run stands where it was
-      if (p.state === "cancelled" && p.done >= p.total && going) p = { ...p, done: going.done, total: going.total };
-      if (!OVER.has(p.state) && !cancelled) going = p;
-      last = p;
-      job.dataset.state = p.state;
-      paused = p.state === "paused";
-      hold.textContent = say(paused ? "resume" : "pause");
-      if (p.total > 0) bar.value = p.done / p.total; else if (OVER.has(p.state)) bar.value = 0; else bar.removeAttribute("value");
-      state.textContent = p.error ?? [say(`state-${p.state}`), p.total > 0 && p.state !== "done" && p.state !== "failed" ? `${p.done} / ${p.total}` : ""].filter(Boolean).join(" · ");
-      if (!OVER.has(p.state)) return;
-      close();
-      if (p.state === "done") bar.value = 1;
-      const report = make("a", { href: api.reportOf(id), target: "_blank", rel: "noopener" }, say("report"));
-      const remove = button("remove", () => job.remove(), { "aria-label": say("remove-this", { name }) });
-      const inside = acts.contains(document.activeElement);
-      acts.replaceChildren(...(p.state === "done" || p.report ? [report, remove] : [remove]));
-      if (inside) remove.focus();
-    };
-    // what is over needs no connection; of a cancelled one its event says whether there is a report
-    if (now && OVER.has(now.state) && (now.state !== "cancelled" || now.report !== undefined)) return show(now);
-    close = api.events(id, show, forGood => {
-      if (last && OVER.has(last.state)) close();
-      else if (forGood) show({ state: "failed", done: 0, total: 0 });
-      else state.textContent = say("state-waiting");
+  private add(id: string, name: string): Job {
+    const job = new Job(id, name, what => void this.steer(id, what));
+    this.known.set(id, job);
+    this.jobs.prepend(job.box);
+    return job;
+  }
+
+  private async steer(id: string, what: Steer): Promise<void> {
+    try {
+      await api.steer(id, what);
+      if (this.lists) await this.fetch();
+    } catch (e) { this.studio.failed(e); }
+  }
+
+  /** Progress as the program sends it. */
+  private events(job: Job): void {
+    const close = api.events(job.id, p => { job.show(p); if (job.over) close(); }, forGood => {
+      if (job.over) close();
+      else if (forGood) job.show({ state: "failed", done: 0, total: 0 });
+      else job.wait();
     });
   }
 }
