@@ -51,6 +51,10 @@ test("no handle of a result lies on another, at any width", async () => {
 
 test("the speed of a peak is pulled, not its size; where nothing is free the figure is not zoomed", async () => {
   const p = await panel(page, "forced"), speed = p.locator("svg:visible .target.x .hit").last();
+  // its name is seen, and no readout of a curve lies on it
+  await speed.hover();
+  assert.match(await p.locator("svg:visible .target:hover .value").textContent(), /housing.*rpm/);
+  assert.equal(await p.locator(".tip").first().isVisible(), false);
   await pull(page, speed, -30, 0);
   assert.match(await page.locator("#status").textContent(), /free/);
   assert.equal(await p.locator("figure.fig button").first().isVisible(), false);

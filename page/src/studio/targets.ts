@@ -97,6 +97,8 @@ function handle(f: Figure, v: View, host: HTMLElement, { t, x, y, kx, ky }: Held
     ghost.setAttribute("d", line(f.X(v, q), f.Y(v, t.panel, q)));
     ghost.setAttribute("visibility", "visible");
   };
+  // the readout of the curves would cover its name
+  g.addEventListener("pointermove", e => { if (!e.buttons) { e.stopPropagation(); f.leave(); } });
   g.addEventListener("pointerdown", e => {
     // a pull that is refused chooses no range of the figure
     e.stopPropagation();
