@@ -111,6 +111,14 @@ parameter = { parameter = "oil.free_surface_radius", from = "30 mm", to = "68 mm
   await report.waitForLoadState();
   assert.match(await report.title(), /oil separator/);
   assert.ok(existsSync(join(server.folder, "out")));
+  // an older program lists no runs
+  if (!await page.evaluate(() => fetch("./api/runs").then(r => r.ok))) return;
+  const known = await page.locator("#runs .job").evaluateAll(all => all.map(e => [e.dataset.run, e.dataset.state]));
+  page.once("dialog", d => d.accept());
+  await page.reload();
+  await page.waitForFunction(n => document.querySelectorAll("#runs .job").length === n && [...document.querySelectorAll("#runs .job")].every(e => /done|cancelled/.test(e.dataset.state)), known.length);
+  assert.deepEqual(await page.locator("#runs .job").evaluateAll(all => all.map(e => [e.dataset.run, e.dataset.state])), known);
+  assert.match(await page.locator("#runs .job[data-state=cancelled] .state").textContent(), /cancelled · \d+ \/ \d+/);
 });
 
 test("runs of the program are listed again, and can be steered; a cancelled one stands where it was", async () => {

@@ -73,6 +73,7 @@ test("the modes say at which speed they are; the choice shows what is shown", as
   assert.equal(await chosen(), "mode:0");
   assert.deepEqual(page.complaints, []);
   // modes that come late are no reason for another choice
+  await page.routeWebSocket(/\/api\/live/, ws => ws.close());
   await page.route(/\/api\/answer/, async route => { if (route.request().postDataJSON().want[0] === "modes") await new Promise(r => setTimeout(r, 1500)); await route.continue(); });
   await page.reload();
   await page.waitForSelector("#motion option", { state: "attached" });

@@ -89,6 +89,10 @@ test("a value that meets a change of the text is in the text after it", async ()
   const page = await open(b, server);
   let hold = null;
   const held = new Promise(done => { hold = done; });
+  // answers come by requests, which can be held
+  await page.routeWebSocket(/\/api\/live/, ws => ws.close());
+  await page.reload();
+  await page.waitForSelector("#parameters .row", { state: "attached" });
   await page.route(/\/api\/answer/, async r => {
     if (r.request().postDataJSON().set && hold) { hold(); hold = null; await new Promise(d => setTimeout(d, 400)); }
     await r.continue();

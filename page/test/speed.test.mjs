@@ -26,7 +26,7 @@ const measure = (page, path, want, times) => page.evaluate(async ([path, want, t
       o.disconnect();
       requestAnimationFrame(() => { const c = new MessageChannel(); c.port1.onmessage = () => done(performance.now()); c.port2.postMessage(0); });
     });
-    o.observe(body, { childList: true });
+    o.observe(body, { childList: true, subtree: true, characterData: true, attributes: true, attributeFilter: ["d", "class", "cx", "cy", "transform"] });
   });
   const out = [], start = +slider.value;
   for (let i = 0; i < times; i++) {

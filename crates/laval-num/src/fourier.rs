@@ -30,6 +30,32 @@ pub fn unit_root(k: i64, n: u64) -> C64 {
     }
 }
 
+/// The roots of unity of a circle, each computed once.
+///
+/// ```
+/// let roots = laval_num::fourier::Roots::new(12);
+/// assert!((roots.at(5, 7) - laval_num::complex::C64::cis(35.0 * std::f64::consts::TAU / 12.0)).abs() < 1e-14);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Roots(Vec<C64>);
+
+impl Roots {
+    /// Of n samples of a period, at least one.
+    pub fn new(n: usize) -> Self {
+        Roots((0..n as i64).map(|j| unit_root(j, n as u64)).collect())
+    }
+
+    /// `e^(2 pi i k j/n)`: order k at sample j.
+    pub fn at(&self, k: usize, j: usize) -> C64 {
+        self.0[k * j % self.0.len()]
+    }
+
+    /// The phase of sample j, rad.
+    pub fn phase(&self, j: usize) -> f64 {
+        2.0 * PI * (j as f64 / self.0.len() as f64)
+    }
+}
+
 /// Largest value over the period of the trigonometric polynomial through equidistant samples: of a signal whose harmonics are fewer than half of the samples,
 /// its own largest value. At least the largest sample; NaN where one is.
 ///
@@ -43,8 +69,9 @@ pub fn largest(samples: &[f64]) -> f64 {
     if samples.iter().any(|x| !x.is_finite()) {
         return if samples.iter().any(|x| x.is_nan()) { f64::NAN } else { samples[top] };
     }
+    let roots = Roots::new(samples.len());
     let amplitude = |k: i64| {
-        let sum = samples.iter().zip(0..).fold(C64::ZERO, |sum, (&x, j)| sum + unit_root(-k * j, n).scale(x));
+        let sum = samples.iter().enumerate().fold(C64::ZERO, |sum, (j, &x)| sum + roots.at(k as usize, j).conj().scale(x));
         // the cosine of half as many periods as samples stands for both directions
         sum.scale(if 2 * k == n as i64 { 1.0 } else { 2.0 } / n as f64)
     };

@@ -60,6 +60,9 @@ pub(crate) enum Unsaved {
 /// Writes a machine file, unless it is another than `base`, the text that was read or written last; `force` writes it all the same.
 pub(crate) fn save(folder: &Path, name: &str, text: &str, base: Option<&str>, force: bool) -> Result<(), Unsaved> {
     let path = self::path(folder, name).map_err(Unsaved::Wrong)?;
+    if path.is_dir() {
+        return Err(Unsaved::Wrong(wrong(text!("{path} is a folder", path = name))));
+    }
     if path.exists() && !force {
         let now = read(folder, name).map_err(Unsaved::Wrong)?;
         if base != Some(now.as_str()) && now != text {

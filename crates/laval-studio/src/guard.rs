@@ -65,6 +65,8 @@ fn admitted(state: &State, request: &Request) -> Result<(), StatusCode> {
         return Err(StatusCode::FORBIDDEN);
     }
     match *request.method() {
+        // browsers open connections of any page to any server, and name the page
+        Method::GET if headers.contains_key(header::UPGRADE) && origin.is_none() => Err(StatusCode::FORBIDDEN),
         Method::GET => Ok(()),
         Method::POST if origin.is_none() => Err(StatusCode::FORBIDDEN),
         Method::POST => match text(headers, &header::CONTENT_TYPE).map(|t| t.split(';').next().unwrap_or_default().trim()) {

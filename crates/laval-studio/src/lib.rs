@@ -14,6 +14,7 @@ mod drawing;
 mod edit;
 mod folder;
 mod guard;
+mod live;
 mod machines;
 mod motion;
 mod offsets;

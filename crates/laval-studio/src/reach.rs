@@ -58,6 +58,7 @@ fn goal(target: &Target) -> Result<Goal, Diagnostic> {
     Ok(match target.what.as_str() {
         "critical_speed" => Goal::CriticalSpeed { order: order.unwrap_or(1.0), at: *at },
         "stability_limit" => Goal::StabilityLimit { at: *at },
+        "resonance" => Goal::Resonance { at: *at, body: body.clone(), of: if *size { Of::Size } else { Of::Speed } },
         "peak" => Goal::Peak { at: *at, body: body.clone(), of: if *size { Of::Size } else { Of::Speed } },
         "jump" => Goal::Jump { at: *at },
         other => {

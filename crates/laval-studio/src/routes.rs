@@ -5,9 +5,10 @@ use crate::folder::Unsaved;
 use crate::guard::guard;
 use crate::server::State;
 use crate::stream::streamed;
-use crate::{answer, check, edit, folder, page, query, ranges, reach, runs, share, start};
+use crate::{answer, check, edit, folder, live, page, query, ranges, reach, runs, share, start};
 use axum::Router;
 use axum::body::{Body, Bytes};
+use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, Request, State as Shared};
 use axum::http::header::{CONTENT_TYPE, HeaderValue};
 use axum::http::{StatusCode, Uri};
@@ -38,11 +39,12 @@ pub(crate) fn routes(state: Studio) -> Router {
         .route("/{token}/api/save", post(save))
         .route("/{token}/api/check", post(check))
         .route("/{token}/api/answer", post(answer))
+        .route("/{token}/api/live", get(live))
         .route("/{token}/api/edit", post(edit))
         .route("/{token}/api/ranges", post(ranges))
         .route("/{token}/api/reach", post(reach))
         .route("/{token}/api/share", post(share))
-        .route("/{token}/api/runs", post(run))
+        .route("/{token}/api/runs", get(list).post(run))
         .route("/{token}/api/runs/{id}/events", get(events))
         .route("/{token}/api/runs/{id}/report", get(report))
         .route("/{token}/api/runs/{id}/{what}", post(steer));
@@ -85,7 +87,7 @@ fn read<T: DeserializeOwned>(body: &Bytes, language: Language) -> Result<T, Box<
 }
 
 /// A defect of the program.
-fn defect() -> Diagnostic {
+pub(crate) fn defect() -> Diagnostic {
     Diagnostic::error("studio.defect", text!("this is a defect of the program, not of your file: the computation failed"))
 }
 
@@ -197,6 +199,10 @@ async fn answer(Shared(state): Shared<Studio>, uri: Uri, body: Bytes) -> Respons
     response
 }
 
+async fn live(Shared(state): Shared<Studio>, upgrade: WebSocketUpgrade) -> Response {
+    upgrade.max_message_size(LARGEST).max_frame_size(LARGEST).on_upgrade(move |socket| live::live(state, socket))
+}
+
 async fn share(Shared(state): Shared<Studio>, uri: Uri, body: Bytes) -> Response {
     let language = language(&state, &uri);
     let request = match read::<share::Request>(&body, language) {
@@ -220,6 +226,10 @@ async fn run(Shared(state): Shared<Studio>, uri: Uri, body: Bytes) -> Response {
         Ok(request) => computed(language, move |_| state.runs.begin(&request, language)).await,
         Err(response) => *response,
     }
+}
+
+async fn list(Shared(state): Shared<Studio>, uri: Uri) -> Response {
+    json_of(&state.runs.list(language(&state, &uri)))
 }
 
 fn unknown_run(language: Language) -> Response {

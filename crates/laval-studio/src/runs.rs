@@ -47,8 +47,10 @@ enum Wanted {
 
 #[derive(Clone, Debug, PartialEq)]
 enum Ending {
+    /// With its report.
     Done(Arc<str>),
-    Cancelled,
+    /// With the report of what was computed, if anything was.
+    Cancelled(Option<Arc<str>>),
     Failed(Diagnostic),
 }
 
@@ -65,6 +67,7 @@ struct Status {
 /// One run of one study.
 pub(crate) struct Run {
     id: String,
+    study: String,
     chunks: bool,
     status: Mutex<Status>,
     changed: Condvar,
@@ -95,6 +98,17 @@ impl Runs {
         held(&self.all).iter().find(|r| r.0.id == id).map(|r| r.0.clone())
     }
 
+    /// All that are remembered, the newest first.
+    pub fn list(&self, language: Language) -> Json {
+        let one = |r: &Started| {
+            let mut run = r.0.event(language).0;
+            run["id"] = r.0.id.as_str().into();
+            run["study"] = r.0.study.as_str().into();
+            run
+        };
+        json!({ "runs": held(&self.all).iter().rev().map(one).collect::<Vec<_>>() })
+    }
+
     /// Starts a study.
     pub fn begin(&self, request: &Request, language: Language) -> Result<Json, Diagnostics> {
         let loaded = self.machines.load(&request.text).map_err(|found| (*found).clone())?;
@@ -108,7 +122,7 @@ impl Runs {
         };
         let status = Status { wanted: Wanted::Going, resting: false, ending: None, done: 0, total: 0, cancel: Cancel::default() };
         let id = self.next.fetch_add(1, Ordering::Relaxed).to_string();
-        let run = Arc::new(Run { id: id.clone(), chunks, status: Mutex::new(status), changed: Condvar::new() });
+        let run = Arc::new(Run { id: id.clone(), study: study.clone(), chunks, status: Mutex::new(status), changed: Condvar::new() });
         let inside = file.strip_prefix(&self.folder).unwrap_or(&file).to_path_buf();
         let job = Job {
             dir: self.folder.join("out").join(run::stem(&file)),
@@ -185,7 +199,7 @@ impl Run {
         let s = held(&self.status);
         let state = match (&s.ending, s.wanted) {
             (Some(Ending::Done(_)), _) => "done",
-            (Some(Ending::Cancelled), _) => "cancelled",
+            (Some(Ending::Cancelled(_)), _) => "cancelled",
             (Some(Ending::Failed(_)), _) => "failed",
             (None, Wanted::Paused) if s.resting => "paused",
             (None, _) => "running",
@@ -194,13 +208,16 @@ impl Run {
         if let Some(Ending::Failed(d)) = &s.ending {
             out["error"] = language.said(&d.sentence()).into();
         }
+        if matches!(s.ending, Some(Ending::Done(_) | Ending::Cancelled(Some(_)))) {
+            out["report"] = true.into();
+        }
         (out, s.ending.is_some())
     }
 
-    /// The report, when it is done.
+    /// The report, when it is over.
     pub fn page(&self) -> Option<String> {
         match &held(&self.status).ending {
-            Some(Ending::Done(page)) => Some(page.to_string()),
+            Some(Ending::Done(page) | Ending::Cancelled(Some(page))) => Some(page.to_string()),
             _ => None,
         }
     }
@@ -231,6 +248,10 @@ impl Progress for Run {
     fn report(&self, done: u64, total: u64) {
         {
             let mut s = held(&self.status);
+            // how far it was when it was cancelled stays
+            if s.wanted == Wanted::Ended {
+                return;
+            }
             // threads report out of order
             s.done = if total == s.total { s.done.max(done) } else { done };
             s.total = total;
@@ -262,7 +283,7 @@ impl Job {
     }
 
     fn ending(&self) -> Result<Ending, Diagnostic> {
-        let Some(study) = self.loaded.studies.iter().find(|s| s.name == self.study) else { return Ok(Ending::Cancelled) };
+        let Some(study) = self.loaded.studies.iter().find(|s| s.name == self.study) else { return Ok(Ending::Cancelled(None)) };
         let threads = thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|e| Diagnostic::error("studio.run", text!("the study cannot be started: {e}", e = e.to_string())))?;
@@ -278,9 +299,11 @@ impl Job {
                 self.run.rest();
                 continue;
             }
-            let page = self.write(study, outcome, &cancel)?;
+            let complete = outcome.end.is_complete();
+            let page: Arc<str> = self.write(study, outcome, &cancel)?.into();
             drop(folder);
-            return Ok(if self.run.wanted() == Wanted::Ended { Ending::Cancelled } else { Ending::Done(page.into()) });
+            // what was complete before the request to cancel it came is done
+            return Ok(if complete || self.run.wanted() != Wanted::Ended { Ending::Done(page) } else { Ending::Cancelled(Some(page)) });
         }
     }
 
@@ -313,17 +336,20 @@ mod tests {
     #[test]
     fn a_run_that_is_over_stays_so() {
         let status = Status { wanted: Wanted::Going, resting: false, ending: None, done: 0, total: 0, cancel: Cancel::default() };
-        let run = Run { id: "1".into(), chunks: true, status: Mutex::new(status), changed: Condvar::new() };
+        let run = Run { id: "1".into(), study: "sweep".into(), chunks: true, status: Mutex::new(status), changed: Condvar::new() };
         run.pause();
         assert!(held(&run.status).cancel.load(Ordering::Relaxed));
         run.resume();
         assert!(!run.begin().load(Ordering::Relaxed));
+        run.report(3, 9);
+        run.report(2, 9);
+        assert_eq!(run.event(Language::English), (json!({ "state": "running", "done": 3, "total": 9 }), false));
         run.cancel();
         run.resume();
         assert_eq!(run.wanted(), Wanted::Ended);
         assert!(run.begin().load(Ordering::Relaxed));
-        run.report(3, 9);
-        run.report(2, 9);
-        assert_eq!(run.event(Language::English), (json!({ "state": "running", "done": 3, "total": 9 }), false));
+        // what a study reports at its end does not say that all of it was done
+        run.report(9, 9);
+        assert_eq!(run.event(Language::English).0["done"], 3);
     }
 }

@@ -90,7 +90,13 @@ impl Server {
             folder::read(&options.folder, &name)?;
         }
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));
-        let listener = TcpListener::bind(address).map_err(|e| failed(&e))?;
+        let listener = TcpListener::bind(address).map_err(|e| match e.kind() {
+            io::ErrorKind::AddrInUse | io::ErrorKind::PermissionDenied => {
+                let message = text!("port {port} cannot be used: {e}", port = options.port, e = e.to_string());
+                Diagnostic::error("studio.port", message).help(text!("give another port, or leave --port out: a free one is taken"))
+            }
+            _ => failed(&e),
+        })?;
         listener.set_nonblocking(true).map_err(|e| failed(&e))?;
         let port = listener.local_addr().map_err(|e| failed(&e))?.port();
         let runs = Runs::new(options.folder.clone(), options.file.clone());

@@ -6,7 +6,6 @@ use axum::http::header::{CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue};
 use axum::response::Response;
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::Loaded;
-use laval::outcome::{Arg, Message, Verdict};
 use laval::report::{self, Language, Report};
 use laval::run;
 use laval::study::{self, Cancel, Context, Silent};
@@ -33,39 +32,14 @@ struct Pin {
 /// Most designs in one file.
 const MOST: usize = 12;
 
-/// Kinds of studies whose answers are those of the page itself.
-const ON_PAGE: [&str; 4] = ["modes", "campbell", "critical_speeds", "forced_response"];
-
 /// The first page of a machine, from the machine alone.
 pub(crate) fn first_page(text: &str, loaded: &Loaded, language: Language, cancel: &Cancel) -> Report {
     let context = Context { name: "summary", cancel, progress: &Silent, work_limit: u64::MAX, keep: None };
     let speeds: Vec<_> = loaded.studies.iter().flat_map(|s| s.study.speeds(&loaded.system)).collect();
     let mut report = run::begun("", (text, text.as_bytes()), loaded, Vec::new(), language);
-    let mut page = study::overview(&loaded.system, &speeds, &[], &context);
-    // the studies of the file are not run for it, but they are there
-    page.next.retain(|m| loaded.studies.is_empty() || m.key != "next-studies");
-    let own = |kinds: &[&str]| loaded.studies.iter().find(|s| kinds.contains(&s.study.kind()));
-    page.next.retain(|m| m.key != "next-run-up" || own(&["run_up"]).is_none());
-    if own(&["nonlinear_response"]).is_some() {
-        page.left_out.iter_mut().filter(|m| m.key == "left-linear").for_each(|m| m.key = "left-linear-modes".into());
-    }
-    for check in &mut page.checks {
-        let kinds: &[&str] = match check.result.key.as_str() {
-            "stability-needs-stationary" => &["stationary"],
-            "balls-no-study" => &["stationary", "transient"],
-            _ => continue,
-        };
-        if let Some(study) = own(kinds) {
-            check.result = Message::new("check-run-study").arg("study", Arg::name(&study.name));
-        }
-    }
-    // what other studies of the file find may be worse than this page
-    let others: Vec<Arg> = loaded.studies.iter().filter(|s| !ON_PAGE.contains(&s.study.kind())).map(|s| Arg::name(&s.name)).collect();
-    if !others.is_empty() {
-        page.headline.push(Message::new("headline-studies-not-run").arg("studies", Arg::List(others)));
-        page.verdict = page.verdict.max(Verdict::NotComputed);
-    }
-    report.overview = Some(page);
+    let page = study::overview(&loaded.system, &speeds, &[], &context);
+    let studies: Vec<_> = loaded.studies.iter().map(|s| (s.name.as_str(), s.study.kind())).collect();
+    report.overview = Some(study::with_studies_not_run(page, &studies));
     report
 }
 

@@ -57,10 +57,10 @@ pub(crate) fn targets(want: Want, outcome: &Outcome, drawn: &Drawn, style: &Styl
             for p in points(&["resonance"]) {
                 let name = format!("{} {}", shown.style.word(&p.kind), shown.style.subject(&p.subject));
                 let height = p.evidence.first().filter(|e| e.unit == "m").map(|e| e.value);
-                out.push(shown.target("peak", json!({ "at": p.at, "body": p.subject }), &name, (p.at, height), "x"));
+                out.push(shown.target("resonance", json!({ "at": p.at, "body": p.subject }), &name, (p.at, height), "x"));
                 if height.is_some() {
                     let which = json!({ "at": p.at, "body": p.subject, "size": true });
-                    out.push(shown.target("peak", which, &name, (p.at, height), "y"));
+                    out.push(shown.target("resonance", which, &name, (p.at, height), "y"));
                 }
             }
         }

@@ -136,7 +136,8 @@ fn answers_come_line_by_line_with_figures_shapes_and_targets() {
     let kinds =
         |k: usize| lines[k]["targets"].as_array().unwrap().iter().map(|t| t["what"].as_str().unwrap().to_string()).collect::<Vec<_>>();
     assert!(kinds(3).contains(&"stability_limit".to_string()), "{:?}", kinds(3));
-    assert!(kinds(4).contains(&"peak".to_string()), "{:?}", kinds(4));
+    assert!(kinds(4).contains(&"resonance".to_string()), "{:?}", kinds(4));
+    assert!(kinds(5).contains(&"peak".to_string()), "{:?}", kinds(5));
     // a text with a mistake has none
     let lines = s.post("api/answer", &json!({ "text": "[[part]]", "want": ["modes", "page"] })).lines();
     assert!(lines.len() == 2 && lines.iter().all(|l| l["error"].is_string()));

@@ -4,6 +4,8 @@
 mod answers;
 #[path = "client/mod.rs"]
 mod client;
+#[path = "live.rs"]
+mod live;
 #[path = "motions.rs"]
 mod motions;
 #[path = "runs.rs"]

@@ -164,6 +164,11 @@ fn a_run_is_cancelled_and_a_wrong_one_refused() {
     s.steer(&id, "cancel");
     let end = s.until(&id, |e| e["state"] != "running" && e["state"] != "paused");
     assert!(end["state"] == "cancelled" || end["state"] == "done", "{end}");
+    // what it has computed can be read
+    assert_eq!((&end["report"], s.get(&format!("api/runs/{id}/report")).status), (&json!(true), 200));
+    // a page that is opened later finds all runs
+    let all = s.get("api/runs").json();
+    assert_eq!((&all["runs"][0]["id"], &all["runs"][0]["study"], &all["runs"][0]["state"]), (&json!(id), &json!("sweep"), &end["state"]));
     assert_eq!(s.post("api/runs", &json!({ "text": MACHINE, "study": "none" })).status, 422);
     assert_eq!(s.post("api/runs", &json!({ "text": "[[part]]", "study": "sweep" })).status, 422);
     assert_eq!(s.post("api/runs", &json!({ "text": MACHINE, "study": "sweep", "file": "../x.toml" })).status, 422);

@@ -1,5 +1,6 @@
 // Requests to the server beside the page.
 
+import { Live, Unreachable } from "./live";
 import type { Answer, Checked, Free, Listed, MotionKind, Progress, Range, Reached, Set, Start, Want } from "./types";
 
 /** An answer that refuses: the sentence of the server, with its status. */
@@ -7,8 +8,7 @@ export class Refused extends Error {
   constructor(message: string, readonly status: number) { super(message); }
 }
 
-/** The server does not answer at all. */
-export class Unreachable extends Error {}
+export { Unreachable };
 
 export const aborted = (e: unknown): boolean => e instanceof DOMException && e.name === "AbortError";
 
@@ -20,6 +20,8 @@ export const spoken = (): string => language;
 
 /** Address of the report of a run. */
 export const reportOf = (id: string): string => address(`runs/${encodeURIComponent(id)}/report`);
+
+const live = new Live(new URL("./api/live", location.href.replace(/^http/, "ws")).href.replace(/\?.*$/, ""));
 
 function address(path: string): string {
   return `./api/${path}${language ? (path.includes("?") ? "&" : "?") + "lang=" + language : ""}`;
@@ -79,6 +81,8 @@ export async function share(text: string, pins: { name: string; text: string }[]
 
 /** Answers of several kinds, each handed over as soon as its line is there. */
 export async function answer(body: { text: string; want: (Want | "motion")[]; speed?: number; set?: Set[]; motion?: MotionKind }, signal: AbortSignal, each: (a: Answer) => void): Promise<void> {
+  if (live.ready) return live.answer(++serial, language, body, signal, each);
+  live.open();
   const response = await request("answer", { serial: ++serial, ...body }, signal);
   const reader = response.body?.getReader();
   if (!reader) return;

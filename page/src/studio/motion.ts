@@ -215,7 +215,9 @@ export class Motion {
   private cards(): void {
     const cards = [...this.panels.box("modes").querySelectorAll<HTMLElement>(".mode")];
     if (cards.length !== this.shapes.length) return;
-    cards.forEach((c, i) => {
+    // a card whose drawing was changed in place is one already
+    cards.filter(c => !c.hasAttribute("role")).forEach(c => {
+      const i = cards.indexOf(c);
       c.setAttribute("role", "button");
       c.tabIndex = 0;
       const act = () => this.take(`mode:${i}`);

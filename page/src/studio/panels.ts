@@ -8,6 +8,7 @@ import { find, make, say } from "./dom";
 import { keep } from "./focus";
 import { PATIENCE } from "./lane";
 import { Layer, overlay } from "./overlay";
+import { patched } from "./patch";
 import type { Studio } from "./studio";
 import { Pulled, targets } from "./targets";
 import { Answer, WANTS, Want } from "./types";
@@ -27,8 +28,8 @@ interface Panel {
   at: HTMLElement;
   /** A request on its way: which text, since when. */
   running: { abort: AbortController; key: string; since: number } | null;
-  /** When it was answered last. */
-  answered: number;
+  /** Since when another text is wanted; 0 where none is. */
+  since: number;
   seen: boolean;
   /** Text and speed of the answer shown, or on its way. */
   asked: string | null;
@@ -61,6 +62,7 @@ export class Panels {
     studio.whenText(() => this.refresh());
     studio.quick = a => { const p = a.want === "edit" || a.want === "motion" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
     studio.quickFits = () => { const p = this.panels.get("modes"); if (p) p.asked = this.key(); };
+    studio.onComing = () => this.refresh();
     studio.whenMachine(() => this.dim());
     studio.whenStatus(() => { if (!studio.reachable) this.dim(); });
   }
@@ -76,7 +78,7 @@ export class Panels {
     const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
       make("h2", { id: `title-${want}` }, say(`want-${want}`), at, took), body);
     const panel: Panel = {
-      want, box, body, took, at, seen: false, asked: null, figures: [], last: null, running: null, answered: 0,
+      want, box, body, took, at, seen: false, asked: null, figures: [], last: null, running: null, since: 0,
     };
     return panel;
   }
@@ -87,18 +89,19 @@ export class Panels {
   /** Asks for all figures that can be seen. */
   refresh(): void { this.pump(); }
 
-  private key(): string { return `${this.studio.speed}|${this.studio.text}`; }
+  private key(): string { return `${this.studio.speed}|${this.studio.newest}`; }
 
   /** Whether a panel shows another text than that of the editor. */
   private wanted(p: Panel): boolean {
     // modes feed the view in space too
     if (!p.seen && p.want !== "modes") return false;
-    if (p.want === "modes" && this.studio.promised === this.studio.text) return false;
+    if (p.want === "modes" && (this.studio.coming !== null || this.studio.promised === this.studio.text)) return false;
     return p.asked !== this.key();
   }
 
   /**
-   * Sends what is wanted: modes at once, of the others only as many as the processor answers beside them, the one that waited longest first.
+   * Sends what is wanted: modes at once, of the others only as many as the processor answers beside them, the one that waits longest first, of those that wait alike the
+   * one in the middle of the view.
    * What runs too long for a text that is no more is abandoned.
    */
   private pump(): void {
@@ -109,14 +112,26 @@ export class Panels {
       if (now - r.since > PATIENCE) r.abort.abort();
       else setTimeout(() => { if (p.running === r && r.key !== this.key()) r.abort.abort(); }, PATIENCE - (now - r.since));
     }
-    const waiting = all.filter(p => !p.running && this.wanted(p)).sort((a, b) => a.answered - b.answered);
+    const waiting = all.filter(p => !p.running && this.wanted(p));
+    for (const p of waiting) p.since ||= now;
+    if (waiting.length > 1) {
+      const far = new Map(waiting.map(p => [p, this.far(p)]));
+      waiting.sort((a, b) => a.since - b.since || far.get(a)! - far.get(b)!);
+    }
     let room = AT_ONCE - all.filter(p => p.running && p.want !== "modes").length;
     for (const p of waiting) if (p.want === "modes" || room-- > 0) void this.send(p);
   }
 
+  /** Distance of a panel from the middle of the view, px. */
+  private far(p: Panel): number {
+    const { top, bottom } = p.box.getBoundingClientRect();
+    return Math.abs(top + bottom - innerHeight) / 2;
+  }
+
   private async send(p: Panel): Promise<void> {
-    const { text, speed } = this.studio, run = p.running = { abort: new AbortController(), key: this.key(), since: performance.now() };
+    const { newest: text, speed } = this.studio, run = p.running = { abort: new AbortController(), key: this.key(), since: performance.now() };
     p.asked = run.key;
+    p.since = 0;
     p.box.classList.add("busy");
     p.box.setAttribute("aria-busy", "true");
     try {
@@ -132,7 +147,6 @@ export class Panels {
       p.box.removeAttribute("aria-busy");
     }
     p.running = null;
-    p.answered = performance.now();
     this.pump();
   }
 
@@ -156,7 +170,8 @@ export class Panels {
     const chosen: Chosen[] = p.figures.map(f => f.choice()), open = [...p.body.querySelectorAll("details")].map(d => d.open);
     const html = a.html ?? "", refocus = keep(p.body);
     if (p.want === "modes") p.at.textContent = this.speed(a);
-    p.body.innerHTML = html || `<p class="none"></p>`;
+    // modes are drawings without listeners of their own: what is alike stays
+    if (!html || p.want !== "modes" || !patched(p.body, html)) p.body.innerHTML = html || `<p class="none"></p>`;
     if (!html) p.body.querySelector("p")!.textContent = say("nothing");
     p.body.querySelectorAll("details").forEach((d, i) => { if (open[i] !== undefined) d.open = open[i]; });
     p.figures = [];

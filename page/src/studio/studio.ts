@@ -9,6 +9,20 @@ import type { Answer, Checked, Diagnostic, Edit, Machine, Parameter, Set, Start 
 
 type Listener = () => void;
 
+/** Modes that take longer than this appear after the text, ms. */
+const PATIENCE_FOR_MODES = 12;
+
+/** A text after changes, which are in ascending order. */
+function edited(text: string, edits: Edit[]): string {
+  return [...edits].sort((a, b) => b.from - a.from).reduce((t, e) => t.slice(0, e.from) + e.insert + t.slice(e.to), text);
+}
+
+/** When what is drawn now is on the screen; at once where nothing is drawn, as of a page that is hidden. */
+const painted = (): Promise<void> => new Promise(done => {
+  const late = setTimeout(done, 50);
+  requestAnimationFrame(() => setTimeout(() => { clearTimeout(late); done(); }));
+});
+
 export class Studio {
   editor!: Editor;
   machine: Machine | null = null;
@@ -19,6 +33,10 @@ export class Studio {
   /** Speed at which modes are shown, rad/s; the operating speed where none is chosen. */
   speed: number | null = null;
   reachable = true;
+  /** The text that the editor is about to show, after a change whose figures are drawn first. */
+  coming: string | null = null;
+  /** Set by the page: figures of the coming text can be asked for. */
+  onComing: () => void = () => {};
   /** The text whose modes are on their way already. */
   promised: string | null = null;
   /** Set by the page: another machine follows. */
@@ -58,6 +76,8 @@ export class Studio {
   whenStatus(f: Listener): void { this.onStatus.push(f); }
 
   get text(): string { return this.editor.text; }
+  /** The text that figures belong to. */
+  get newest(): string { return this.coming ?? this.text; }
   get unsaved(): boolean { return this.text !== this.base; }
   get errors(): number { return this.diagnostics.filter(d => d.severity === "error").length; }
 
@@ -130,10 +150,12 @@ export class Studio {
 
   private async set(set: Set[], signal: AbortSignal): Promise<void> {
     const text = this.text, speed = this.speed;
-    let edits: Edit[] | null = null, drawn = false;
+    let edits: Edit[] | null = null, drawn = false, late = 0;
     const apply = () => {
       const now = edits;
       edits = null;
+      clearTimeout(late);
+      this.coming = null;
       if (!now || text !== this.text) return;
       this.applying = true;
       this.editor.apply(now);
@@ -141,24 +163,31 @@ export class Studio {
       if (drawn) this.quickFits(); else this.promised = this.text;
       if (this.notice) this.tell("");
     };
-    // one trip for the new text and its modes; the modes are drawn first where both come at once
-    await api.answer({ text, want: ["modes"], set, ...(speed !== null ? { speed } : {}) }, signal, a => {
-      if (a.want === "edit" && a.edits) {
-        this.answered();
-        edits = a.edits;
-        setTimeout(apply, 0);
-      } else if (edits || this.promised === this.text) {
-        drawn = true;
-        this.promised = null;
-        this.quick(a);
-        if (edits) apply(); else this.quickFits();
-      } else if (a.error !== undefined) {
-        this.tell(a.error);
-        this.taken();
-        this.refused(set, a.error);
-      }
-    });
-    apply();
+    try {
+      // one trip for the new text and its modes; these are drawn in the next frame, and the text in the one after it
+      await api.answer({ text, want: ["modes"], set, ...(speed !== null ? { speed } : {}) }, signal, a => {
+        if (a.want === "edit" && a.edits) {
+          this.answered();
+          edits = a.edits;
+          this.coming = edited(text, edits);
+          late = window.setTimeout(apply, PATIENCE_FOR_MODES);
+        } else if (edits || this.promised === this.text) {
+          drawn = true;
+          this.promised = null;
+          clearTimeout(late);
+          if (edits) this.onComing();
+          this.quick(a);
+          if (!edits) this.quickFits();
+        } else if (a.error !== undefined) {
+          this.tell(a.error);
+          this.taken();
+          this.refused(set, a.error);
+        }
+      });
+      if (edits) await painted();
+    } finally {
+      apply();
+    }
   }
 
   /** A drag begins: what follows becomes one step of undo. */

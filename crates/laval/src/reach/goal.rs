@@ -3,6 +3,7 @@
 use super::criticals::CriticalSpeed;
 use super::limits::StabilityLimit;
 use super::places::Placed;
+use super::resonances::Resonance;
 use crate::diagnostic::Diagnostic;
 use crate::file::Loaded;
 use crate::model::system::System;
@@ -42,6 +43,15 @@ pub enum Goal {
         /// What is moved.
         of: Of,
     },
+    /// The peak of the linear response next to this speed, rad/s: what is not linear enters by its tangent at rest.
+    Resonance {
+        /// Where it is.
+        at: f64,
+        /// The point, body or tilt it is of; the displacement that is largest where none is named.
+        body: Option<String>,
+        /// What is moved.
+        of: Of,
+    },
     /// The jump of the steady response next to this speed, rad/s.
     Jump {
         /// Where it is.
@@ -51,6 +61,8 @@ pub enum Goal {
 
 /// See [`Sought::tolerance`].
 pub(super) const STATED: f64 = 2e-3;
+/// See [`Sought::accuracy`].
+const EXACT: f64 = 1e-9;
 
 /// A result with its slopes, one for each of the parameters; NaN where they are not known.
 pub(super) struct Valued {
@@ -70,6 +82,10 @@ pub(super) trait Sought {
     fn tolerance(&self) -> f64 {
         STATED
     }
+    /// Distance from the wanted value, over it, up to which it is reached: what the value is computed to.
+    fn accuracy(&self) -> f64 {
+        EXACT
+    }
     /// Where it was last, its speed first.
     fn mark(&self) -> Vec<f64>;
     /// Goes on from an earlier place.
@@ -87,6 +103,7 @@ impl Goal {
             Goal::CriticalSpeed { order, at } => Box::new(CriticalSpeed::find(system, *order, *at, context)?),
             Goal::StabilityLimit { at } => Box::new(StabilityLimit::find(system, *at, context)?),
             Goal::Peak { at, body, of } => Box::new(Placed::new(vec![Kind::Peak], *of, *at, body.clone(), range())),
+            Goal::Resonance { at, body, of } => Box::new(Resonance::new(system, *of, *at, body.clone())),
             Goal::Jump { at } => Box::new(Placed::new(vec![Kind::JumpUp, Kind::JumpDown], Of::Speed, *at, None, range())),
         })
     }

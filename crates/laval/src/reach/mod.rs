@@ -5,7 +5,8 @@
 //! ```
 //!
 //! f is linearised with its derivatives and the step to the nearest point of the box on that plane ([`laval_num::nearest`]) halved until f comes nearer to the wanted value.
-//! Derivatives are exact where the parameters are those of parts; positions of attachments are varied by differences. Where the box ends first, the parameters at their bounds are
+//! Derivatives are exact where the parameters are those of parts; positions of attachments, and all parameters for a peak of the linear response, are varied by differences. What
+//! changes the result by less than the differences show does not move. Where the box ends first, the parameters at their bounds are
 //! named.
 //!
 //! Symbols: p parameters, p0 those of the file.
@@ -19,6 +20,7 @@ mod goal;
 mod limits;
 mod machine;
 mod places;
+mod resonances;
 mod search;
 #[cfg(test)]
 mod tests;

@@ -24,12 +24,12 @@ pub(super) struct Found {
 /// Steps of a search, and halvings of one.
 const STEPS: usize = 30;
 const HALVINGS: usize = 8;
-/// Distance from the wanted value, over it, that counts as reached.
-const TOLERANCE: f64 = 1e-9;
 /// Change of the parameters, over their ranges, with which a search that has reached the value ends.
 const STILL: f64 = 1e-6;
 /// Step of differences, over the range.
 const DIFFERENCE: f64 = 1e-4;
+/// Change of the result over the whole range of a parameter, over the result, that is rounding: the parameter does not enter.
+const NO_INFLUENCE: f64 = 1e-7;
 
 /// Moves the parameters `free`.
 pub(super) fn search(
@@ -54,7 +54,8 @@ pub(super) fn search(
     }
     let from = now.value;
     let size = wanted.abs().max(from.abs());
-    let near = |v: f64| (v - wanted).abs() <= TOLERANCE * size;
+    let accuracy = sought.accuracy();
+    let near = |v: f64| (v - wanted).abs() <= accuracy * size;
     for _ in 0..STEPS {
         if context.cancelled() {
             break;
@@ -136,6 +137,12 @@ fn valued(
             (Some(low), Some(high)) => (high - low) / (b - a),
             _ => 0.0,
         };
+    }
+    for (&k, slope) in free.iter().zip(&mut slopes) {
+        let f = &machine.free[k];
+        if (*slope * (f.high - f.low)).abs() <= NO_INFLUENCE * found.value.abs() {
+            *slope = 0.0;
+        }
     }
     Ok(Some(Valued { value: found.value, slopes }))
 }

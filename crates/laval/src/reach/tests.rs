@@ -123,3 +123,33 @@ study = [{ kind = "nonlinear_response", speed = { from = "25 rad/s", to = "5000 
     let again = reached(&moved, &Goal::Jump { at: 2600.0 }, 2600.0, &[free("drum.eccentricity", 1e-6, 1e-3)]);
     assert!((again.from - 2600.0).abs() < 1e-5, "{again:?}");
 }
+
+/// The linear peak of a rotor of one mass: W = w / sqrt(1 - 2 z^2), size e / (2 z sqrt(1 - z^2)), with the damping ratio z; the bearing that stiffens enters by its tangent.
+#[test]
+fn a_peak_of_the_linear_response_is_moved_to_the_closed_form() {
+    let text = RIGID.replace(
+        "stiffness = \"3e5 N/m\" },",
+        "stiffness = \"2e5 N/m\" },
+         { kind = \"bearing_cubic\", name = \"bearing\", between = [\"drum\", \"ground\"], law = \"per_axis\", stiffness = \"1e5 N/m\", cubic_stiffness = \"8e10 N/m^3\" },",
+    );
+    let text = text.replace("damping = \"20 N s/m\"", "damping = \"300 N s/m\"");
+    let (k, m) = (3e5f64, 3.0f64);
+    let w = (k / m).sqrt();
+    let ratio = |c: f64, k: f64| c / (2.0 * (k * m).sqrt());
+    let at = w / (1.0 - 2.0 * ratio(300.0, k).powi(2)).sqrt();
+    let goal = |of| Goal::Resonance { at, body: Some("drum".into()), of };
+    // the size, by the damping: e = 20 um
+    let r = reached(&text, &goal(Of::Size), 30e-6, &[free("air.damping", 100.0, 900.0)]);
+    let z = ratio(r.moved[0].to, k);
+    assert!(r.reached && (20e-6 / (2.0 * z * (1.0 - z * z).sqrt()) / 30e-6 - 1.0).abs() < 1e-6, "{r:?}");
+    // the speed, by the stiffness; what the speed does not depend on stays
+    let r = reached(&text, &goal(Of::Speed), 1.1 * at, &[free("shaft.stiffness", 1e5, 9e5), free("drum.eccentricity", 1e-6, 1e-3)]);
+    let k = r.moved[0].to + 1e5;
+    let there = (k / m).sqrt() / (1.0 - 2.0 * ratio(300.0, k).powi(2)).sqrt();
+    assert!(r.reached && (there / (1.1 * at) - 1.0).abs() < 1e-6, "{r:?}");
+    assert_eq!(r.moved[1].to, r.moved[1].from);
+    // nor is it driven to its bound where the others do not suffice
+    let r = reached(&text, &goal(Of::Speed), 2.0 * at, &[free("shaft.stiffness", 1e5, 4e5), free("drum.eccentricity", 1e-6, 1e-3)]);
+    assert!(!r.reached && r.moved[1].to == r.moved[1].from, "{r:?}");
+    assert_eq!(r.impossible.expect("a bound").1, ["shaft.stiffness"]);
+}

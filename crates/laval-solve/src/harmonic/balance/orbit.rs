@@ -108,13 +108,24 @@ impl Orbit {
     }
 
     /// The same of some coordinates and states, in vectors of as many.
-    pub fn at_some(&self, coordinates: &[usize], states: Range<usize>, tau: f64, [q, v, a, z]: [&mut [f64]; 4]) {
+    pub fn at_some(&self, coordinates: &[usize], states: Range<usize>, tau: f64, out: [&mut [f64]; 4]) {
+        self.some_turned(coordinates, states, |k| C64::cis(k as f64 * tau), out);
+    }
+
+    /// The same where every order stands at an angle, given as `e^(i angle)`.
+    pub fn some_turned(
+        &self,
+        coordinates: &[usize],
+        states: Range<usize>,
+        turned: impl Fn(usize) -> C64,
+        [q, v, a, z]: [&mut [f64]; 4],
+    ) {
         for x in [&mut *q, &mut *v, &mut *a, &mut *z] {
             x.fill(0.0);
         }
         for ((&k, amplitudes), own) in self.orders.iter().zip(&self.coordinates).zip(&self.states) {
             let w = k as f64 * self.frequency;
-            let turn = C64::cis(k as f64 * tau);
+            let turn = turned(k);
             for (j, &i) in coordinates.iter().enumerate() {
                 let x = amplitudes[i] * turn;
                 q[j] += x.re;
@@ -134,10 +145,15 @@ impl Orbit {
 
     /// A pair, from rest, at base phase `tau`.
     pub fn pair_at(&self, pair: &Pair, tau: f64) -> [f64; 2] {
+        self.pair_turned(pair, |k| C64::cis(k as f64 * tau))
+    }
+
+    /// The same where every order stands at an angle, given as `e^(i angle)`.
+    pub fn pair_turned(&self, pair: &Pair, turned: impl Fn(usize) -> C64) -> [f64; 2] {
         let [x, y] = self.rest_of(pair);
         let each = self.orders.iter().zip(&self.coordinates);
         each.fold([-x, -y], |[x, y], (&k, amplitudes)| {
-            let turn = C64::cis(k as f64 * tau);
+            let turn = turned(k);
             let [a, b] = pair.amplitudes(amplitudes);
             [x + (a * turn).re, y + (b * turn).re]
         })

@@ -10,7 +10,9 @@ use crate::model::part::{At, Rows};
 use crate::model::probe::Probe;
 use crate::model::slot::{Slot, gather};
 use crate::model::system::{System, Workspace};
+use crate::symmetry::Symmetry;
 use laval_num::complex::C64;
+use laval_num::fourier::Roots;
 use laval_num::refill::refill;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -26,6 +28,8 @@ pub enum Measure {
 
 /// Instants of a period, at least, at which the largest value is looked for before it is refined.
 const SAMPLES: usize = 64;
+/// The same of a circular motion, of which one order is all there is.
+const ROUND: usize = 4;
 
 /// The state of a machine at one instant in scalars of kind `S`.
 pub(super) struct Instant<'a, S> {
@@ -89,15 +93,21 @@ impl Measure {
         Track::new(self, system, orbit, turns).at(tau)
     }
 
-    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`.
-    pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize) -> [C64; 2] {
+    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. A motion of some symmetry takes as many instants as are not images of others.
+    pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> [C64; 2] {
         let count = turns * SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1).div_ceil(turns));
+        // after half a turn both components have changed their signs, and so has the wave they are compared with
+        let (count, taken) = match symmetry {
+            Symmetry::Circular => (ROUND, ROUND),
+            Symmetry::Half | Symmetry::Quarter if turns == 1 => (count, count / 2),
+            _ => (count, count),
+        };
         let mut track = Track::new(self, system, orbit, turns);
+        let roots = Roots::new(count);
         let mut out = [C64::zero(); 2];
-        for j in 0..count {
-            let tau = TAU * j as f64 / count as f64;
-            let back = C64::cis(-(turns as f64) * tau).scale(2.0 / count as f64);
-            for (o, f) in out.iter_mut().zip(track.at(tau)) {
+        for j in 0..taken {
+            let back = roots.at(turns, j).conj().scale(2.0 / taken as f64);
+            for (o, f) in out.iter_mut().zip(track.sample(&roots, j)) {
                 *o += back.scale(f);
             }
         }
@@ -247,13 +257,30 @@ impl<'a> Track<'a> {
         match self.measure {
             Measure::Probe(k) => orbit.probe_at(&system.probes()[k], tau)[0],
             Measure::Force(slot) => {
-                let slot = &system.slots()[slot];
-                orbit.at_some(&self.own, slot.states.clone(), tau, [&mut self.q, &mut self.v, &mut self.a, &mut self.z]);
-                let phase = self.turns as f64 * tau;
-                let now = Instant { q: &self.q, v: &self.v, a: &self.a, z: &self.z, phase, speed: orbit.speed };
-                self.local.force(slot, &self.map, system.params(), &now)
+                let states = system.slots()[slot].states.clone();
+                orbit.at_some(&self.own, states, tau, [&mut self.q, &mut self.v, &mut self.a, &mut self.z]);
+                self.force(slot, self.turns as f64 * tau)
             }
         }
+    }
+
+    /// The same at a sample of a period.
+    fn sample(&mut self, roots: &Roots, j: usize) -> [f64; 2] {
+        let Track { system, orbit, .. } = *self;
+        match self.measure {
+            Measure::Probe(k) => orbit.probe_at(&system.probes()[k], roots.phase(j))[0],
+            Measure::Force(slot) => {
+                let states = system.slots()[slot].states.clone();
+                orbit.some_turned(&self.own, states, |k| roots.at(k, j), [&mut self.q, &mut self.v, &mut self.a, &mut self.z]);
+                self.force(slot, self.turns as f64 * roots.phase(j))
+            }
+        }
+    }
+
+    /// The force of a part at what was read of the motion.
+    fn force(&mut self, slot: usize, phase: f64) -> [f64; 2] {
+        let now = Instant { q: &self.q, v: &self.v, a: &self.a, z: &self.z, phase, speed: self.orbit.speed };
+        self.local.force(&self.system.slots()[slot], &self.map, self.system.params(), &now)
     }
 
     /// The square of the size.

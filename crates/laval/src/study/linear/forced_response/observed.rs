@@ -15,6 +15,8 @@ use crate::study::shared::support::larger;
 use laval_num::complex::{C64, c};
 use laval_num::fourier;
 use laval_num::text::Text;
+use laval_num::work::Here;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -176,6 +178,42 @@ fn gaps<'s>(system: &'s System, rest: &Equilibrium, turn: &[Instant]) -> Vec<(&'
     system.slots().iter().filter_map(one).collect()
 }
 
+/// What the parts show in one response.
+struct Seen<'s> {
+    quantities: Vec<((String, Text, Text), f64)>,
+    laws: Vec<(String, f64)>,
+    gaps: Vec<(&'s Slot, f64, f64)>,
+    uses: Vec<(usize, Text, f64)>,
+}
+
+fn seen<'s>(system: &'s System, state: State, r: &Response) -> Result<Seen<'s>, Diagnostic> {
+    let mut ws = Workspace::default();
+    let mut quantities: Vec<_> = exact_forces(system, r).into_iter().map(|(name, force)| ((name, "force", "N"), force)).collect();
+    let mut laws = Vec::new();
+    let rest = state(r.speed)?;
+    for force in forces(system, &rest, r, INSTANTS) {
+        laws.push((force.part.clone(), force.law));
+        quantities.push(((force.part, LINEARISED, "N"), force.tangent));
+    }
+    let turn = turn(system, &rest, r);
+    // the square of what a linear part shows has two harmonics: between the instants it is known as well
+    let mut squares = BTreeMap::<_, Vec<f64>>::new();
+    for instant in &turn {
+        for (slot, o) in system.observe(&instant.at(r.speed), &mut ws) {
+            let part = &system.slots()[slot];
+            // the amplitude of a body is in its own columns; eliminated states are not at hand
+            if part.physics == Physics::Linear && part.memory == 0 && !o.is_motion_of_body() {
+                squares.entry((slot, o.name, o.unit)).or_default().push(o.value * o.value);
+            }
+        }
+    }
+    let shown = |((slot, what, unit), squares): ((usize, Text, Text), Vec<f64>)| {
+        ((system.slots()[slot].name.clone(), what, unit), fourier::largest(&squares).sqrt())
+    };
+    quantities.extend(squares.into_iter().map(shown));
+    Ok(Seen { quantities, laws, gaps: gaps(system, &rest, &turn), uses: uses(system, &turn, r.speed, &mut ws) })
+}
+
 /// Quantities that linear parts show and forces of nonlinear parts by their tangent, at their largest over one turn, and the use of every part's validity. Beside a pole
 /// the amplitudes are no numbers: what grows there is without bound.
 ///
@@ -190,50 +228,38 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
     let mut closed = Vec::<Closed>::new();
     let mut each = BTreeMap::<(usize, Text), Vec<f64>>::new();
     let known = |r: &Response| r.x.iter().all(|x| x.is_finite());
-    for (row, r) in points.iter().enumerate() {
-        if !known(r) {
+    let here = Here::now();
+    let one = |r: &Response| {
+        let _counted = here.enter();
+        known(r).then(|| seen(system, state, r)).transpose()
+    };
+    let all = points.par_iter().map(one).collect::<Vec<_>>();
+    for (row, (r, now)) in points.iter().zip(all).enumerate() {
+        let Some(now) = now? else {
             validity[row] = f64::NAN;
             continue;
+        };
+        let new = || vec![0.0; points.len()];
+        for (what, value) in now.quantities {
+            let column = out.entry(what).or_insert_with(new);
+            column[row] = larger(column[row], value);
         }
-        for (name, force) in exact_forces(system, r) {
-            out.entry((name, "force", "N")).or_insert_with(|| vec![0.0; points.len()])[row] = force;
+        for (part, law) in now.laws {
+            laws.entry(part).or_insert_with(new)[row] = law;
         }
-        let rest = state(r.speed)?;
-        for force in forces(system, &rest, r, INSTANTS) {
-            let new = || vec![0.0; points.len()];
-            laws.entry(force.part.clone()).or_insert_with(new)[row] = force.law;
-            out.entry((force.part, LINEARISED, "N")).or_insert_with(new)[row] = force.tangent;
-        }
-        let turn = turn(system, &rest, r);
-        for (slot, gap, moved) in gaps(system, &rest, &turn) {
+        for (slot, gap, moved) in now.gaps {
             if !(moved <= gap) {
                 close(&mut closed, &slot.name, (gap, moved - gap), r.speed);
             }
         }
-        for (slot, what, ratio) in uses(system, &turn, r.speed, &mut ws) {
+        for (slot, what, ratio) in now.uses {
             if !(validity[row].is_nan() || ratio <= validity[row]) {
                 validity[row] = if ratio.is_finite() { ratio } else { f64::NAN };
             }
             if !(ratio <= 1.0) {
                 leave(&mut outside, system, (slot, what, ratio), r.speed);
             }
-            each.entry((slot, what)).or_insert_with(|| vec![0.0; points.len()])[row] = ratio;
-        }
-        // the square of what a linear part shows has two harmonics: between the instants it is known as well
-        let mut squares = BTreeMap::<_, Vec<f64>>::new();
-        for instant in &turn {
-            for (slot, o) in system.observe(&instant.at(r.speed), &mut ws) {
-                let slot = &system.slots()[slot];
-                // the amplitude of a body is in its own columns; eliminated states are not at hand
-                if slot.physics != Physics::Linear || slot.memory > 0 || o.is_motion_of_body() {
-                    continue;
-                }
-                squares.entry((slot.name.clone(), o.name, o.unit)).or_default().push(o.value * o.value);
-            }
-        }
-        for (what, squares) in squares {
-            let column: &mut Vec<f64> = out.entry(what).or_insert_with(|| vec![0.0; points.len()]);
-            column[row] = larger(column[row], fourier::largest(&squares).sqrt());
+            each.entry((slot, what)).or_insert_with(new)[row] = ratio;
         }
     }
     for (row, _) in points.iter().enumerate().filter(|(_, r)| !known(r)) {

@@ -15,6 +15,7 @@ mod report;
 
 use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;
+use super::operating::operating;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
@@ -23,7 +24,7 @@ use crate::outcome::{End, Kept, Outcome, quantity};
 use crate::solve::counted;
 use crate::solve::large::usual_frequency;
 use crate::solve::roots::{LEAST, has_more_modes, in_region};
-use crate::solve::stability::{Row, row};
+use crate::solve::stability::{Row, Sample, row};
 use crate::study::shared::region;
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::{SpinSpeeds, with_table_speeds};
@@ -33,7 +34,7 @@ use crate::text;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Most points of a map.
 const MOST_CELLS: usize = 1_000_000;
@@ -160,34 +161,22 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
                 if context.cancelled() {
                     return Ok(Row { stopped: true, ..Row::default() });
                 }
-                let run = |s: &System, each: &(dyn Fn(u64) -> bool + Sync)| {
-                    let state = self.about.over_speed(s);
-                    if in_region(s) {
-                        let frequency = self.limit(s, &speeds)?;
-                        return counted::row(
-                            s,
-                            &state,
-                            &speeds,
-                            self.least(s, &speeds),
-                            (frequency, context.cancel, context.work_limit == u64::MAX),
-                            each,
-                        );
-                    }
-                    row(s, &state, &speeds, self.threshold, each)
-                };
                 match (value, &self.parameter) {
                     (Some(x), Some((path, _))) => {
                         let changed = system.with(&[(path, *x)]).map_err(|d| refused(system, path, *x, d))?;
-                        run(&changed, &each)
+                        self.row(&changed, &speeds, &speeds, context, &each)
                     }
-                    _ => run(system, &each),
+                    _ => self.row(system, &speeds, &speeds, context, &each),
                 }
             })
             .collect::<Result<_, Diagnostic>>()?;
         context.progress.report(total, total);
         let stopped = rows.len() < values.len() || rows.iter().any(|r| r.stopped);
         let states = EndStates::find(|w| self.about.find(system, w, None), speeds[0], speeds[speeds.len() - 1])?;
-        Ok(StabilityMapResult { rows, states, end: context.end(!stopped) })
+        let shown = operating(system, self.speed.from, self.speed.to).filter(|_| self.parameter.is_none() && !self.speed.is_one());
+        let shown = shown.map(|o| self.row(system, &[o.speed()], &speeds, context, &|_| true)).transpose()?;
+        let operating = shown.and_then(|r| r.samples.first().copied());
+        Ok(StabilityMapResult { rows, operating, states, end: context.end(!stopped) })
     }
 
     fn report(&self, system: &System, result: &StabilityMapResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -204,6 +193,8 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
 pub struct StabilityMapResult {
     /// For every value of the parameter, as far as computed; one row without a parameter.
     pub rows: Vec<Row>,
+    /// At the operating speed, where the range holds it; none of a map over a parameter.
+    pub operating: Option<Sample>,
     /// States at the ends of the range of speeds.
     pub states: EndStates,
     /// How the study ended.
@@ -220,6 +211,23 @@ impl StabilityMap {
             Some((_, r)) => r.linspace(40).into_iter().map(Some).collect(),
             None => vec![None],
         }
+    }
+
+    /// Stability along the speeds `at`, some of the speeds of the map.
+    fn row(
+        &self,
+        system: &System,
+        at: &[f64],
+        speeds: &[f64],
+        context: &Context,
+        each: &(dyn Fn(u64) -> bool + Sync),
+    ) -> Result<Row, Diagnostic> {
+        let state = self.about.over_speed(system);
+        if !in_region(system) {
+            return row(system, &state, at, self.threshold, each);
+        }
+        let limits: (_, &AtomicBool, _) = (self.limit(system, speeds)?, context.cancel, context.work_limit == u64::MAX);
+        counted::row(system, &state, at, self.least(system, speeds), limits, each)
     }
 
     /// Frequency up to which roots are counted: of a machine with more modes than are computed one for all speeds.

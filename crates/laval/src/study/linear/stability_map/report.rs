@@ -243,14 +243,10 @@ impl<'a> Shown<'a> {
         out
     }
 
-    /// Largest growth rate at a speed, between the speeds of the map; NaN where it is not known.
-    fn growth_at(&self, speed: f64) -> f64 {
-        let known: Vec<(f64, f64)> = self.cells.iter().filter(|c| !self.unknown(c)).map(|c| (c.sample.speed, c.sample.value.re)).collect();
-        let between = known.windows(2).find(|w| (w[0].0..=w[1].0).contains(&speed));
-        between.map_or(f64::NAN, |w| {
-            let share = if w[1].0 > w[0].0 { (speed - w[0].0) / (w[1].0 - w[0].0) } else { 0.0 };
-            w[0].1 + share * (w[1].1 - w[0].1)
-        })
+    /// Largest growth rate at the operating speed; NaN where it is not known.
+    fn growth_operating(&self) -> f64 {
+        let cell = self.result.operating.map(|sample| Cell { row: 0, sample, crossing: false });
+        cell.filter(|c| !self.unknown(c)).map_or(f64::NAN, |c| c.sample.value.re)
     }
 
     /// Axis of the growth rate: where the largest hides the reserve, or the value at the operating speed, logarithmic on both sides of zero.
@@ -300,7 +296,7 @@ impl<'a> Shown<'a> {
             let boundary = Points::new("boundary", "speed", name).small().name("boundary, located");
             return Figure::new("stability", "Stability map", alt).x(speed_axis).panel(panel.mark(boundary));
         }
-        let here = operating.as_ref().map(|o| (o, self.growth_at(o.speed())));
+        let here = operating.as_ref().map(|o| (o, self.growth_operating()));
         let mut growth = Panel::new(self.growth_axis(here.as_ref().map_or(f64::NAN, |h| h.1)));
         if let Some((o, value)) = &here {
             let growing = Message::new("stability-map-operating").arg("growth", Arg::quantity(*value, "1/s"));

@@ -15,6 +15,7 @@ use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
 use crate::study::shared::support::larger;
 use crate::study::shared::validity::Uses;
+use laval_num::fourier::Roots;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -130,13 +131,13 @@ impl<'a> Measuring<'a> {
             if self.measured.observed.is_empty() {
                 self.measured.observed = orbits.iter().find(|o| !o.orders.is_empty()).map_or_else(Vec::new, |o| self.observed_of(o));
             }
-            let (turns, symmetry, here) = (branch.turns(), branch.discretisation.whole().symmetry, Here::now());
-            let seeing = self.seeing();
+            let here = Here::now();
+            let seeing = self.seeing(branch);
             let one = |orbit: &Orbit| {
                 let _counted = here.enter();
-                let own = seeing.amplitudes_of(orbit, turns);
-                let sizes = seeing.sizes_of(orbit, turns, &own);
-                (sizes, own, seeing.forces_of(orbit, turns), seeing.observe(orbit, turns, symmetry))
+                let own = seeing.amplitudes_of(orbit);
+                let sizes = seeing.sizes_of(orbit, &own);
+                (sizes, own, seeing.forces_of(orbit), seeing.observe(orbit))
             };
             let all: Vec<_> = orbits.par_iter().map(one).collect();
             let (mut amplitudes, mut observations, mut validity, mut forces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
@@ -151,8 +152,8 @@ impl<'a> Measuring<'a> {
             let mut folds = Vec::new();
             for f in &branch.folds {
                 let orbit = Orbit::of(&mut self.balances[balance], &f.x, f.speed).unwrap_or_default();
-                let own = self.seeing().amplitudes_of(&orbit, branch.turns());
-                folds.push(self.seeing().sizes_of(&orbit, branch.turns(), &own));
+                let seeing = self.seeing(branch);
+                folds.push(seeing.sizes_of(&orbit, &seeing.amplitudes_of(&orbit)));
             }
             self.measured.at_folds.push(folds);
             self.measured.first_forces.push(forces);
@@ -164,9 +165,18 @@ impl<'a> Measuring<'a> {
     }
 
     /// The machine without the equations of its motion, which threads do not share.
-    fn seeing(&self) -> Seeing<'_> {
-        let observed = self.measured.observed.len();
-        Seeing { system: self.system, bodies: &self.bodies, which: &self.which, force_slots: &self.force_slots, observed }
+    fn seeing(&self, branch: &Traced) -> Seeing<'_> {
+        let turns = branch.turns();
+        Seeing {
+            system: self.system,
+            bodies: &self.bodies,
+            which: &self.which,
+            force_slots: &self.force_slots,
+            observed: self.measured.observed.len(),
+            turns,
+            symmetry: branch.discretisation.whole().symmetry,
+            roots: Roots::new(SAMPLES * turns),
+        }
     }
 
     /// Names and units of what parts show.
@@ -182,7 +192,7 @@ impl<'a> Measuring<'a> {
     }
 }
 
-/// Sizes of one motion.
+/// Sizes of the motions of one branch.
 struct Seeing<'m> {
     system: &'m System,
     bodies: &'m [(String, Pair)],
@@ -190,29 +200,35 @@ struct Seeing<'m> {
     force_slots: &'m [usize],
     /// Quantities that parts show.
     observed: usize,
+    /// Period in turns.
+    turns: usize,
+    symmetry: Symmetry,
+    /// Of the samples of a period.
+    roots: Roots,
 }
 
 impl Seeing<'_> {
     /// Largest value of every probe; that of a reference point is known already.
-    fn sizes_of(&self, orbit: &Orbit, turns: usize, own: &[[f64; 8]]) -> Vec<f64> {
+    fn sizes_of(&self, orbit: &Orbit, own: &[[f64; 8]]) -> Vec<f64> {
         let (bodies, others) = self.which.split_at(own.len().min(self.which.len()));
-        own.iter().take(bodies.len()).map(|a| a[1]).chain(probes::sizes(self.system, others, orbit, turns)).collect()
+        own.iter().take(bodies.len()).map(|a| a[1]).chain(probes::sizes(self.system, others, orbit, self.turns)).collect()
     }
 
     /// Of every part whose force is measured, its force at the spin frequency.
-    fn forces_of(&self, orbit: &Orbit, turns: usize) -> Vec<[f64; 3]> {
+    fn forces_of(&self, orbit: &Orbit) -> Vec<[f64; 3]> {
         let one = |&slot: &usize| {
             if orbit.orders.is_empty() {
                 return [f64::NAN; 3];
             }
-            let [x, y] = Measure::Force(slot).first_order(self.system, orbit, turns);
+            let [x, y] = Measure::Force(slot).first_order(self.system, orbit, self.turns, self.symmetry);
             let (forward, backward) = ((x + y.mul_i()).scale(0.5), (x - y.mul_i()).scale(0.5));
             [forward.abs() + backward.abs(), x.abs(), y.abs()]
         };
         self.force_slots.iter().map(one).collect()
     }
 
-    fn amplitudes_of(&self, orbit: &Orbit, divisor: usize) -> Vec<[f64; 8]> {
+    fn amplitudes_of(&self, orbit: &Orbit) -> Vec<[f64; 8]> {
+        let divisor = self.turns;
         if orbit.orders.is_empty() {
             return vec![[f64::NAN; 8]; self.bodies.len()];
         }
@@ -227,18 +243,16 @@ impl Seeing<'_> {
             [orbit.whirl(pair, divisor).0.abs(), 0.0, 0.0, slow(pair), 0.0, 0.0, x, y]
         };
         let mut out: Vec<[f64; 8]> = self.bodies.iter().map(start).collect();
-        let samples = SAMPLES * divisor;
-        let h = TAU / samples as f64;
+        let h = TAU / (SAMPLES * divisor) as f64;
+        // after half a turn squares repeat
+        let samples = if self.symmetry == Symmetry::None { SAMPLES * divisor } else { SAMPLES * divisor / 2 };
         // squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
-        let squares = |pair: &Pair, tau: f64| -> [f64; 3] {
-            let [x, y] = orbit.pair_at(pair, tau);
-            [x * x + y * y, x * x, y * y]
-        };
+        let squares = |[x, y]: [f64; 2]| [x * x + y * y, x * x, y * y];
         for (o, (_, pair)) in out.iter_mut().zip(self.bodies) {
-            let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(pair, h * j as f64).to_vec()).collect();
+            let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(orbit.pair_turned(pair, |k| self.roots.at(k, j))).to_vec()).collect();
             for (k, which) in [1, 2, 5].into_iter().enumerate() {
                 o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
-                    let near = |shift: f64| squares(pair, h * (top as f64 + beside + shift * CLOSER))[k];
+                    let near = |shift: f64| squares(orbit.pair_at(pair, h * (top as f64 + beside + shift * CLOSER)))[k];
                     larger(series[top][k], vertex([near(-1.0), near(0.0), near(1.0)]).1).sqrt()
                 });
             }
@@ -247,7 +261,8 @@ impl Seeing<'_> {
         out
     }
 
-    fn observe(&self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, Uses) {
+    fn observe(&self, orbit: &Orbit) -> (Vec<f64>, Uses) {
+        let (turns, symmetry) = (self.turns, self.symmetry);
         let mut uses = Uses::default();
         if orbit.orders.is_empty() {
             return (vec![f64::NAN; self.observed], uses);

@@ -1,0 +1,91 @@
+//! Answers over a connection that stays open: of each change a message to the server and one back for each answer, without the time that a request of its own takes.
+//!
+//! ```text
+//! page     {"answer": {...}, "lang": "en"}    the body of `POST api/answer`, with a serial number of its own
+//! page     {"cancel": 7}                      the answer with this serial number is no longer wanted
+//! server   {"serial": 7, "want": "modes", ...}   as the lines of `POST api/answer`
+//! ```
+
+use crate::abandon::Abandon;
+use crate::answer;
+use crate::routes::defect;
+use crate::server::State;
+use axum::extract::ws::{Message, Utf8Bytes, WebSocket};
+use laval::report::Language;
+use serde::Deserialize;
+use serde_json::{Value as Json, json};
+use std::collections::HashMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use tokio::sync::mpsc::{UnboundedSender, unbounded_channel};
+use tokio::task::spawn_blocking;
+
+/// Most answers of one page that are computed or wait at a time.
+const MOST: usize = 32;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Received {
+    answer: Option<answer::Request>,
+    lang: Option<String>,
+    cancel: Option<i64>,
+}
+
+/// A line of an answer, or its end.
+type Line = (i64, Option<String>);
+
+/// Serves one page until it closes the connection; what is computed for it then ends.
+pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
+    let (sender, mut lines) = unbounded_channel::<Line>();
+    let mut open: HashMap<i64, Abandon> = HashMap::new();
+    loop {
+        tokio::select! {
+            message = socket.recv() => match message {
+                Some(Ok(Message::Text(text))) => {
+                    let Ok(Received { answer, lang, cancel }) = serde_json::from_str(&text) else { return };
+                    if let Some(serial) = cancel {
+                        open.remove(&serial);
+                    }
+                    if let Some(request) = answer {
+                        let language = lang.and_then(|l| l.parse().ok()).unwrap_or(state.options.language);
+                        if open.len() >= MOST {
+                            return;
+                        }
+                        let (serial, abandon) = (request.serial, Abandon::default());
+                        begin(&state, request, language, &abandon, sender.clone());
+                        open.insert(serial, abandon);
+                    }
+                }
+                // pings are answered by the library
+                Some(Ok(Message::Ping(_) | Message::Pong(_))) => {}
+                _ => return,
+            },
+            Some((serial, line)) = lines.recv() => match line {
+                // of what is no longer wanted nothing is sent
+                Some(line) if open.contains_key(&serial) => {
+                    if socket.send(Message::Text(Utf8Bytes::from(line))).await.is_err() {
+                        return;
+                    }
+                }
+                Some(_) => {}
+                None => drop(open.remove(&serial)),
+            },
+        }
+    }
+}
+
+/// Computes an answer on a thread of its own.
+fn begin(state: &Arc<State>, request: answer::Request, language: Language, abandon: &Abandon, sender: UnboundedSender<Line>) {
+    let (state, cancel) = (state.clone(), abandon.cancel());
+    spawn_blocking(move || {
+        let send = |value: Json| {
+            // the page has gone
+            let _ = sender.send((request.serial, Some(value.to_string())));
+        };
+        let done = catch_unwind(AssertUnwindSafe(|| answer::answer(&state.machines, &request, language, &cancel, &send)));
+        if done.is_err() {
+            send(json!({ "want": null, "serial": request.serial, "error": language.said(&defect().sentence()) }));
+        }
+        let _ = sender.send((request.serial, None));
+    });
+}
