@@ -45,7 +45,6 @@ pub(crate) fn routes(state: Studio) -> Router {
         .route("/{token}/api/reach", post(reach))
         .route("/{token}/api/share", post(share))
         .route("/{token}/api/runs", get(list).post(run))
-        .route("/{token}/api/runs/{id}/events", get(events))
         .route("/{token}/api/runs/{id}/report", get(report))
         .route("/{token}/api/runs/{id}/{what}", post(steer));
     for (name, kind, content) in page::FILES {
@@ -185,7 +184,7 @@ async fn answer(Shared(state): Shared<Studio>, uri: Uri, body: Bytes) -> Respons
     };
     let abandon = Abandon::default();
     let cancel = abandon.cancel();
-    let (sender, response) = streamed("application/x-ndjson", Some(abandon));
+    let (sender, response) = streamed("application/x-ndjson", abandon);
     spawn_blocking(move || {
         let send = |value: Json| {
             // the page has gone
@@ -246,31 +245,6 @@ async fn steer(Shared(state): Shared<Studio>, Path((_, id, what)): Path<(String,
         _ => return unknown_run(language),
     }
     json_of(&json!({}))
-}
-
-async fn events(Shared(state): Shared<Studio>, Path((_, id)): Path<(String, String)>, uri: Uri) -> Response {
-    let language = language(&state, &uri);
-    let Some(run) = state.runs.find(&id) else { return unknown_run(language) };
-    let (sender, response) = streamed("text/event-stream", None);
-    tokio::spawn(async move {
-        let mut last = String::new();
-        loop {
-            let (now, ended) = run.event(language);
-            let now = now.to_string();
-            if now != last && sender.send(Bytes::from(format!("data: {now}\n\n"))).is_err() {
-                return;
-            }
-            last = now;
-            if ended {
-                return;
-            }
-            tokio::select! {
-                () = run.changed() => tokio::time::sleep(runs::BETWEEN).await,
-                () = sender.closed() => return,
-            }
-        }
-    });
-    response
 }
 
 async fn report(Shared(state): Shared<Studio>, Path((_, id)): Path<(String, String)>, uri: Uri) -> Response {

@@ -19,7 +19,6 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
 
 /// `POST api/runs`.
 #[derive(Debug, Deserialize)]
@@ -32,8 +31,6 @@ pub(crate) struct Request {
     file: Option<String>,
 }
 
-/// Time between two looks at a run.
-pub(crate) const BETWEEN: Duration = Duration::from_millis(100);
 /// Runs that are remembered.
 const MOST: usize = 64;
 
@@ -101,7 +98,7 @@ impl Runs {
     /// All that are remembered, the newest first.
     pub fn list(&self, language: Language) -> Json {
         let one = |r: &Started| {
-            let mut run = r.0.event(language).0;
+            let mut run = r.0.progress(language);
             run["id"] = r.0.id.as_str().into();
             run["study"] = r.0.study.as_str().into();
             run
@@ -189,13 +186,8 @@ impl Run {
         self.want(Wanted::Ended);
     }
 
-    /// Time until there may be news.
-    pub async fn changed(&self) {
-        tokio::time::sleep(BETWEEN).await;
-    }
-
-    /// How far it is, and whether it is over.
-    pub fn event(&self, language: Language) -> (Json, bool) {
+    /// How far it is.
+    fn progress(&self, language: Language) -> Json {
         let s = held(&self.status);
         let state = match (&s.ending, s.wanted) {
             (Some(Ending::Done(_)), _) => "done",
@@ -211,7 +203,7 @@ impl Run {
         if matches!(s.ending, Some(Ending::Done(_) | Ending::Cancelled(Some(_)))) {
             out["report"] = true.into();
         }
-        (out, s.ending.is_some())
+        out
     }
 
     /// The report, when it is over.
@@ -343,13 +335,13 @@ mod tests {
         assert!(!run.begin().load(Ordering::Relaxed));
         run.report(3, 9);
         run.report(2, 9);
-        assert_eq!(run.event(Language::English), (json!({ "state": "running", "done": 3, "total": 9 }), false));
+        assert_eq!(run.progress(Language::English), json!({ "state": "running", "done": 3, "total": 9 }));
         run.cancel();
         run.resume();
         assert_eq!(run.wanted(), Wanted::Ended);
         assert!(run.begin().load(Ordering::Relaxed));
         // what a study reports at its end does not say that all of it was done
         run.report(9, 9);
-        assert_eq!(run.event(Language::English).0["done"], 3);
+        assert_eq!(run.progress(Language::English)["done"], 3);
     }
 }

@@ -16,7 +16,7 @@ pub(crate) type Sender = UnboundedSender<Bytes>;
 /// Pieces as they come; with it ends the computation that makes them.
 struct Pieces {
     pieces: UnboundedReceiver<Bytes>,
-    _abandon: Option<Abandon>,
+    _abandon: Abandon,
 }
 
 impl Stream for Pieces {
@@ -27,7 +27,7 @@ impl Stream for Pieces {
 }
 
 /// An answer and what fills it.
-pub(crate) fn streamed(kind: &'static str, abandon: Option<Abandon>) -> (Sender, Response) {
+pub(crate) fn streamed(kind: &'static str, abandon: Abandon) -> (Sender, Response) {
     let (sender, pieces) = mpsc::unbounded_channel();
     let mut response = Response::new(Body::from_stream(Pieces { pieces, _abandon: abandon }));
     response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static(kind));

@@ -1,7 +1,7 @@
 // Requests to the server beside the page.
 
 import { Live, Unreachable } from "./live";
-import type { Answer, Checked, Free, Listed, MotionKind, Progress, Range, Reached, Set, Start, Want } from "./types";
+import type { Answer, Checked, Free, Listed, MotionKind, Range, Reached, Set, Start, Want } from "./types";
 
 /** An answer that refuses: the sentence of the server, with its status. */
 export class Refused extends Error {
@@ -108,13 +108,4 @@ export async function answer(body: { text: string; want: (Want | "motion")[]; sp
   }
   // all is there: the end of the stream is not waited for, but read, so that the connection can be used again
   reader.read().catch(() => { /* nothing follows */ });
-}
-
-/** Progress of a run until it ends; the answer closes it. */
-export function events(id: string, each: (p: Progress) => void, lost: (forGood: boolean) => void): () => void {
-  const source = new EventSource(address(`runs/${encodeURIComponent(id)}/events`));
-  source.onmessage = e => each(JSON.parse(String(e.data)) as Progress);
-  // the browser connects again by itself, unless the server does not know the run any more
-  source.onerror = () => lost(source.readyState === EventSource.CLOSED);
-  return () => source.close();
 }

@@ -15,15 +15,12 @@ export class Job {
   private readonly hold: HTMLButtonElement;
   private readonly acts: HTMLElement;
   private last: Progress | null = null;
-  /** How far it was before it was cancelled. */
-  private going: Progress | null = null;
-  private cancelled = false;
 
   constructor(readonly id: string, readonly name: string, steer: (what: Steer) => void) {
     this.bar = make("progress", { max: 1, "aria-label": name });
     this.state = make("span", { class: "state" });
     this.hold = button("pause", () => steer(this.last?.state === "paused" ? "resume" : "pause"));
-    this.acts = make("span", { class: "acts" }, this.hold, button("cancel", () => { this.cancelled = true; steer("cancel"); }));
+    this.acts = make("span", { class: "acts" }, this.hold, button("cancel", () => steer("cancel")));
     this.box = make("li", { class: "job", "data-run": id, "data-state": "running" }, make("b", {}, name), this.bar, this.state, this.acts);
   }
 
@@ -34,9 +31,6 @@ export class Job {
 
   show(p: Progress): void {
     if (this.over) return;
-    // what is left is passed over at the end: a cancelled run stands where it was
-    if (p.state === "cancelled" && p.done >= p.total && this.going) p = { ...p, done: this.going.done, total: this.going.total };
-    if (!OVER.has(p.state) && !this.cancelled) this.going = p;
     this.last = p;
     this.box.dataset.state = p.state;
     const paused = p.state === "paused";

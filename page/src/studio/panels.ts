@@ -31,6 +31,8 @@ interface Panel {
   /** Since when another text is wanted; 0 where none is. */
   since: number;
   seen: boolean;
+  /** Part of it that is seen. */
+  part: number;
   /** Text and speed of the answer shown, or on its way. */
   asked: string | null;
   figures: Figure[];
@@ -48,10 +50,12 @@ export class Panels {
     const seen = new IntersectionObserver(entries => {
       for (const e of entries) {
         const p = this.panels.get((e.target as HTMLElement).dataset.want as Want);
-        if (p) p.seen = e.isIntersecting;
+        if (!p) continue;
+        p.seen = e.isIntersecting;
+        p.part = e.intersectionRatio;
       }
       this.pump();
-    }, { root: null, rootMargin: "40px" });
+    }, { root: null, rootMargin: "40px", threshold: [0, 0.25, 0.5, 0.75, 0.95] });
     for (const want of WANTS) {
       const p = this.make(want);
       this.panels.set(want, p);
@@ -78,7 +82,7 @@ export class Panels {
     const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
       make("h2", { id: `title-${want}` }, say(`want-${want}`), at, took), body);
     const panel: Panel = {
-      want, box, body, took, at, seen: false, asked: null, figures: [], last: null, running: null, since: 0,
+      want, box, body, took, at, seen: false, part: 0, asked: null, figures: [], last: null, running: null, since: 0,
     };
     return panel;
   }
@@ -101,7 +105,7 @@ export class Panels {
 
   /**
    * Sends what is wanted: modes at once, of the others only as many as the processor answers beside them, the one that waits longest first, of those that wait alike the
-   * one in the middle of the view.
+   * one of which most is seen.
    * What runs too long for a text that is no more is abandoned.
    */
   private pump(): void {
@@ -114,18 +118,9 @@ export class Panels {
     }
     const waiting = all.filter(p => !p.running && this.wanted(p));
     for (const p of waiting) p.since ||= now;
-    if (waiting.length > 1) {
-      const far = new Map(waiting.map(p => [p, this.far(p)]));
-      waiting.sort((a, b) => a.since - b.since || far.get(a)! - far.get(b)!);
-    }
+    waiting.sort((a, b) => a.since - b.since || b.part - a.part);
     let room = AT_ONCE - all.filter(p => p.running && p.want !== "modes").length;
     for (const p of waiting) if (p.want === "modes" || room-- > 0) void this.send(p);
-  }
-
-  /** Distance of a panel from the middle of the view, px. */
-  private far(p: Panel): number {
-    const { top, bottom } = p.box.getBoundingClientRect();
-    return Math.abs(top + bottom - innerHeight) / 2;
   }
 
   private async send(p: Panel): Promise<void> {

@@ -6,7 +6,7 @@ import { Job, Steer } from "./job";
 import type { Studio } from "./studio";
 import type { Listed, Study } from "./types";
 
-/** Time between two looks at the runs that go on, ms. */
+/** Time between two looks at the runs that go on, ms: a connection held for each would be one of the few that a browser has for all tabs. */
 const BETWEEN = 400;
 
 export class Runs {
@@ -15,8 +15,6 @@ export class Runs {
   private drawn = "";
   /** Runs of this program, those included that were removed from the list here. */
   private readonly known = new Map<string, Job>();
-  /** The program lists its runs: no connection is held for each, of which a browser has few for all tabs. */
-  private lists = false;
   private next = 0;
 
   constructor(host: HTMLElement, private readonly studio: Studio) {
@@ -44,17 +42,11 @@ export class Runs {
     try {
       found = (await api.runs()).runs;
     } catch (e) {
-      // an older program lists none
-      if (e instanceof api.Refused) return;
       for (const job of this.known.values()) job.wait();
       return this.studio.failed(e);
     }
-    this.lists = true;
     for (const r of [...found].reverse()) {
-      const job = this.known.get(r.id) ?? this.add(r.id, r.study);
-      // whether a cancelled run has a report stands in its event
-      if (r.state === "cancelled" && r.report === undefined) { if (!job.over) this.events(job); }
-      else job.show(r);
+      (this.known.get(r.id) ?? this.add(r.id, r.study)).show(r);
     }
     const all = new Set(found.map(r => r.id));
     for (const job of before) if (!job.over && !all.has(job.id)) job.show({ state: "failed", done: 0, total: 0 });
@@ -80,8 +72,8 @@ export class Runs {
   private async start(s: Study): Promise<void> {
     try {
       const { id } = await api.run(this.studio.text, s.name, this.studio.file);
-      const job = this.known.get(id) ?? this.add(id, s.name);
-      if (this.lists) await this.fetch(); else this.events(job);
+      if (!this.known.has(id)) this.add(id, s.name);
+      await this.fetch();
     } catch (e) { this.studio.failed(e); }
   }
 
@@ -95,16 +87,7 @@ export class Runs {
   private async steer(id: string, what: Steer): Promise<void> {
     try {
       await api.steer(id, what);
-      if (this.lists) await this.fetch();
+      await this.fetch();
     } catch (e) { this.studio.failed(e); }
-  }
-
-  /** Progress as the program sends it. */
-  private events(job: Job): void {
-    const close = api.events(job.id, p => { job.show(p); if (job.over) close(); }, forGood => {
-      if (job.over) close();
-      else if (forGood) job.show({ state: "failed", done: 0, total: 0 });
-      else job.wait();
-    });
   }
 }

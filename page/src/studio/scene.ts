@@ -221,7 +221,7 @@ export class SpaceView {
     this.counted++;
     if (t - this.before > 20) this.late++;
     if (this.counted < 12) return;
-    if (this.late > 3) this.coarse = Math.max(0.4, 0.8 * Math.min(this.coarse, devicePixelRatio));
+    if (this.late > 1) this.coarse = Math.max(0.4, 0.8 * Math.min(this.coarse, devicePixelRatio));
     this.late = this.counted = 0;
   }
 

@@ -96,10 +96,11 @@ impl Measure {
     /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. A motion of some symmetry takes as many instants as are not images of others.
     pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> [C64; 2] {
         let count = turns * SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1).div_ceil(turns));
-        // after half a turn both components have changed their signs, and so has the wave they are compared with
+        // after half a turn both components have changed their signs, and so has the wave they are compared with; after a quarter y is what x was, and the motion turns forward
         let (count, taken) = match symmetry {
             Symmetry::Circular => (ROUND, ROUND),
-            Symmetry::Half | Symmetry::Quarter if turns == 1 => (count, count / 2),
+            Symmetry::Quarter if turns == 1 => (count, count / 4),
+            Symmetry::Half if turns == 1 => (count, count / 2),
             _ => (count, count),
         };
         let mut track = Track::new(self, system, orbit, turns);
@@ -110,6 +111,11 @@ impl Measure {
             for (o, f) in out.iter_mut().zip(track.sample(&roots, j)) {
                 *o += back.scale(f);
             }
+        }
+        if taken < count / 2 {
+            let [x, y] = out;
+            let forward = (x + y.mul_i()).scale(0.5);
+            return [forward, -forward.mul_i()];
         }
         out
     }

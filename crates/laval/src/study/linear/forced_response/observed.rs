@@ -106,6 +106,8 @@ pub const LINEARISED: &str = "linearised force";
 
 /// Instants of a turn at which the parts are evaluated.
 const INSTANTS: u32 = 24;
+/// Every third of them is one of the samples of squares.
+const OF_SQUARES: usize = 3;
 /// Distances from a pole, over its speed, of two responses whose difference tells what grows without bound there.
 const BESIDE: [f64; 2] = [2e-6, 4e-6];
 /// Growth of a use from the farther of them to the nearer from which on it grows with the pole, and the least use that is no rounding.
@@ -198,7 +200,7 @@ fn seen<'s>(system: &'s System, state: State, r: &Response) -> Result<Seen<'s>, 
     let turn = turn(system, &rest, r);
     // the square of what a linear part shows has two harmonics: between the instants it is known as well
     let mut squares = BTreeMap::<_, Vec<f64>>::new();
-    for instant in &turn {
+    for instant in turn.iter().step_by(OF_SQUARES) {
         for (slot, o) in system.observe(&instant.at(r.speed), &mut ws) {
             let part = &system.slots()[slot];
             // the amplitude of a body is in its own columns; eliminated states are not at hand
