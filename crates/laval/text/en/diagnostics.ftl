@@ -1809,6 +1809,7 @@ diag-one-of-value-and-written-is-a69e = { $path }: one of value and written is n
 diag-is-no-machine-file-toml-in-cfe5 = { $name } is no machine file (.toml) in the folder of the studio
 diag-there-is-no-file-33b6 = there is no file { $path }
 diag-is-larger-than-mb-3ad7 = { $path } is larger than { $size } MB
+diag-is-a-folder-53b6 = { $path } is a folder
 diag-has-changed-on-the-disk-since-3764 = { $path } has changed on the disk since it was opened
 
 ## laval-studio/src/motion.rs
@@ -1840,6 +1841,8 @@ diag-the-server-cannot-be-started-9a0d = the server cannot be started: { $e }
 diag-a-token-has-at-least-8-da81 = a token has at least 8 letters and digits
 diag-cannot-open-9fcf = cannot open { $path }: { $e }
 diag-is-a-link-out-of-its-b2fe = { $path } is a link out of its folder
+diag-port-cannot-be-used-ed07 = port { $port } cannot be used: { $e }
+diag-give-another-port-or-leave-port-5c64 = give another port, or leave --port out: a free one is taken
 
 ## laval-studio/src/share.rs
 
@@ -1932,7 +1935,6 @@ diag-there-is-no-kind-of-called-63a8 = there is no kind of { $what } called { $w
 
 ## laval-cli/src/studio.rs
 
-diag-is-a-folder-53b6 = { $path } is a folder
 diag-is-no-machine-file-its-name-3c42 = { $path } is no machine file: its name does not end in .toml
 diag-the-studio-is-open-in-the-faee = The studio is open in the browser; Ctrl-C ends it.
 diag-note-no-browser-could-be-opened-e857 = note: no browser could be opened; open the address above

@@ -1702,3 +1702,5 @@ diag-no-state-of-the-nonlinear-response-5f5e = бұл айналу жиіліг�
 diag-the-file-has-no-transient-e71e = файлда { $name } атты transient зерттеуі жоқ
 diag-the-result-at-cannot-be-moved-edb0 = { $stated } кезіндегі нәтижені жылжытуға болмайды: бақылауға болатын ең жақыны { $found } кезінде
 diag-is-a-link-out-of-its-b2fe = { $path } — өз қалтасынан тыс сілтеме
+diag-port-cannot-be-used-ed07 = { $port } портын пайдалануға болмайды: { $e }
+diag-give-another-port-or-leave-port-5c64 = басқа порт көрсетіңіз немесе --port жазбаңыз: бос порт алынады

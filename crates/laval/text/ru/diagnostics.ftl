@@ -1392,3 +1392,5 @@ diag-no-state-of-the-nonlinear-response-5f5e = при этой частоте в
 diag-the-file-has-no-transient-e71e = в файле нет расчёта transient с именем { $name }
 diag-the-result-at-cannot-be-moved-edb0 = результат при { $stated } нельзя передвинуть: ближайший, за которым можно следить, находится при { $found }
 diag-is-a-link-out-of-its-b2fe = { $path } — ссылка за пределы своей папки
+diag-port-cannot-be-used-ed07 = порт { $port } использовать нельзя: { $e }
+diag-give-another-port-or-leave-port-5c64 = укажите другой порт или уберите --port: будет взят свободный

@@ -1700,3 +1700,5 @@ diag-no-state-of-the-nonlinear-response-5f5e = bu tezlikda chiziqsiz javobning h
 diag-the-file-has-no-transient-e71e = faylda { $name } nomli transient hisobi yo‘q
 diag-the-result-at-cannot-be-moved-edb0 = { $stated } dagi natijani siljitib bo‘lmaydi: kuzatish mumkin bo‘lgan eng yaqini { $found } da
 diag-is-a-link-out-of-its-b2fe = { $path } — o‘z jildidan tashqariga havola
+diag-port-cannot-be-used-ed07 = { $port } portidan foydalanib bo‘lmaydi: { $e }
+diag-give-another-port-or-leave-port-5c64 = boshqa port ko‘rsating yoki --port yozmang: bo‘sh port olinadi
