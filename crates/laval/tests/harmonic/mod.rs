@@ -6,6 +6,7 @@ mod claims;
 mod contact;
 mod duffing;
 mod findings;
+mod first_order;
 mod free_studies;
 mod free_whirls;
 mod limit_cycles;

@@ -7,7 +7,7 @@ use laval::model::field::RangeValue;
 use laval::outcome::Outcome;
 use laval::solve::rest::rest;
 use laval::solve::stability::row;
-use laval::study::{Context, ErasedStudy, criterion::Criterion, stability_map::StabilityMap, support::About};
+use laval::study::{Context, ErasedStudy, TypedStudy, criterion::Criterion, stability_map::StabilityMap, support::About};
 
 fn grid(from: f64, to: f64, points: usize) -> Vec<f64> {
     RangeValue { from, to, points: Some(points) }.linspace(points)
@@ -162,4 +162,45 @@ fn passings_cost_eigenproblems_only_where_modes_may_interact() {
     let found = row(&apart, &|w| rest(&apart, w), &speeds, 0.0, |_| true).unwrap();
     assert!(found.edges.is_empty() && found.undamped);
     assert!(found.solved <= 2 * speeds.len() as u64, "{} eigenproblems at {} speeds", found.solved, speeds.len());
+}
+
+/// Between two speeds far apart lies a steep rise: the growth at the operating speed is that of the modes there, of a machine of finitely many modes and of one whose roots are counted.
+#[test]
+fn the_growth_at_the_operating_speed_is_that_of_the_modes() {
+    let rotor = r#"
+        machine = { speed = "1330 rad/s" }
+        part = [
+            { kind = "disc", name = "drum", mass = "2.4 kg", eccentricity = "20 um" },
+            { kind = "foundation", name = "base", mass = "25 kg", stiffness = "3e5 N/m", damping = "60 N s/m" },
+            { kind = "shaft_lumped", name = "shaft", between = ["drum", "base"], stiffness = "1.1e7 N/m" },
+            { kind = "damper", name = "losses", between = ["drum", "ground"], damping = "42 N s/m" },
+            { kind = "liquid", name = "oil", in = "drum", cavity_radius = "70 mm", cavity_height = "60 mm", density = "880 kg/m^3",
+              fill = { free_surface_radius = "46.7 mm" }, wave_damping = "2 1/s" },
+        ]"#;
+    let viscous = rotor.replace("wave_damping = \"2 1/s\"", "viscosity = \"1e-4 m^2/s\"");
+    for (text, speed) in [(rotor, 1330.0), (rotor, 3000.0), (&viscous, 3000.0)] {
+        let loaded = common::files::load(&text.replace("1330 rad/s", &format!("{speed} rad/s")));
+        let system = &loaded.system;
+        let study = StabilityMap {
+            speed: RangeValue { from: 500.0, to: 5000.0, points: Some(4) },
+            parameter: None,
+            about: About::Rest,
+            criterion: Criterion::Growth,
+            threshold: 0.0,
+            frequency: None,
+        };
+        let found = study.result(system, &Context::quiet("map")).unwrap_or_else(|d| panic!("{d}"));
+        let there = row(system, &|w| rest(system, w), &[speed], 0.0, |_| true);
+        let own = found.operating.expect("the range holds the operating speed").value;
+        match there {
+            Ok(there) => {
+                let modes = there.samples[0].value;
+                assert!((own - modes).abs() < 1e-9 * modes.abs(), "{speed}: {own:?} instead of {modes:?}");
+            }
+            // roots that are counted: those that grow are solved for
+            Err(_) => assert!(own.re.is_finite(), "{own:?}"),
+        }
+        let figure = study.outcome(system, &found, "map").unwrap().figures.remove(0);
+        assert!(format!("{figure:?}").contains("stability-map-operating"), "{speed}");
+    }
 }
