@@ -53,7 +53,7 @@ test("a drag of the free surface is one step of undo, and figures follow it", as
   const was = await text(page), handle = page.locator('.handle[data-path="oil.free_surface_radius"] .hit');
   let drawn = 0;
   await page.exposeFunction("drawn", () => { drawn++; });
-  await page.evaluate(() => new MutationObserver(() => window.drawn()).observe(document.querySelector("#panel-modes .body"), { childList: true }));
+  await page.evaluate(() => new MutationObserver(() => window.drawn()).observe(document.querySelector("#panel-modes .body"), { childList: true, subtree: true, characterData: true, attributes: true, attributeFilter: ["d", "cx", "cy"] }));
   await pull(page, handle, 25, 0, 30);
   await page.waitForFunction(() => !document.querySelector("[data-act=undo]").disabled);
   await changed(page, was);
@@ -169,4 +169,46 @@ test("completion offers kinds and keys with their documentation", async () => {
   await page.waitForTimeout(150);
   await page.keyboard.press("Enter");
   assert.match(await text(page), /\n\[\[cup\]\]$/);
+});
+
+test("a number alone has the unit that its field shows", async () => {
+  const was = await text(page);
+  await write(page, "drum.eccentricity", "90");
+  await changed(page, was);
+  assert.match(await text(page), /^eccentricity = "90 [µu]m"/m);
+  await write(page, "machine.speed", "2900").catch(() => write(page, "speed", "2900"));
+  await page.waitForFunction(() => /^speed = "2900 rpm"/m.test(editorView().state.doc.toString()));
+});
+
+test("undo in the middle of a drag takes back that drag alone", async () => {
+  const was = await text(page);
+  await write(page, "drum.mass", "3 kg");
+  await changed(page, was);
+  const before = await text(page), handle = page.locator('.handle[data-path="oil.free_surface_radius"] .hit');
+  await handle.scrollIntoViewIfNeeded();
+  const box = await handle.boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y, { steps: 8 });
+  await changed(page, before);
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(before => editorView().state.doc.toString() === before, before);
+  await page.mouse.move(x + 30, y, { steps: 6 });
+  await changed(page, before);
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  await undo();
+  assert.equal(await text(page), before);
+  await undo();
+  assert.equal(await text(page), was);
+});
+
+test("what belongs to another text is dimmed until its figure is there", async () => {
+  await panel(page, "campbell");
+  await page.waitForTimeout(500);
+  // nothing is asked for any more
+  await page.evaluate(() => { WebSocket.prototype.send = () => {}; });
+  await page.evaluate(() => editorView().dispatch({ changes: { from: 0, insert: "# another text\n" } }));
+  await page.waitForSelector("#panel-campbell.late", { state: "attached" });
+  await page.waitForFunction(() => getComputedStyle(document.querySelector("#panel-campbell .body")).opacity < 0.6);
 });

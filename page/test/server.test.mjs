@@ -1,7 +1,7 @@
 // Saving, two tabs, a server that goes and comes back, files and examples that are opened.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { Server, changed, launch, open, panel, parameter, picture, pull, text, write } from "./studio.mjs";
@@ -213,4 +213,32 @@ test("the page asks nothing of any other server", async () => {
   await page.waitForTimeout(500);
   assert.deepEqual(seen, []);
   await page.close();
+});
+
+test("undo after another file was opened brings its name back too: no file is overwritten by another", async () => {
+  const page = await open(b, server);
+  await page.click("[data-act=open]");
+  await page.locator('dialog [data-open="02-rigid-rotor"], dialog [data-open="rigid-rotor"]').first().click();
+  await page.waitForFunction(() => document.querySelector("#file").textContent.includes("rigid"));
+  const other = await text(page);
+  await page.click("[data-act=undo]");
+  await page.waitForFunction(other => editorView().state.doc.toString() !== other, other);
+  assert.match(await page.locator("#file").textContent(), /^machine\.toml/);
+  await page.click("[data-act=redo]");
+  await page.waitForFunction(() => document.querySelector("#file").textContent.includes("rigid"));
+  assert.equal(await text(page), other);
+  await page.context().close();
+});
+
+test("a page that is loaded anew shows the file that was open", async () => {
+  writeFileSync(join(server.folder, "other.toml"), disk().replace(/^name\s*=.*$/m, 'name = "the other"'));
+  const page = await open(b, server);
+  await page.click("[data-act=open]");
+  await page.locator('dialog [data-open="other.toml"]').click();
+  await page.waitForFunction(() => document.querySelector("#file").textContent.includes("other.toml"));
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  await page.waitForFunction(() => document.querySelector("#file").textContent.includes("other.toml"));
+  assert.match(await text(page), /the other/);
+  await page.context().close();
 });

@@ -21,7 +21,8 @@ export const spoken = (): string => language;
 /** Address of the report of a run. */
 export const reportOf = (id: string): string => address(`runs/${encodeURIComponent(id)}/report`);
 
-const live = new Live(new URL("./api/live", location.href.replace(/^http/, "ws")).href.replace(/\?.*$/, ""));
+let connection: Live | null = null;
+const live = (): Live => connection ??= new Live(new URL("./api/live", location.href.replace(/^http/, "ws")).href.replace(/\?.*$/, ""));
 
 function address(path: string): string {
   return `./api/${path}${language ? (path.includes("?") ? "&" : "?") + "lang=" + language : ""}`;
@@ -81,8 +82,8 @@ export async function share(text: string, pins: { name: string; text: string }[]
 
 /** Answers of several kinds, each handed over as soon as its line is there. */
 export async function answer(body: { text: string; want: (Want | "motion")[]; speed?: number; set?: Set[]; motion?: MotionKind }, signal: AbortSignal, each: (a: Answer) => void): Promise<void> {
-  if (live.ready) return live.answer(++serial, language, body, signal, each);
-  live.open();
+  if (live().ready) return live().answer(++serial, language, body, signal, each);
+  live().open();
   const response = await request("answer", { serial: ++serial, ...body }, signal);
   const reader = response.body?.getReader();
   if (!reader) return;

@@ -66,7 +66,7 @@ export class Compare {
       const name = make("input", { class: "pin-name", value: p.name, "aria-label": say("name") });
       name.addEventListener("change", () => { p.name = name.value; this.changed(); });
       return make("th", { scope: "col" }, make("i", { class: `key p${n % 3}`, "aria-hidden": "true" }), name, make("span", { class: "acts" },
-        button("take-back", () => this.studio.editor.open(p.text, true), { "aria-label": say("take-back-this", { name: p.name }) }),
+        button("take-back", () => this.studio.editor.open(p.text, this.studio.editor.origin, true), { "aria-label": say("take-back-this", { name: p.name }) }),
         button("remove", () => { this.pins.splice(this.pins.indexOf(p), 1); this.changed(); }, { "aria-label": say("remove-this", { name: p.name }) })));
     });
     const cell = (c: Check | undefined, other: Check | undefined) => {

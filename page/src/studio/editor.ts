@@ -1,12 +1,12 @@
 // The machine file as text: colours, completion, errors at their place, undo.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, indentWithTab, invertedEffects, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, bracketMatching, syntaxHighlighting } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { Diagnostic as Mark, lintGutter, lintKeymap, nextDiagnostic, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, EditorState, Transaction } from "@codemirror/state";
+import { Annotation, EditorState, StateEffect, StateField, Transaction } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { complete } from "./completion";
@@ -15,6 +15,17 @@ import type { Completion, Diagnostic, Edit } from "./types";
 
 /** A text that comes from elsewhere: it is no change of the user. */
 const opened = Annotation.define<boolean>();
+
+/** The file of the text, and what stands on the disk. */
+export interface Origin { file: string; base: string }
+
+/** The file changes with the text, also when that is undone: a text is never saved into the file of another. */
+const from = StateEffect.define<Origin>();
+const origin = StateField.define<Origin>({
+  create: () => ({ file: "", base: "" }),
+  update: (o, t) => t.effects.reduce((o, e) => e.is(from) ? e.value : o, o),
+});
+const undone = invertedEffects.of(t => t.effects.some(e => e.is(from)) && t.docChanged ? [from.of(t.startState.field(origin))] : []);
 
 const colours = HighlightStyle.define([
   { tag: tags.comment, color: "var(--soft)", fontStyle: "italic" },
@@ -58,12 +69,13 @@ export class Editor {
       parent: root,
       state: EditorState.create({
         extensions: [
-          lineNumbers(), history(), drawSelection(), highlightActiveLine(), bracketMatching(), closeBrackets(), highlightSelectionMatches(),
+          lineNumbers(), history(), origin, undone, drawSelection(), highlightActiveLine(), bracketMatching(), closeBrackets(), highlightSelectionMatches(),
           StreamLanguage.define(toml), syntaxHighlighting(colours), look, lintGutter(),
           autocompletion({ override: [c => this.typed || c.explicit ? complete(c, completion()) : null] }),
           keymap.of([
             { key: "Mod-s", run: () => { save(); return true; } },
             { key: "F8", run: nextDiagnostic },
+            { key: "Mod-z", run: () => { this.undo(); return true; } },
             ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap,
             indentWithTab,
           ]),
@@ -81,16 +93,27 @@ export class Editor {
   get text(): string { return this.view.state.doc.toString(); }
   get undos(): number { return undoDepth(this.view.state); }
   get redos(): number { return redoDepth(this.view.state); }
-  undo(): void { undo(this.view); }
+  get origin(): Origin { return this.view.state.field(origin); }
+
+  /** In the middle of a drag what that has changed so far; what follows is a step of its own. */
+  undo(): void {
+    undo(this.view);
+    if (!this.drag?.changed) return;
+    this.drag.changed = false;
+    this.apart();
+  }
   redo(): void { redo(this.view); }
   focus(): void { this.view.focus(); }
 
   /** Another file: the whole text, as one step that can be undone when `keep`. */
-  open(text: string, keep: boolean): void {
+  open(text: string, of: Origin, keep: boolean): void {
     const whole = { from: 0, to: this.view.state.doc.length, insert: text };
     const notes = [opened.of(true), isolateHistory.of("full"), Transaction.addToHistory.of(keep)];
-    this.view.dispatch({ changes: whole, selection: { anchor: 0 }, annotations: notes, scrollIntoView: true });
+    this.view.dispatch({ changes: whole, effects: from.of(of), selection: { anchor: 0 }, annotations: notes, scrollIntoView: true });
   }
+
+  /** The text was saved. */
+  saved(as: Origin): void { this.view.dispatch({ effects: from.of(as), annotations: Transaction.addToHistory.of(false) }); }
 
   /** Changes of the text; during a drag they become one step when it ends. */
   apply(edits: Edit[]): void {

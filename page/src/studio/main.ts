@@ -24,6 +24,19 @@ function kept(): { file: string; base: string; text: string } | null {
   } catch { return null; }
 }
 
+/** The file of a page that is loaded anew, if it is another than the one that the program was started with. */
+function again(start: Start): string | null {
+  const [entry] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
+  try {
+    const file = sessionStorage.getItem("laval-file");
+    return entry?.type === "reload" && file && file !== start.file && start.folder_files.includes(file) ? file : null;
+  } catch { return null; }
+}
+
+function remember(file: string): void {
+  try { if (file) sessionStorage.setItem("laval-file", file); } catch { /* the file of the program is opened */ }
+}
+
 /** Tabs that show one of several things; arrow keys move between them. */
 function tabs(host: HTMLElement, shown: (name: string) => void): (name: string) => void {
   const all = [...host.querySelectorAll<HTMLButtonElement>("[role=tab]")];
@@ -65,7 +78,13 @@ function lay(start: Start): void {
   const parameters = new Parameters(find("#parameters"), studio, () => reach?.idle());
   reach = new Reach(find("#reach"), studio, () => parameters.free());
   panels.pulled = reach;
-  studio.opened = () => { studio.speed = null; parameters.forget(); panels.forget(); reach?.idle(); };
+  studio.opened = () => {
+    studio.speed = null;
+    parameters.forget();
+    panels.forget();
+    reach?.idle();
+    for (const pane of ["#results", "#pane-machine"]) find(pane).scrollTop = 0;
+  };
   new Section(find("#section"), studio);
   const motion = new Motion(find("#space"), find("#motion"), studio, panels);
   const compare = new Compare(find("#compare"), studio, panels);
@@ -81,9 +100,10 @@ function lay(start: Start): void {
     if (name === "text") studio.editor.focus(); else find(`#pane-${name}`).focus();
   });
 
-  studio.file = before?.file ?? start.file;
-  studio.base = before?.base ?? start.text;
-  studio.editor.open(before?.text ?? start.text, false);
+  studio.editor.open(before?.text ?? start.text, { file: before?.file ?? start.file, base: before?.base ?? start.text }, false);
+  const last = again(start);
+  if (last && !before) void studio.open("file", last);
+  studio.whenStatus(() => remember(studio.file));
   if (!studio.text) studio.changed();
   document.documentElement.dataset.ready = "";
 }

@@ -37,6 +37,8 @@ interface Panel {
   asked: string | null;
   figures: Figure[];
   last: Answer | null;
+  /** Text and speed of what is shown. */
+  of: string | null;
 }
 
 export class Panels {
@@ -65,7 +67,7 @@ export class Panels {
     }
     studio.whenText(() => this.refresh());
     studio.quick = a => { const p = a.want === "edit" || a.want === "motion" ? undefined : this.panels.get(a.want); if (p) this.show(p, a); };
-    studio.quickFits = () => { const p = this.panels.get("modes"); if (p) p.asked = this.key(); };
+    studio.quickFits = () => { const p = this.panels.get("modes"); if (p) { p.asked = p.of = this.key(); this.mark(); } };
     studio.onComing = () => this.refresh();
     studio.whenMachine(() => this.dim());
     studio.whenStatus(() => { if (!studio.reachable) this.dim(); });
@@ -82,7 +84,7 @@ export class Panels {
     const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
       make("h2", { id: `title-${want}` }, say(`want-${want}`), at, took), body);
     const panel: Panel = {
-      want, box, body, took, at, seen: false, part: 0, asked: null, figures: [], last: null, running: null, since: 0,
+      want, box, body, took, at, seen: false, part: 0, asked: null, figures: [], last: null, of: null, running: null, since: 0,
     };
     return panel;
   }
@@ -110,6 +112,7 @@ export class Panels {
    */
   private pump(): void {
     const all = [...this.panels.values()], now = performance.now(), key = this.key();
+    this.mark();
     for (const p of all) {
       const r = p.running;
       if (!r || r.key === key || !this.wanted(p)) continue;
@@ -123,6 +126,12 @@ export class Panels {
     for (const p of waiting) if (p.want === "modes" || room-- > 0) void this.send(p);
   }
 
+  /** What is shown belongs to another text than that of now: after a moment it is dimmed. */
+  private mark(): void {
+    const key = this.key();
+    for (const p of this.panels.values()) p.box.classList.toggle("late", p.last !== null && p.of !== key);
+  }
+
   private async send(p: Panel): Promise<void> {
     const { newest: text, speed } = this.studio, run = p.running = { abort: new AbortController(), key: this.key(), since: performance.now() };
     p.asked = run.key;
@@ -130,7 +139,12 @@ export class Panels {
     p.box.classList.add("busy");
     p.box.setAttribute("aria-busy", "true");
     try {
-      await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, run.abort.signal, a => { if (a.want === p.want) this.show(p, a); });
+      await api.answer({ text, want: [p.want], ...(speed !== null ? { speed } : {}) }, run.abort.signal, a => {
+        if (a.want !== p.want) return;
+        this.show(p, a);
+        if (a.error === undefined) p.of = run.key;
+        this.mark();
+      });
     } catch (e) {
       p.running = null;
       // a refused request is not repeated
@@ -154,7 +168,9 @@ export class Panels {
       return;
     }
     p.last = a;
+    p.of = this.key();
     p.box.classList.add("filled");
+    p.box.classList.remove("late");
     p.box.classList.remove("stale");
     p.took.textContent = a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`;
     this.draw(p, a);

@@ -110,7 +110,9 @@ export class Parameters {
 
   private update(): void {
     const all = this.studio.machine?.parameters ?? [], known = new Set(all.map(p => p.path)), active = document.activeElement;
-    for (const [path, row] of this.rows) if (!known.has(path)) { row.box.remove(); this.rows.delete(path); }
+    let less = false;
+    for (const [path, row] of this.rows) if (!known.has(path)) { less ||= row.free.checked; row.box.remove(); this.rows.delete(path); }
+    if (less) this.released();
     for (const p of all) {
       const row = this.rows.get(p.path) ?? this.add(p);
       row.of = p;
@@ -165,7 +167,9 @@ export class Parameters {
       const text = field.value.trim();
       row.shown = field.value;
       this.mended(row);
-      if (text && text !== row.of.shown) this.studio.change([{ path: row.of.path, written: text }]);
+      // a number alone has the unit that the field shows
+      const unit = bare(text) === null ? "" : row.of.display_unit;
+      if (text && text !== row.of.shown) this.studio.change([{ path: row.of.path, written: unit ? `${text} ${unit}` : text }]);
       else row.shown = field.value = row.of.shown;
     });
     field.addEventListener("keydown", e => {

@@ -116,9 +116,21 @@ export class Reach implements Pulled {
     field.select();
   }
 
+  /** A search that takes long is stated, and can be given up. */
+  private runs(g: Goal): void {
+    const cancel = button("cancel", () => { this.lane.stop(); this.answer = null; this.released = false; this.idle(); });
+    this.host.replaceChildren(make("p", { class: "hint", role: "status" }, say("reach-running", { name: g.target.label, value: g.text }), " ", cancel));
+  }
+
   private async work(g: Goal, signal: AbortSignal): Promise<void> {
     const { what, which } = g.target, text = this.studio.text;
-    const answer = await api.reach(text, { what, which, to: g.to }, this.free(), signal);
+    const late = window.setTimeout(() => this.runs(g), 500);
+    let answer: Reached;
+    try {
+      answer = await api.reach(text, { what, which, to: g.to }, this.free(), signal);
+    } finally {
+      clearTimeout(late);
+    }
     // its changes would fall on other places of a text that was changed meanwhile
     if (text !== this.studio.text) return this.work(g, signal);
     this.answer = answer;

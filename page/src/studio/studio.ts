@@ -27,9 +27,6 @@ export class Studio {
   editor!: Editor;
   machine: Machine | null = null;
   diagnostics: Diagnostic[] = [];
-  file = "";
-  /** Text on disk. */
-  base = "";
   /** Speed at which modes are shown, rad/s; the operating speed where none is chosen. */
   speed: number | null = null;
   reachable = true;
@@ -76,6 +73,9 @@ export class Studio {
   whenStatus(f: Listener): void { this.onStatus.push(f); }
 
   get text(): string { return this.editor.text; }
+  get file(): string { return this.editor.origin.file; }
+  /** Text on disk. */
+  get base(): string { return this.editor.origin.base; }
   /** The text that figures belong to. */
   get newest(): string { return this.coming ?? this.text; }
   get unsaved(): boolean { return this.text !== this.base; }
@@ -214,11 +214,9 @@ export class Studio {
   async open(what: "example" | "file", name: string): Promise<void> {
     try {
       const { file, text } = await api.open(what, name);
-      this.file = file;
-      this.base = what === "file" ? text : "";
       this.waiting.clear();
       this.opened();
-      this.editor.open(text, true);
+      this.editor.open(text, { file, base: what === "file" ? text : "" }, true);
       this.tell("");
     } catch (e) { this.failed(e); }
   }
@@ -229,8 +227,7 @@ export class Studio {
     try {
       const { file } = await api.save(name, text, name === this.file ? this.base : "", force);
       this.answered();
-      this.file = file;
-      this.base = text;
+      this.editor.saved({ file, base: text });
       this.tell(say("saved", { name: file }));
     } catch (e) {
       if (e instanceof Refused && e.status === 409) this.conflict(e.message, name);

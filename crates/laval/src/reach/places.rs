@@ -66,6 +66,8 @@ impl Sought for Placed {
         let together = own.into_iter().filter(|p| distance(p) <= least + self.same() * self.at.abs());
         let Some(place) = together.max_by(|a, b| a.moved.value.total_cmp(&b.moved.value)) else { return Ok(None) };
         self.at = place.moved.speed;
+        // a jump up does not become one down
+        self.kinds = vec![place.kind];
         self.tilt = place.probe.is_tilt();
         let slope = |moving: &Vec<usize>| {
             let held = found.parameters.iter().zip(&place.moved.slopes).filter(|(n, _)| {

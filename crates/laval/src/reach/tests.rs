@@ -153,3 +153,83 @@ fn a_peak_of_the_linear_response_is_moved_to_the_closed_form() {
     assert!(!r.reached && r.moved[1].to == r.moved[1].from, "{r:?}");
     assert_eq!(r.impossible.expect("a bound").1, ["shaft.stiffness"]);
 }
+
+/// Slopes are those of differences, of a rotor whose critical speeds move with gyroscopic moments.
+#[test]
+fn slopes_of_a_gyroscopic_rotor_are_those_of_differences() {
+    let text = r#"
+machine = { name = "overhung", speed = "3000 rpm" }
+part = [
+    { kind = "disc", name = "drum", mass = "3 kg", polar_inertia = 0.02, diametral_inertia = 0.012, eccentricity = "20 um" },
+    { kind = "shaft_lumped", name = "lower", between = [{ body = "drum", at = "-100 mm" }, "ground"], stiffness = "3e5 N/m" },
+    { kind = "shaft_lumped", name = "upper", between = [{ body = "drum", at = "-30 mm" }, "ground"], stiffness = "5e5 N/m" },
+    { kind = "damper", name = "air", between = ["drum", "ground"], damping = "30 N s/m" },
+    { kind = "damper", name = "inner", between = ["drum", "ground"], damping = "60 N s/m", axes = "rotating" },
+]
+"#;
+    let loaded = load(text).unwrap_or_else(|d| panic!("{d}"));
+    let system = &loaded.system;
+    let context = Context::quiet("slopes");
+    let speed = crate::model::field::RangeValue { from: 50.0, to: 2000.0, points: None };
+    let study = crate::study::critical_speeds::CriticalSpeeds { speed, orders: vec![1.0], margin: 0.15 };
+    let critical = crate::study::TypedStudy::result(&study, system, &context).unwrap().crossings[0].speed;
+    let map = crate::study::stability_map::StabilityMap {
+        speed: crate::model::field::RangeValue { from: 50.0, to: 3000.0, points: Some(200) },
+        parameter: None,
+        about: crate::study::support::About::Rest,
+        criterion: crate::study::criterion::Criterion::Growth,
+        threshold: 0.0,
+        frequency: None,
+    };
+    let limit = crate::study::TypedStudy::result(&map, system, &context).unwrap().rows[0].edges[0].speed;
+    for goal in [Goal::CriticalSpeed { order: 1.0, at: critical }, Goal::StabilityLimit { at: limit }] {
+        for path in ["drum.mass", "drum.polar_inertia", "upper.stiffness", "air.damping"] {
+            let own = system.param(path).expect("a parameter").to_vec();
+            let mut sought = goal.sought(&loaded, &context).unwrap_or_else(|d| panic!("{d}"));
+            let mark = sought.mark();
+            let exact = sought.of(system, std::slice::from_ref(&own), &context).unwrap().expect("a result").slopes[0];
+            let x = system.params()[own[0]];
+            let mut beside = |share: f64| {
+                sought.back(&mark);
+                let changed = system.with(&[(path, x * (1.0 + share))]).unwrap_or_else(|d| panic!("{d}"));
+                sought.of(&changed, &[], &context).unwrap().expect("a result").value
+            };
+            let h = 1e-5;
+            let slope = (beside(h) - beside(-h)) / (2.0 * h * x);
+            assert!((exact - slope).abs() * x < 1e-6 * critical, "{goal:?} {path}: {exact} instead of {slope}");
+        }
+    }
+}
+
+/// Of two jumps that lie close together the one that was pulled is moved, also past where the other was.
+#[test]
+fn a_jump_up_does_not_become_one_down() {
+    let text = r#"
+machine = { name = "separator", speed = "3000 rpm" }
+part = [
+    { kind = "disc", name = "drum", mass = "2.4 kg", eccentricity = "50 um" },
+    { kind = "foundation", name = "base", mass = "25 kg", stiffness = "3.26e5 N/m", damping = "6.59 N s/m" },
+    { kind = "bearing_cubic", name = "bearing", between = ["drum", "base"], law = "per_axis", stiffness = "1.1e7 N/m", cubic_stiffness = "8.7e10 N/m^3" },
+    { kind = "damper", name = "air", between = ["drum", "ground"], damping = "42 N s/m" },
+]
+study = [{ kind = "nonlinear_response", speed = { from = "25 rad/s", to = "5000 rad/s" } }]
+"#;
+    let folds = |text: &str| -> Vec<(f64, bool)> {
+        let loaded = load(text).unwrap_or_else(|d| panic!("{d}"));
+        let study = crate::study::nonlinear_response::NonlinearResponse::over(25.0, 5000.0);
+        let found = crate::study::TypedStudy::result(&study, &loaded.system, &Context::quiet("r")).unwrap();
+        found.response.branches.iter().flat_map(|b| b.folds.iter().map(|f| (f.speed, f.upper))).collect()
+    };
+    let before = folds(text);
+    let of = |all: &[(f64, bool)], up: bool| all.iter().filter(|f| f.1 == up).map(|f| f.0).fold(f64::NAN, f64::max);
+    for up in [true, false] {
+        let at = of(&before, up);
+        for wanted in [1.05 * at, 0.95 * at] {
+            let r = reached(text, &Goal::Jump { at }, wanted, &[free("bearing.stiffness", 4e6, 3e7)]);
+            assert!(r.reached, "{up} {wanted}: {r:?}");
+            let moved = text.replace("1.1e7 N/m", &format!("{:e} N/m", r.moved[0].to));
+            let after = of(&folds(&moved), up);
+            assert!((after - wanted).abs() < 1e-6 * wanted, "{up}: {after} instead of {wanted}");
+        }
+    }
+}

@@ -18,9 +18,11 @@ pub fn with_studies_not_run(mut page: Overview, studies: &[(&str, &str)]) -> Ove
         page.left_out.iter_mut().filter(|m| m.key == "left-linear").for_each(|m| m.key = "left-linear-modes".into());
     }
     for check in &mut page.checks {
-        let kinds: &[&str] = match check.result.key.as_str() {
-            "stability-needs-stationary" => &["stationary"],
-            "balls-no-study" => &["stationary", "transient"],
+        let kinds: &[&str] = match (check.result.key.as_str(), check.what.key.as_str()) {
+            ("stability-needs-stationary", _) => &["stationary"],
+            ("balls-no-study", _) => &["stationary", "transient"],
+            ("why-too-long", "check-stability" | "check-instability") => &["stability_map", "modes"],
+            ("why-too-long", "check-resonance") => &["critical_speeds", "campbell"],
             _ => continue,
         };
         if let Some(name) = own(kinds) {
