@@ -16,6 +16,9 @@ import { Answer, WANTS, Want } from "./types";
 /** Figures that are computed at a time beside the modes; the browser needs a core of its own. */
 const AT_ONCE = Math.min(3, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
 
+/** Time after which a figure of another text is dimmed, ms. */
+const LATE = 600;
+
 /** Checks of page one, as its table lists them. */
 export interface Check { what: string; result: string; verdict: string; state: string }
 
@@ -37,8 +40,10 @@ interface Panel {
   asked: string | null;
   figures: Figure[];
   last: Answer | null;
-  /** Text and speed of what is shown. */
+  /** Text and speed of what is shown, when it was drawn, and whether it is dimmed as that of another text. */
   of: string | null;
+  drawn: number;
+  late: boolean;
 }
 
 export class Panels {
@@ -47,6 +52,7 @@ export class Panels {
   /** Curves of pinned designs for a figure. */
   layers: (want: Want, figure: number) => Layer[] = () => [];
   pulled: Pulled | null = null;
+  private marking = 0;
 
   constructor(host: HTMLElement, private readonly studio: Studio) {
     const seen = new IntersectionObserver(entries => {
@@ -84,7 +90,7 @@ export class Panels {
     const box = make("section", { class: "panel", id: `panel-${want}`, "data-want": want, "aria-labelledby": `title-${want}` },
       make("h2", { id: `title-${want}` }, say(`want-${want}`), at, took), body);
     const panel: Panel = {
-      want, box, body, took, at, seen: false, part: 0, asked: null, figures: [], last: null, of: null, running: null, since: 0,
+      want, box, body, took, at, seen: false, part: 0, asked: null, figures: [], last: null, of: null, drawn: 0, late: false, running: null, since: 0,
     };
     return panel;
   }
@@ -128,8 +134,16 @@ export class Panels {
 
   /** What is shown belongs to another text than that of now: after a moment it is dimmed. */
   private mark(): void {
-    const key = this.key();
-    for (const p of this.panels.values()) p.box.classList.toggle("late", p.last !== null && p.of !== key);
+    const other = (p: Panel) => p.last !== null && p.of !== this.key();
+    for (const p of this.panels.values()) if (p.late && !other(p)) { p.late = false; p.box.classList.remove("late"); }
+    if (this.marking || ![...this.panels.values()].some(p => other(p) && !p.late)) return;
+    this.marking = window.setTimeout(() => {
+      this.marking = 0;
+      // figures that follow a drag are always a little behind
+      const before = performance.now() - LATE;
+      for (const p of this.panels.values()) if (other(p) && !p.late && p.drawn <= before) { p.late = true; p.box.classList.add("late"); }
+      this.mark();
+    }, LATE);
   }
 
   private async send(p: Panel): Promise<void> {
@@ -169,8 +183,8 @@ export class Panels {
     }
     p.last = a;
     p.of = this.key();
+    p.drawn = performance.now();
     p.box.classList.add("filled");
-    p.box.classList.remove("late");
     p.box.classList.remove("stale");
     p.took.textContent = a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`;
     this.draw(p, a);
