@@ -86,7 +86,11 @@ fn what_cannot_be_served_is_said() {
     let first = Studio::new(&dir, &["x.toml"]);
     let port = first.address.split([':', '/']).nth(4).unwrap().to_string();
     let said = dir.laval(["studio", "--no-browser", "--port", &port, "x.toml"]);
-    assert!(said.code == 1 && said.err.contains(&format!("port {port} cannot be used")) && said.err.contains("a free one is taken"), "{}", said.err);
+    assert!(
+        said.code == 1 && said.err.contains(&format!("port {port} cannot be used")) && said.err.contains("a free one is taken"),
+        "{}",
+        said.err
+    );
 }
 
 /// Ctrl-C ends it, also while a page looks at a run.

@@ -321,6 +321,30 @@ fill = { volume_fraction = "50 %" }
         assert_eq!(changed(&[("drum.mass", value(1.0)), ("drum.mass", value(2.0))]).unwrap_err().0[0].code, "edit.twice");
     }
 
+    /// Rows of a list that leave columns out, and ends of a range.
+    #[test]
+    fn sections_of_a_shaft_and_ranges_are_changed_at_their_place() {
+        let text = include_str!("../../../../examples/09-cream-separator/machine.toml");
+        let loaded = load(text).unwrap_or_else(|d| panic!("{d}"));
+        let all = numbers(text, &loaded.spec, &catalog());
+        let own = |path: &str| all.iter().find(|n| n.path == path).unwrap_or_else(|| panic!("{path}"));
+        assert!((own("spindle.section[2].outer_diameter").value - 0.028).abs() < 1e-15);
+        assert!(!all.iter().any(|n| n.path == "spindle.section[1].end_outer_diameter"), "the row leaves it out");
+        assert!(loaded.system.param("spindle.section[4].end_outer_diameter").is_some());
+        let wanted = [
+            ("spindle.section[4].end_outer_diameter", "26 mm"),
+            ("spindle.section[1].length", "41 mm"),
+            ("operation.speed.to", "8100 rpm"),
+        ];
+        let wanted: Vec<_> = wanted.iter().map(|(p, t)| (p.to_string(), Change::Written(t.to_string()))).collect();
+        let now = edited(text, &edits(text, &loaded.spec, &catalog(), &wanted).unwrap_or_else(|d| panic!("{d}")));
+        let expected = text
+            .replace("end_outer_diameter = \"24 mm\"", "end_outer_diameter = \"26 mm\"")
+            .replace("length = \"40 mm\",  outer", "length = \"41 mm\",  outer")
+            .replace("to = \"8000 rpm\"", "to = \"8100 rpm\"");
+        assert_eq!(now, expected);
+    }
+
     /// Every number of the example stands where its place says.
     #[test]
     fn places_hold_the_values() {

@@ -1,7 +1,7 @@
 //! The numbers of a machine file by path, with the place where each is written.
 //!
 //! Paths are those of the parameters of the machine (`drum.mass`, `bearing.stiffness.x`, `shaft.section[3].outer_diameter`), and beside them numbers that are no parameters
-//! of an assembled machine: `machine.speed`, and positions of attachments (`bearing.between[1].at`, `disc.on.at`).
+//! of an assembled machine: `machine.speed`, positions of attachments (`bearing.between[1].at`, `disc.on.at`) and ends of ranges (`operation.speed.from`).
 
 use super::tree::{Data, Entry, Node, from_table, get, too_deep};
 use super::{Block, Catalog, MACHINE_FIELDS, Spec};
@@ -126,6 +126,20 @@ fn deepest(node: &Node) -> Option<usize> {
     }
 }
 
+/// Where the numbers of a column are written, with their rows, from 0: columns of a table, or rows of a list that leave some out.
+fn cells<'a, 'n>(written: &'a Node<'n>, column: &str) -> Vec<(usize, &'a Node<'n>)> {
+    match &written.data {
+        Data::List(rows) => {
+            let cell = |row: &'a Node<'n>| Some(&get(row.table()?, column)?.node);
+            rows.iter().enumerate().filter_map(|(k, row)| Some((k, cell(row)?))).collect()
+        }
+        _ => match written.table().and_then(|t| get(t, column)).map(|e| &e.node.data) {
+            Some(Data::List(nodes)) => nodes.iter().enumerate().collect(),
+            _ => Vec::new(),
+        },
+    }
+}
+
 struct Reader<'a> {
     text: &'a str,
     table: &'a [Entry<'a>],
@@ -176,21 +190,29 @@ impl Reader<'_> {
                 }
             }
             (FieldKind::Columns(columns), Some(Value::Columns(values))) => {
-                let Some(table) = written.and_then(Node::table) else { return };
+                let Some(written) = written else { return };
                 let own = kind.lists.iter().find(|l| l.name == field.name);
                 for (column, unit, _, doc) in columns {
-                    let (Some(list), Some(numbers)) = (get(table, column).map(|e| &e.node), values.get(column)) else { continue };
-                    let Data::List(nodes) = &list.data else { continue };
+                    let (nodes, Some(numbers)) = (cells(written, column), values.get(column)) else { continue };
                     let slot = own.and_then(|l| l.slots.iter().find(|s| s.name == *column));
                     let bounds = slot.map_or(Bounds::within(f64::MAX), |s| s.bounds);
-                    if nodes.len() > MOST_ROWS {
+                    if numbers.len() > MOST_ROWS {
                         continue;
                     }
-                    for (k, (node, value)) in nodes.iter().zip(numbers).enumerate() {
+                    for (k, node) in nodes {
+                        let Some(value) = numbers.get(k).copied() else { continue };
                         let path = format!("{}.{}[{}].{column}", self.name, field.name, k + 1);
                         let span = node.span.clone();
-                        out.push(Number { path, unit, bounds, doc, value: *value, span, on: None, home: Home::Written });
+                        out.push(Number { path, unit, bounds, doc, value, span, on: None, home: Home::Written });
                     }
+                }
+            }
+            (FieldKind::Range { unit, bounds }, Some(Value::Range(range))) => {
+                let Some(table) = written.and_then(Node::table) else { return };
+                for (end, value) in [("from", range.from), ("to", range.to)] {
+                    let Some(span) = get(table, end).and_then(|e| e.node.span.clone()) else { continue };
+                    let path = format!("{}.{}.{end}", self.name, field.name);
+                    out.push(Number { path, unit, bounds, doc: field.doc, value, span: Some(span), on: None, home: Home::Written });
                 }
             }
             (FieldKind::List { .. }, Some(Value::List(values))) => {

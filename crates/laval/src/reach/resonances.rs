@@ -51,9 +51,8 @@ impl Sought for Resonance {
 
     fn of(&mut self, system: &System, parameters: &[Vec<usize>], context: &Context) -> Result<Option<Valued>, Diagnostic> {
         let probes = system.probes();
-        let named: Vec<usize> = (0..probes.len())
-            .filter(|&k| self.body.as_ref().map_or(!probes[k].is_tilt(), |b| probe_name(&probes[k]) == *b))
-            .collect();
+        let named: Vec<usize> =
+            (0..probes.len()).filter(|&k| self.body.as_ref().map_or(!probes[k].is_tilt(), |b| probe_name(&probes[k]) == *b)).collect();
         let own: Vec<_> = named.iter().map(|&k| probes[k].clone()).collect();
         let range = RangeValue { from: (1.0 - ABOUT) * self.at, to: (1.0 + ABOUT) * self.at, points: Some(SPEEDS) };
         let (low, high) = (range.from.min(range.to), range.from.max(range.to));

@@ -27,7 +27,8 @@ fn worst(bearing: &str, base: &str) -> (f64, Symmetry) {
     let (mut worst, mut symmetry, mut compared) = (0.0f64, Symmetry::None, 0);
     for branch in result.response.branches.iter().filter(|b| b.turns() == 1) {
         symmetry = branch.discretisation.whole().symmetry;
-        let mut balance = Balance::new(system, branch.discretisation.whole(), study.request().speeds, None).unwrap_or_else(|d| panic!("{d}"));
+        let mut balance =
+            Balance::new(system, branch.discretisation.whole(), study.request().speeds, None).unwrap_or_else(|d| panic!("{d}"));
         for p in branch.points.iter().step_by(7) {
             let orbit = Orbit::of(&mut balance, &p.x, p.speed).expect("a motion");
             for slot in Measure::forces(system) {
@@ -56,4 +57,39 @@ fn symmetries_spare_samples_and_change_nothing() {
         assert_eq!(symmetry, expected, "{bearing} {base}");
         assert!(worst < 1e-10, "{bearing} {base}: {worst:e}");
     }
+}
+
+/// Sizes of a motion without symmetry, which half of a period does not hold.
+#[test]
+fn a_motion_without_symmetry_is_measured_over_the_whole_period() {
+    let text = r#"
+        machine = { speed = "300 rad/s", axis = "horizontal" }
+        part = [
+            { kind = "disc", name = "drum", mass = "2.4 kg", eccentricity = "50 um" },
+            { kind = "bearing_cubic", name = "bearing", between = ["drum", "ground"], law = "isotropic", stiffness = "4e5 N/m", cubic_stiffness = "8e13 N/m^3" },
+            { kind = "damper", name = "losses", between = ["drum", "ground"], damping = "42 N s/m" },
+        ]"#;
+    let loaded = common::files::load(text);
+    let system = &loaded.system;
+    let study = NonlinearResponse::over(100.0, 900.0);
+    let result = study.result(system, &Context::quiet("response")).unwrap_or_else(|d| panic!("{d}"));
+    let outcome = study.outcome(system, &result, "response").unwrap_or_else(|d| panic!("{d}"));
+    let table = outcome.find_table("response").expect("a response");
+    let column = table.columns().iter().find(|c| c.name == "drum largest displacement").expect("its size");
+    let laval::outcome::Data::Float(sizes) = &column.data else { panic!("numbers") };
+    let (mut row, mut asymmetric) = (0, 0);
+    for branch in &result.response.branches {
+        assert_eq!(branch.discretisation.whole().symmetry, Symmetry::None);
+        let mut balance =
+            Balance::new(system, branch.discretisation.whole(), study.request().speeds, None).unwrap_or_else(|d| panic!("{d}"));
+        for p in &branch.points {
+            let orbit = Orbit::of(&mut balance, &p.x, p.speed).expect("a motion");
+            let (size, at) = Measure::Probe(0).largest(system, &orbit, branch.turns());
+            // of the vertex of a parabola through samples
+            assert!((sizes[row] / size - 1.0).abs() < 2e-3, "{}: {} instead of {size}", p.speed, sizes[row]);
+            asymmetric += usize::from(at.rem_euclid(std::f64::consts::TAU) > std::f64::consts::PI);
+            row += 1;
+        }
+    }
+    assert!(asymmetric > 20, "{asymmetric} of {row}");
 }

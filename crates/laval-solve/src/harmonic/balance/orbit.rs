@@ -113,13 +113,7 @@ impl Orbit {
     }
 
     /// The same where every order stands at an angle, given as `e^(i angle)`.
-    pub fn some_turned(
-        &self,
-        coordinates: &[usize],
-        states: Range<usize>,
-        turned: impl Fn(usize) -> C64,
-        [q, v, a, z]: [&mut [f64]; 4],
-    ) {
+    pub fn some_turned(&self, coordinates: &[usize], states: Range<usize>, turned: impl Fn(usize) -> C64, [q, v, a, z]: [&mut [f64]; 4]) {
         for x in [&mut *q, &mut *v, &mut *a, &mut *z] {
             x.fill(0.0);
         }
