@@ -223,4 +223,3 @@ fn a_jump_up_does_not_become_one_down() {
         }
     }
 }
-
