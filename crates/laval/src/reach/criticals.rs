@@ -32,11 +32,18 @@ const SPEEDS: usize = 24;
 /// Farthest that Newton's method may lead from where the critical speed was, over the speed.
 const FAR: f64 = 0.35;
 
-fn near(system: &System, order: f64, at: f64, about: f64, context: &Context) -> Result<Option<Critical>, Diagnostic> {
+fn near(
+    system: &System,
+    (order, at): (f64, f64),
+    about: f64,
+    sector: Option<Sector>,
+    context: &Context,
+) -> Result<Option<Critical>, Diagnostic> {
     let speed = RangeValue { from: (1.0 - about) * at, to: (1.0 + about) * at, points: Some(SPEEDS) };
     let study = CriticalSpeeds { speed, orders: vec![order], margin: 0.15 };
     let found = study.result(system, context)?;
-    let all = found.crossings.into_iter().filter(Critical::located);
+    // where one was lost, one that whirls the other way is none in its place
+    let all = found.crossings.into_iter().filter(|c| c.located() && (sector.is_none() || c.sector == sector));
     Ok(all.min_by(|a, b| (a.speed - at).abs().total_cmp(&(b.speed - at).abs())))
 }
 
@@ -45,9 +52,10 @@ impl CriticalSpeed {
         if !(order > 0.0 && at.is_finite() && at != 0.0) {
             return Err(Diagnostic::error("reach.goal", text!("a critical speed has an order above 0 and a speed")));
         }
-        let found = match near(system, order, at, CLOSE, context)? {
+        // of two that lie close together a coarse search may see one alone
+        let found = match near(system, (order, at), CLOSE, None, context)? {
             Some(found) => Some(found),
-            None => near(system, order, at, ABOUT, context)?,
+            None => near(system, (order, at), ABOUT, None, context)?,
         };
         let found = found.ok_or_else(|| {
             Diagnostic::error("reach.goal", text!("there is no such critical speed near {at}", at = text::quantity(at, "rad/s")))
@@ -69,7 +77,9 @@ impl Sought for CriticalSpeed {
         let state = over_speed(system);
         let own = crossing(system, &state, self.order, self.speed, self.growth, self.sector);
         let own = own.filter(|l| (l.speed - self.speed).abs() <= FAR * self.speed.abs()).map(|l| (l.speed, l.value.re, self.sector));
-        let other = || Ok::<_, Diagnostic>(near(system, self.order, self.speed, ABOUT, context)?.map(|c| (c.speed, c.growth, c.sector)));
+        let other = || {
+            Ok::<_, Diagnostic>(near(system, (self.order, self.speed), ABOUT, self.sector, context)?.map(|c| (c.speed, c.growth, c.sector)))
+        };
         let Some((speed, growth, sector)) = own.map_or_else(other, |o| Ok(Some(o)))? else { return Ok(None) };
         let s = c(growth, self.order * speed);
         let by_speed = value_and_slope(system, &state, speed, s, sector).map(|v| v.1.im);

@@ -223,3 +223,18 @@ fn a_jump_up_does_not_become_one_down() {
         }
     }
 }
+
+/// There and back again: a critical speed that was moved is found where it was moved to, beside that of the other direction of whirl.
+#[test]
+fn a_critical_speed_is_moved_back_to_where_it_was() {
+    let text = include_str!("../../../../examples/01-oil-separator/machine.toml");
+    let rpm = std::f64::consts::PI / 30.0;
+    let range = [free("bearing.stiffness", 3e6, 4e7)];
+    for there in [23500.0, 25200.0] {
+        let r = reached(text, &Goal::CriticalSpeed { order: 1.0, at: 18774.0 * rpm }, there * rpm, &range);
+        assert!(r.reached, "{r:?}");
+        let moved = text.replace("stiffness = \"1.1e7 N/m\"", &format!("stiffness = \"{:e} N/m\"", r.moved[0].to));
+        let back = reached(&moved, &Goal::CriticalSpeed { order: 1.0, at: there * rpm }, r.from, &range);
+        assert!(back.reached && (back.moved[0].to / 1.1e7 - 1.0).abs() < 1e-6, "{there}: {back:?}");
+    }
+}
