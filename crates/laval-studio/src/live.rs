@@ -34,7 +34,7 @@ struct Received {
 /// A line of an answer, or its end.
 type Line = (i64, Option<String>);
 
-/// Serves one page until it closes the connection; what is computed for it then ends.
+/// Serves one page until it closes the connection; its computations then end.
 pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
     let (sender, mut lines) = unbounded_channel::<Line>();
     let mut open: HashMap<i64, Abandon> = HashMap::new();
@@ -61,7 +61,7 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
                 _ => return,
             },
             Some((serial, line)) = lines.recv() => match line {
-                // of what is no longer wanted nothing is sent
+                // lines of cancelled answers are not sent
                 Some(line) if open.contains_key(&serial) => {
                     if socket.send(Message::Text(Utf8Bytes::from(line))).await.is_err() {
                         return;

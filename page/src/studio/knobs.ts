@@ -13,7 +13,7 @@ const UP = AWAY.filter(n => n >= 0);
 
 /**
  * Moves knobs along their guide lines until each can be grasped: speeds up from the axis, sizes to the sides of the curve. Where a line is full they stand beside it.
- * Speeds come first, since their place on the axis is the one that is looked for.
+ * Speeds come first, since they belong on the axis.
  */
 export function staggered(wanted: Knob[], area: Area): { x: number; y: number }[] {
   const placed: { x: number; y: number }[] = [], out: { x: number; y: number }[] = new Array(wanted.length);

@@ -112,8 +112,8 @@ export class Panels {
   }
 
   /**
-   * Sends what is wanted: modes at once, of the others only as many as the processor answers beside them, the one that waits longest first, of those that wait alike the
-   * one of which most is seen.
+   * Sends requests: modes at once, of the other figures only as many as the processor answers beside them. The one that waits longest comes first; of those that have waited
+   * equally long, the one of which the largest part is visible.
    * What runs too long for a text that is no more is abandoned.
    */
   private pump(): void {

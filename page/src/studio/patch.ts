@@ -1,4 +1,4 @@
-// Changes what is drawn to another drawing of the same structure: what is alike is not laid out anew.
+// Changes a drawing into another one of the same structure; equal parts are not laid out again.
 
 const alike = (a: Node, b: Node): boolean =>
   a.nodeName === b.nodeName && a.childNodes.length === b.childNodes.length && [...a.childNodes].every((c, i) => alike(c, b.childNodes[i]));

@@ -42,7 +42,7 @@ export class Reach implements Pulled {
     this.host.replaceChildren(make("p", { class: "hint" }, n ? say("pull-help", { count: n }) : say("release-first")));
   }
 
-  /** The text is another one: what is said of the one before goes. */
+  /** After a change of the text: removes the message about the text before it. */
   private outlived(): void {
     if (this.applying || this.holds === null || this.holds === this.studio.text || !this.lane.idle) return;
     // a value that is being written stays

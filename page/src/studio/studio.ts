@@ -32,7 +32,7 @@ export class Studio {
   reachable = true;
   /** The text that the editor is about to show, after a change whose figures are drawn first. */
   coming: string | null = null;
-  /** Set by the page: figures of the coming text can be asked for. */
+  /** Set by the page: requests the figures of the coming text. */
   onComing: () => void = () => {};
   /** The text whose modes are on their way already. */
   promised: string | null = null;
@@ -47,7 +47,7 @@ export class Studio {
   private readonly onStatus: Listener[] = [];
   private readonly checks: Lane<string>;
   private readonly edits: Lane<null>;
-  /** Values that were asked for and are not in the text yet, by path. */
+  /** Requested values that are not in the text yet, by path. */
   private readonly waiting = new Map<string, Set>();
   private sent: Set[] = [];
   /** Set by the page: values that the program refused, and why. */

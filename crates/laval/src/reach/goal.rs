@@ -19,6 +19,17 @@ pub enum Of {
     Size,
 }
 
+impl Of {
+    /// SI unit.
+    pub(super) fn unit(self, tilt: bool) -> &'static str {
+        match self {
+            Of::Speed => "rad/s",
+            Of::Size if tilt => "rad",
+            Of::Size => "m",
+        }
+    }
+}
+
 /// A result of a machine, by what it is and where it is now.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Goal {
@@ -43,7 +54,7 @@ pub enum Goal {
         /// What is moved.
         of: Of,
     },
-    /// The peak of the linear response next to this speed, rad/s: what is not linear enters by its tangent at rest.
+    /// The peak of the linear response next to this speed, rad/s; nonlinear parts enter by their tangent at rest.
     Resonance {
         /// Where it is.
         at: f64,

@@ -42,11 +42,7 @@ impl Placed {
 
 impl Sought for Placed {
     fn unit(&self) -> &'static str {
-        match self.of {
-            Of::Speed => "rad/s",
-            Of::Size if self.tilt => "rad",
-            Of::Size => "m",
-        }
+        self.of.unit(self.tilt)
     }
 
     fn quick(&self) -> bool {

@@ -3,8 +3,10 @@
 use super::goal::{Of, Sought, Valued};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::solve::extrema::{curve, seeds};
+use crate::solve::pencil::time_forms;
 use crate::solve::rest::over_speed;
 use crate::study::Context;
 use crate::study::support::probe_name;
@@ -34,11 +36,7 @@ impl Resonance {
 
 impl Sought for Resonance {
     fn unit(&self) -> &'static str {
-        match self.of {
-            Of::Speed => "rad/s",
-            Of::Size if self.tilt => "rad",
-            Of::Size => "m",
-        }
+        self.of.unit(self.tilt)
     }
 
     fn quick(&self) -> bool {
@@ -50,17 +48,15 @@ impl Sought for Resonance {
     }
 
     fn of(&mut self, system: &System, parameters: &[Vec<usize>], context: &Context) -> Result<Option<Valued>, Diagnostic> {
-        let probes = system.probes();
-        let named: Vec<usize> =
-            (0..probes.len()).filter(|&k| self.body.as_ref().map_or(!probes[k].is_tilt(), |b| probe_name(&probes[k]) == *b)).collect();
-        let own: Vec<_> = named.iter().map(|&k| probes[k].clone()).collect();
-        let range = RangeValue { from: (1.0 - ABOUT) * self.at, to: (1.0 + ABOUT) * self.at, points: Some(SPEEDS) };
-        let (low, high) = (range.from.min(range.to), range.from.max(range.to));
+        let named = |p: &&Probe| self.body.as_ref().map_or(!p.is_tilt(), |b| probe_name(p) == *b);
+        let own: Vec<Probe> = system.probes().iter().filter(named).cloned().collect();
+        let ends = [(1.0 - ABOUT) * self.at, (1.0 + ABOUT) * self.at];
+        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let state = over_speed(system);
         let mut each = |_| !context.cancelled();
-        let mut speeds = RangeValue { from: low, to: high, ..range }.linspace(SPEEDS);
+        let mut speeds = RangeValue { from: low, to: high, points: Some(SPEEDS) }.linspace(SPEEDS);
         // without a time form no eigenvalue says where a narrow peak hides
-        if crate::solve::pencil::time_forms(system).is_ok() {
+        if time_forms(system).is_ok() {
             speeds.extend(seeds(system, &state, low, high, &mut each)?.speeds);
         }
         let found = curve(system, &state, speeds, &own, &mut each)?;

@@ -93,7 +93,7 @@ impl Measure {
         Track::new(self, system, orbit, turns).at(tau)
     }
 
-    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. A motion of some symmetry takes as many instants as are not images of others.
+    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. Of a symmetric motion only part of the period is sampled.
     pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> [C64; 2] {
         let count = turns * SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1).div_ceil(turns));
         // after half a turn both components have changed their signs, and so has the wave they are compared with; after a quarter y is what x was, and the motion turns forward
@@ -283,7 +283,7 @@ impl<'a> Track<'a> {
         }
     }
 
-    /// The force of a part at what was read of the motion.
+    /// The force of a part at the instant that was read.
     fn force(&mut self, slot: usize, phase: f64) -> [f64; 2] {
         let now = Instant { q: &self.q, v: &self.v, a: &self.a, z: &self.z, phase, speed: self.orbit.speed };
         self.local.force(&self.system.slots()[slot], &self.map, self.system.params(), &now)
