@@ -2,6 +2,7 @@
 
 use crate::analytic::Analytic;
 use crate::complex::{Complex, c};
+use crate::lanes::LaneScalar;
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -120,6 +121,33 @@ impl<T: Scalar, const N: usize> DivAssign for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
+    type Base = T::Base;
+    type Over<L: LaneScalar> = Dual<T::Over<L>, N>;
+    const SPREADS: bool = T::SPREADS && N <= 2;
+    #[inline(always)]
+    fn base(self) -> T::Base {
+        self.re.base()
+    }
+    #[inline(always)]
+    fn constant(x: T::Base) -> Self {
+        Self::lift(T::constant(x))
+    }
+    #[inline(always)]
+    fn spread<L: LaneScalar>(self) -> Dual<T::Over<L>, N> {
+        let mut out = Dual::lift(self.re.spread::<L>());
+        for i in 0..N {
+            out.eps[i] = self.eps[i].spread::<L>();
+        }
+        out
+    }
+    #[inline(always)]
+    fn lane<L: LaneScalar>(of: Dual<T::Over<L>, N>, lane: usize) -> Self {
+        let mut out = Self::lift(T::lane::<L>(of.re, lane));
+        for i in 0..N {
+            out.eps[i] = T::lane::<L>(of.eps[i], lane);
+        }
+        out
+    }
     #[inline(always)]
     fn cst(x: f64) -> Self {
         Self::lift(T::cst(x))
@@ -186,18 +214,21 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     fn value(self) -> f64 {
         self.re.value()
     }
+    #[inline(always)]
     fn analytic<const M: usize, F: Analytic<M>>(z: Complex<Self>) -> [Complex<Self>; M] {
         let at = c(z.re.re, z.im.re);
         let value = T::analytic::<M, F>(at);
         let slope = F::slope(at, &value);
-        std::array::from_fn(|m| {
-            let mut f = c(Self::lift(value[m].re), Self::lift(value[m].im));
+        let mut out = [Complex::zero(); M];
+        for m in 0..M {
+            let mut f: Complex<Self> = c(Self::lift(value[m].re), Self::lift(value[m].im));
             for i in 0..N {
                 let d = slope[m] * c(z.re.eps[i], z.im.eps[i]);
                 (f.re.eps[i], f.im.eps[i]) = (d.re, d.im);
             }
-            f
-        })
+            out[m] = f;
+        }
+        out
     }
     #[inline(always)]
     fn scale(mut self, k: f64) -> Self {

@@ -6,6 +6,7 @@
 
 use crate::analytic::Analytic;
 use crate::complex::Complex;
+use crate::lanes::LaneScalar;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -29,6 +30,20 @@ pub trait Scalar:
     + MulAssign
     + DivAssign
 {
+    /// What carries no derivatives: `f64`, or lanes of it.
+    type Base: Scalar<Base = Self::Base>;
+    /// The same number with lanes in the place of `f64`; of a number that is in lanes already, those lanes alone.
+    type Over<L: LaneScalar>: Scalar<Base = L>;
+    /// It pays to evaluate a formula for several arguments in lanes: few derivatives, and no lanes yet.
+    const SPREADS: bool;
+    /// The number without its derivatives.
+    fn base(self) -> Self::Base;
+    /// The constant `x` (all derivatives zero), each lane its own.
+    fn constant(x: Self::Base) -> Self;
+    /// The same number in every lane; not a number where it is in lanes already.
+    fn spread<L: LaneScalar>(self) -> Self::Over<L>;
+    /// The number in a lane.
+    fn lane<L: LaneScalar>(of: Self::Over<L>, lane: usize) -> Self;
     /// The constant `x` (all derivatives zero, the same in every lane).
     fn cst(x: f64) -> Self;
     /// `sin` and `cos` in radians.
@@ -107,6 +122,25 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
+    type Base = f64;
+    type Over<L: LaneScalar> = L;
+    const SPREADS: bool = true;
+    #[inline(always)]
+    fn base(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn constant(x: f64) -> f64 {
+        x
+    }
+    #[inline(always)]
+    fn spread<L: LaneScalar>(self) -> L {
+        L::cst(self)
+    }
+    #[inline(always)]
+    fn lane<L: LaneScalar>(of: L, lane: usize) -> f64 {
+        of.get(lane)
+    }
     #[inline(always)]
     fn is_nothing(self) -> bool {
         self == 0.0

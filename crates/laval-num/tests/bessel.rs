@@ -3,11 +3,16 @@
 use laval_num::bessel::{Bessel, bessel, excess};
 use laval_num::complex::{C64, c};
 use laval_num::dual::Dual;
+use laval_num::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
+use laval_num::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
 
 /// Points over the half plane: sizes from 1e-3 to 1e4, arguments to the imaginary axis, on both sides of each change of method.
 fn points() -> Vec<C64> {
-    let sizes = [1e-3, 0.03, 0.4, 1.2, 1.24, 1.26, 2.0, 2.49, 2.51, 4.0, 7.0, 13.0, 24.9, 25.1, 60.0, 1e3, 1e4];
+    let sizes = [
+        1e-3, 0.03, 0.4, 0.74, 0.76, 1.2, 1.24, 1.49, 1.51, 2.0, 4.0, 4.14, 4.16, 7.0, 8.29, 8.31, 7.0, 13.0, 24.9, 25.1, 31.9, 59.9, 60.0,
+        199.0, 1e3, 1e4,
+    ];
     let angles = [-1.0, -0.98, -0.6, -0.2, 0.0, 0.05, 0.4, 0.8, 0.999, 1.0];
     let at = |size: f64, a: f64| if f64::abs(a) == 1.0 { c(0.0, a * size) } else { C64::cis(0.5 * PI * a).scale(size) };
     sizes.iter().flat_map(|&s| angles.iter().map(move |&a| at(s, a))).collect()
@@ -21,18 +26,27 @@ fn error(is: C64, should: C64, z: C64) -> f64 {
 
 #[test]
 fn digits_of_a_slower_arithmetic() {
-    let mut seen = 0;
-    for line in include_str!("data/bessel.csv").lines().filter(|l| !l.starts_with(['#', 'z'])) {
-        let x: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
-        let z = c(x[0], x[1]);
-        let b = bessel(z);
-        for (n, f) in b.i.into_iter().chain(b.k).enumerate() {
-            let e = error(f, c(x[2 + 2 * n], x[3 + 2 * n]), z);
-            assert!(e < 2e-14, "function {n} at {z:?}: {e:e}");
+    let rows: Vec<Vec<f64>> = include_str!("data/bessel.csv")
+        .lines()
+        .filter(|l| !l.starts_with(['#', 'z']))
+        .map(|line| line.split(',').map(|x| x.parse().unwrap()).collect())
+        .collect();
+    assert!(rows.len() > 150);
+    for group in rows.chunks(LANES) {
+        let at = |l: usize| &group[l % group.len()];
+        let lanes = dispatch(Level::best(), InLanes(std::array::from_fn(|l| at(l)[0]), std::array::from_fn(|l| at(l)[1])));
+        for (l, x) in group.iter().enumerate() {
+            let z = c(x[0], x[1]);
+            let b = bessel(z);
+            for (n, f) in b.i.into_iter().chain(b.k).enumerate() {
+                let should = c(x[2 + 2 * n], x[3 + 2 * n]);
+                for found in [f, c(lanes[n][0][l], lanes[n][1][l])] {
+                    let e = error(found, should, z);
+                    assert!(e < 2e-14, "function {n} at {z:?}: {e:e}");
+                }
+            }
         }
-        seen += 1;
     }
-    assert!(seen > 150);
 }
 
 /// `I_n K_(n+1) + I_(n+1) K_n = 1/z`, and the recurrences to order 2.
@@ -125,5 +139,46 @@ fn excess_over_the_limit_at_zero() {
 fn nothing_where_nothing_is_promised() {
     for z in [c(0.0, 0.0), c(-1e-9, 1.0), c(f64::NAN, 1.0), c(1.0, f64::NAN)] {
         assert!(bessel(z).i[0].re.is_nan() && bessel(z).k[1].im.is_nan(), "{z:?}");
+    }
+}
+
+struct InLanes([f64; LANES], [f64; LANES]);
+
+impl Kernel for InLanes {
+    type Out = Vec<[[f64; LANES]; 4]>;
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) -> Self::Out {
+        let z = c(Dual::<S, 1>::seed(S::load(&self.0), 0), Dual::<S, 1>::lift(S::load(&self.1)));
+        let b = bessel(z);
+        let arrays = |f: laval_num::complex::Complex<Dual<S, 1>>| [f.re.re, f.im.re, f.re.eps[0], f.im.eps[0]].map(S::to_array);
+        b.i.into_iter().chain(b.k).map(arrays).collect()
+    }
+}
+
+/// Lanes hold the functions of their arguments and the derivatives, at every level and by whatever ways: all far, all in the middle, mixed; the same bits at all levels.
+#[test]
+fn lanes_are_their_arguments_one_by_one() {
+    type D = Dual<f64, 1>;
+    let all = points();
+    let middle = points().into_iter().filter(|z| z.abs() > 1.5 && z.abs() < 60.0).collect::<Vec<C64>>();
+    let far = points().into_iter().filter(|z| z.abs() > 25.0).collect::<Vec<C64>>();
+    for group in all.chunks(LANES).chain(middle.chunks(LANES)).chain(far.chunks(LANES)) {
+        let at = |l: usize| group[l % group.len()];
+        let (re, im): ([f64; LANES], [f64; LANES]) = (std::array::from_fn(|l| at(l).re), std::array::from_fn(|l| at(l).im));
+        let best = dispatch(Level::best(), InLanes(re, im));
+        for level in Level::supported() {
+            let found = dispatch(level, InLanes(re, im));
+            let bits = |f: &[[[f64; LANES]; 4]]| f.iter().flatten().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(&found), bits(&best));
+            for l in 0..LANES {
+                let Bessel { i, k } = bessel(c(D::seed(re[l], 0), D::cst(im[l])));
+                for (f, lanes) in i.into_iter().chain(k).zip(&found) {
+                    let [value, slope] = [c(f.re.re, f.im.re), c(f.re.eps[0], f.im.eps[0])];
+                    let z = at(l);
+                    assert!(error(c(lanes[0][l], lanes[1][l]), value, z) < 2e-14, "{z:?} {level:?}");
+                    assert!((c(lanes[2][l], lanes[3][l]) - slope).abs() < 1e-13 * (slope.abs() + value.abs()), "{z:?} {level:?}");
+                }
+            }
+        }
     }
 }

@@ -13,17 +13,19 @@
 //!
 //! Theory: `docs/theory/liquid-in-three-dimensions.md#axial-harmonics`.
 
-use super::sum::over_odd;
+use super::sum::{Series, SideBySide, Term, over_odd, side_by_side, size, spread};
 use super::{Cavity, Tilt};
 use laval_num::analytic::{exp, sqrt, value};
 use laval_num::bessel::{Bessel, bessel, excess, excess_k};
 use laval_num::complex::{C64, Complex};
-use laval_num::dense::Field;
+use laval_num::lanes::LaneScalar;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 
 /// Below this |lambda R| the unknown of a harmonic is `P - g r`.
 const NEAR: f64 = 2.0;
+/// Beyond so many times that rounding does not decide which unknown it is.
+const SURELY: f64 = 1.0 + 1e-9;
 /// Relative distance from `sigma = 0, +-2 W` that is rounding of a multiple of the speed.
 const CLOSE: f64 = 16.0 * f64::EPSILON;
 /// Relative rounding error of a harmonic whose equations do not cancel.
@@ -48,6 +50,7 @@ impl Truncation {
 }
 
 /// What all harmonics at one frequency share.
+#[derive(Clone, Copy)]
 struct Flow<S> {
     cavity: Cavity<S>,
     speed: S,
@@ -95,18 +98,18 @@ impl<S: Scalar> Cavity<S> {
         }
         if close(value(flow.more)) {
             let (sum, rounding) = if whole { flow.backward_sum() } else { flow.listed(truncation, Flow::backward) };
-            return finish(sum, 0, rounding);
+            return finish(sum, 0, rounding.value());
         }
         if close(value(flow.less)) {
             let (sum, rounding) = if whole { flow.forward_sum() } else { flow.listed(truncation, Flow::forward) };
-            return finish(sum, 0, rounding);
+            return finish(sum, 0, rounding.value());
         }
         if let Truncation::At(last) = truncation {
-            let (sum, rounding) = flow.listed(truncation, Flow::harmonic);
-            return finish(sum, last.div_ceil(2), rounding);
+            let (sum, rounding) = flow.listed(truncation, Flow::single);
+            return finish(sum, last.div_ceil(2), rounding.value());
         }
         if s.im == 0.0 && s.re.abs() < 2.0 * o.abs() {
-            let (sum, _) = flow.listed(Truncation::At(199), Flow::harmonic);
+            let (sum, _) = flow.listed(Truncation::At(199), Flow::single);
             return finish(sum, 100, f64::INFINITY);
         }
         let (height, layer) = (self.height.value(), self.radius.value() - self.free.value());
@@ -115,7 +118,7 @@ impl<S: Scalar> Cavity<S> {
         let free = self.free.value();
         let wave = if free > 0.0 && o != 0.0 { height * s.norm_sqr() * root / (PI * o * o * free) } else { 0.0 };
         let deep = height / (PI * layer * root);
-        let total = over_odd(2.0 * wave, deep, truncation.share(), |k| flow.harmonic(k));
+        let total = over_odd(2.0 * wave, deep, truncation.share(), &flow);
         finish(total.value, total.harmonics, total.error)
     }
 }
@@ -168,27 +171,30 @@ impl<S: Scalar> Flow<S> {
     }
 
     /// Terms up to the last harmonic, and the sum of their rounding errors.
-    fn listed(&self, truncation: Truncation, term: impl Fn(&Self, f64) -> (Complex<S>, f64)) -> (Complex<S>, f64) {
-        let Truncation::At(last) = truncation else { return (Complex::zero(), 0.0) };
-        let (mut sum, mut rounding) = (Complex::zero(), 0.0);
+    fn listed(&self, truncation: Truncation, term: impl Fn(&Self, S::Base) -> (Complex<S>, S::Base)) -> (Complex<S>, S::Base) {
+        let (mut sum, mut rounding) = (Complex::zero(), S::Base::zero());
+        let Truncation::At(last) = truncation else { return (sum, rounding) };
         for k in (1..=last).step_by(2) {
-            let (t, doubt) = term(self, k as f64);
+            let (t, doubt) = term(self, S::Base::cst(k as f64));
             sum += t;
             rounding += doubt;
         }
         (sum, rounding)
     }
 
-    fn wave_number(&self, k: f64) -> S {
-        S::cst(PI * k) / self.cavity.height
+    #[inline(always)]
+    fn wave_number(&self, k: S::Base) -> S {
+        S::constant(k.scale(PI)) / self.cavity.height
     }
-    fn forcing(&self, k: f64) -> (Complex<S>, Complex<S>) {
-        let scale = S::cst((PI * k).powi(-2));
+    #[inline(always)]
+    fn forcing(&self, k: S::Base) -> (Complex<S>, Complex<S>) {
+        let scale = S::constant(S::Base::one() / k.scale(PI).square());
         (self.g.scale(scale), self.h.scale(scale))
     }
     /// The share of harmonic k of the bracket and its rounding error, from its pressure at the wall, the integral of `P r^2`, and how far the equations
     /// for its pressure cancel.
-    fn share(&self, wave_number: S, wall: Complex<S>, volume: Complex<S>, cancel: f64) -> (Complex<S>, f64) {
+    #[inline(always)]
+    fn share(&self, wave_number: S, wall: Complex<S>, volume: Complex<S>, cancel: S::Base) -> (Complex<S>, S::Base) {
         let (value, rounding) = self.bracket(wall.scale(self.cavity.radius / wave_number.square()), volume);
         (value, cancel * rounding)
     }
@@ -198,10 +204,35 @@ impl<S: Scalar> Flow<S> {
         (r2 * r2 - s2 * s2).scale(0.25)
     }
 
+    /// The same flow in lanes.
+    #[inline(always)]
+    fn spread<L: LaneScalar>(&self) -> Flow<S::Over<L>> {
+        let z = spread::<S, L>;
+        Flow {
+            cavity: self.cavity.spread::<L>(),
+            speed: self.speed.spread::<L>(),
+            sigma: z(self.sigma),
+            less: z(self.less),
+            more: z(self.more),
+            deficit: z(self.deficit),
+            root: z(self.root),
+            g: z(self.g),
+            h: z(self.h),
+        }
+    }
+
+    /// The share of harmonic k, away from `sigma = 0, +-2 W`.
+    fn single(&self, k: S::Base) -> (Complex<S>, S::Base) {
+        let x = self.root.scale(self.wave_number(k) * self.cavity.radius);
+        self.harmonic(k, value(x).norm_sqr() < NEAR * NEAR)
+    }
+
     /// Operators of the wall, `-sigma P' + 2 W P/r`, on I1 and on K1, as pairs whose sum they are.
+    #[inline(always)]
     fn inner(&self, lambda: Complex<S>, b: &Bessel<S>, back: S) -> [Complex<S>; 2] {
         [self.less * b.i[1].scale(back), -(self.sigma * lambda * b.i[2])]
     }
+    #[inline(always)]
     fn outer(&self, lambda: Complex<S>, b: &Bessel<S>, back: S) -> [Complex<S>; 2] {
         [self.more * b.k[1].scale(back), self.sigma * lambda * b.k[0]]
     }
@@ -210,7 +241,7 @@ impl<S: Scalar> Flow<S> {
     /// analytic but at `sigma = 0`, and zero where the liquid moves in a cavity at rest.
     fn determinant(&self, k: f64) -> Complex<S> {
         let Flow { cavity: Cavity { radius, free, .. }, speed, sigma, less, more, .. } = *self;
-        let lambda = self.root.scale(self.wave_number(k));
+        let lambda = self.root.scale(self.wave_number(S::Base::cst(k)));
         let (x, x0) = (lambda.scale(radius), lambda.scale(free));
         let turn = |x: Complex<S>| Complex::cis(x.im).scale((x.re - S::cst(x.re.value())).exp());
         let total = |t: [Complex<S>; 2]| t[0] + t[1];
@@ -232,57 +263,53 @@ impl<S: Scalar> Flow<S> {
         (wall[0] * surface[1] - wall[1] * surface[0]) * turn(x - x0) / (less * more)
     }
 
-    /// The share of harmonic k, away from `sigma = 0, +-2 W`.
-    fn harmonic(&self, k: f64) -> (Complex<S>, f64) {
+    /// The same; `near` where the unknown is `P - g r`.
+    #[inline(always)]
+    fn harmonic(&self, k: S::Base, near: bool) -> (Complex<S>, S::Base) {
         let Flow { cavity: Cavity { radius, free, .. }, speed, sigma, less, .. } = *self;
         let kappa = self.wave_number(k);
         let (g, h) = self.forcing(k);
         let lambda = self.root.scale(kappa);
         let (x, x0) = (lambda.scale(radius), lambda.scale(free));
-        let b = bessel(x);
+        let [b, b0] = both(x, x0);
         let back = S::one() / radius;
-        let inner = |b: &Bessel<S>, back: S| self.inner(lambda, b, back);
-        let outer = |b: &Bessel<S>, back: S| self.outer(lambda, b, back);
-        // of y_p = g r E(lambda r), which answers the forcing lambda^2 g r
-        let slip = |[first, second]: [Complex<S>; 2], x: Complex<S>| {
-            g * (less * first - (sigma * x * x * (second + Complex::one())).scale(S::cst(0.25)))
-        };
-        let near = value(x).norm_sqr() < NEAR * NEAR;
         let at = if near { excess(x) } else { [Complex::zero(); 2] };
-        let quarter = |r: S| (r.square() * r.square()).scale(0.25);
         let (wall, known, known_volume) = if near {
-            (-slip(at, x), (g * (at[0] + Complex::one())).scale(radius), (g * (at[1] + Complex::one())).scale(quarter(radius)))
+            let known = (g * (at[0] + Complex::one())).scale(radius);
+            (-self.slip(g, at, x), known, (g * (at[1] + Complex::one())).scale(quarter(radius)))
         } else {
             (less * g, Complex::zero(), Complex::zero())
         };
-        let (wall_i, wall_i_size) = added(inner(&b, back));
+        let (wall_i, wall_i_size) = added(self.inner(lambda, &b, back));
         let r2 = radius.square();
         if free.value() == 0.0 {
             let c1 = wall / wall_i;
             let volume = c1 * b.i[2].scale(r2) / lambda + known_volume;
-            return self.share(kappa, c1 * b.i[1] + known, volume, wall_i_size / value(wall_i).size());
+            return self.share(kappa, c1 * b.i[1] + known, volume, wall_i_size / size(wall_i));
         }
-        let b0 = bessel(x0);
         let e = exp(x0 - x);
         let tension = -(sigma * sigma * sigma * self.deficit);
         let weight = speed.square() * free;
         let back0 = S::one() / free;
         // I1 normalised at the wall, K1 at the surface
-        let (wall_k, wall_k_size) = added(outer(&b, back).map(|t| t * e));
-        let at_surface = |z: Complex<S>, [p, q]: [Complex<S>; 2]| added([tension * z, p.scale(weight), q.scale(weight)]);
-        let (surface_i, surface_i_size) = at_surface(b0.i[1] * e, inner(&b0, back0).map(|t| t * e));
-        let (surface_k, surface_k_size) = at_surface(b0.k[1], outer(&b0, back0));
+        let [p, q] = self.outer(lambda, &b, back);
+        let (wall_k, wall_k_size) = added([p * e, q * e]);
+        let [p, q] = self.inner(lambda, &b0, back0);
+        let (surface_i, surface_i_size) = added([tension * (b0.i[1] * e), (p * e).scale(weight), (q * e).scale(weight)]);
+        let [p, q] = self.outer(lambda, &b0, back0);
+        let (surface_k, surface_k_size) = added([tension * b0.k[1], p.scale(weight), q.scale(weight)]);
         let (surface, known_volume) = if near {
             let at0 = excess(x0);
             let pressure = tension * (g * (at0[0] + Complex::one()) + h).scale(free);
-            (-(pressure + slip(at0, x0).scale(weight)), known_volume - (g * (at0[1] + Complex::one())).scale(quarter(free)))
+            let slip = self.slip(g, at0, x0).scale(weight);
+            (-(pressure + slip), known_volume - (g * (at0[1] + Complex::one())).scale(quarter(free)))
         } else {
             (less * g.scale(weight) - tension * h.scale(free), known_volume)
         };
         let det = wall_i * surface_k - wall_k * surface_i;
         let c1 = (wall * surface_k - wall_k * surface) / det;
         let c2 = (wall_i * surface - surface_i * wall) / det;
-        let cancel = (wall_i_size * surface_k_size + wall_k_size * surface_i_size) / value(det).size();
+        let cancel = (wall_i_size * surface_k_size + wall_k_size * surface_i_size) / size(det);
         let s2 = free.square();
         // of r^2 K2; for small arguments without the constant 2/lambda^2, which would cancel
         let outer_moment = if near {
@@ -296,6 +323,11 @@ impl<S: Scalar> Flow<S> {
         self.share(kappa, c1 * b.i[1] + c2 * b.k[1] * e + known, moments / lambda + known_volume, cancel)
     }
 
+    /// The operator of the wall on y_p = g r E(lambda r), which answers the forcing lambda^2 g r.
+    fn slip(&self, g: Complex<S>, [first, second]: [Complex<S>; 2], x: Complex<S>) -> Complex<S> {
+        g * (self.less * first - (self.sigma * x * x * (second + Complex::one())).scale(S::cst(0.25)))
+    }
+
     /// `c1, c2, c3` of the flow without Bessel functions at `sigma = -2 W`.
     fn logarithmic(&self) -> (S, S, S) {
         let (r2, s2) = (self.cavity.radius.square(), self.cavity.free.square());
@@ -303,11 +335,11 @@ impl<S: Scalar> Flow<S> {
         (c1, (r2 - s2).scale(0.5), (self.cavity.radius / self.cavity.free).ln())
     }
     /// The share of harmonic k at `sigma = -2 W`, where `P = g r + B/r`.
-    fn backward(&self, k: f64) -> (Complex<S>, f64) {
+    fn backward(&self, k: S::Base) -> (Complex<S>, S::Base) {
         let kappa = self.wave_number(k);
         let (g, h) = self.forcing(k);
         if self.cavity.free.value() == 0.0 {
-            return self.share(kappa, g.scale(self.cavity.radius), g.scale(self.solid()), 1.0);
+            return self.share(kappa, g.scale(self.cavity.radius), g.scale(self.solid()), S::Base::one());
         }
         let (c1, c2, c3) = self.logarithmic();
         let half = self.cavity.free.scale(0.5);
@@ -315,12 +347,12 @@ impl<S: Scalar> Flow<S> {
         let b =
             ((g + h).scale(half.scale(4.0)) - g.scale(half * square * c2)).scale(S::one() / (half * (c1 + square * c3) - S::one() / half));
         let radius = self.cavity.radius;
-        self.share(kappa, g.scale(radius) + b.scale(S::one() / radius), g.scale(self.solid()) + b.scale(c2), 1.0)
+        self.share(kappa, g.scale(radius) + b.scale(S::one() / radius), g.scale(self.solid()) + b.scale(c2), S::Base::one())
     }
     /// All of them: with `kappa = n k` and B = (u + v k^2)/(k^2 (d + e k^2)) the sum needs three series in `1/(k^2 + d/e)`.
-    fn backward_sum(&self) -> (Complex<S>, f64) {
-        let n2 = self.wave_number(1.0).square();
-        let (g, h) = self.forcing(1.0);
+    fn backward_sum(&self) -> (Complex<S>, S::Base) {
+        let n2 = self.wave_number(S::Base::one()).square();
+        let (g, h) = self.forcing(S::Base::one());
         let radius = self.cavity.radius;
         if self.cavity.free.value() == 0.0 {
             return self.bracket(g.scale(radius.square().scale(FOURTHS) / n2), g.scale(self.solid().scale(SQUARES)));
@@ -339,46 +371,90 @@ impl<S: Scalar> Flow<S> {
         self.bracket(wall, volume)
     }
     /// `2 i (volume - wall)` and its rounding error.
-    fn bracket(&self, wall: Complex<S>, volume: Complex<S>) -> (Complex<S>, f64) {
-        let size = 2.0 * (value(volume).size() + value(wall).size());
-        ((volume - wall).mul_i().scale(S::cst(2.0)), ROUNDING * size)
+    #[inline(always)]
+    fn bracket(&self, wall: Complex<S>, volume: Complex<S>) -> (Complex<S>, S::Base) {
+        ((volume - wall).mul_i().scale(S::cst(2.0)), (size(volume) + size(wall)).scale(2.0 * ROUNDING))
     }
 
     /// `A k^2` times `(d + e k^2)` of `P = A r` at `sigma = 2 W`, with d and e.
     fn rigid(&self) -> (Complex<S>, S, S) {
         let (r2, s2) = (self.cavity.radius.square(), self.cavity.free.square());
-        let (g, h) = self.forcing(1.0);
+        let (g, h) = self.forcing(S::Base::one());
         if self.cavity.free.value() == 0.0 {
-            return (g, S::one(), (self.wave_number(1.0).square() * r2).scale(0.5));
+            return (g, S::one(), (self.wave_number(S::Base::one()).square() * r2).scale(0.5));
         }
         let q2 = r2 / s2;
-        let e = (self.wave_number(1.0).square() * (s2 - q2 * r2)).scale(0.5);
+        let e = (self.wave_number(S::Base::one()).square() * (s2 - q2 * r2)).scale(0.5);
         (g.scale(S::one() - q2) - h.scale(S::cst(8.0)), S::cst(9.0) - q2, e)
     }
     /// The share of harmonic k at `sigma = 2 W`, where `P = A r`.
-    fn forward(&self, k: f64) -> (Complex<S>, f64) {
+    fn forward(&self, k: S::Base) -> (Complex<S>, S::Base) {
         let (top, d, e) = self.rigid();
-        let a = top.scale(S::one() / (S::cst(k * k) * (d + e.scale(k * k))));
-        self.share(self.wave_number(k), a.scale(self.cavity.radius), a.scale(self.solid()), 1.0)
+        let square = S::constant(k.square());
+        let a = top.scale(S::one() / (square * (d + e * square)));
+        self.share(self.wave_number(k), a.scale(self.cavity.radius), a.scale(self.solid()), S::Base::one())
     }
-    fn forward_sum(&self) -> (Complex<S>, f64) {
+    fn forward_sum(&self) -> (Complex<S>, S::Base) {
         let (top, d, e) = self.rigid();
         let [_, s1, s2] = odd_sums(d / e);
         let a = top.scale(S::one() / e);
         let volume = a.scale(self.solid() * s1);
-        let wall = a.scale(s2 * self.cavity.radius.square() / self.wave_number(1.0).square());
+        let wall = a.scale(s2 * self.cavity.radius.square() / self.wave_number(S::Base::one()).square());
         self.bracket(wall, volume)
     }
 }
 
+impl<S: Scalar> Series<S> for Flow<S> {
+    fn terms(&self, all: &[f64], out: &mut Vec<Term<S>>) {
+        side_by_side(self, all, out);
+    }
+}
+
+impl<S: Scalar> SideBySide<S> for Flow<S> {
+    /// Where the unknown is another, and where the free surface lies on the axis.
+    fn apart(&self, k: f64) -> bool {
+        let Cavity { radius, free, height, .. } = self.cavity;
+        let x = value(self.root).abs() * PI * k / height.value() * radius.value();
+        // rounding does not decide which unknown it is; NaN is apart
+        !(free.value() != 0.0 && x > SURELY * NEAR)
+    }
+    fn alone(&self, k: f64) -> Term<S> {
+        let (term, doubt) = self.single(S::Base::cst(k));
+        (term, doubt.value())
+    }
+    #[inline(always)]
+    fn together<L: LaneScalar>(&self, ks: L) -> (Complex<S::Over<L>>, L) {
+        self.spread::<L>().harmonic(ks, false)
+    }
+}
+
+/// Functions of both arguments; none at 0. One loop, so that they are compiled once.
+#[inline(always)]
+fn both<S: Scalar>(x: Complex<S>, x0: Complex<S>) -> [Bessel<S>; 2] {
+    let (all, nothing) = ([x, x0], Bessel { i: [Complex::zero(); 3], k: [Complex::zero(); 3] });
+    let mut out = [nothing; 2];
+    for i in 0..2 {
+        if value(all[i]) != C64::zero() {
+            out[i] = bessel(all[i]);
+        }
+    }
+    out
+}
+
+/// `r^4/4`.
+fn quarter<S: Scalar>(r: S) -> S {
+    (r.square() * r.square()).scale(0.25)
+}
+
 /// The sum of a few numbers, and of their sizes.
-fn added<S: Scalar, const N: usize>(terms: [Complex<S>; N]) -> (Complex<S>, f64) {
-    let (mut sum, mut size) = (Complex::zero(), 0.0);
+#[inline(always)]
+fn added<S: Scalar, const N: usize>(terms: [Complex<S>; N]) -> (Complex<S>, S::Base) {
+    let (mut sum, mut sizes) = (Complex::zero(), S::Base::zero());
     for t in terms {
         sum += t;
-        size += value(t).size();
+        sizes += size(t);
     }
-    (sum, size)
+    (sum, sizes)
 }
 
 /// Sums of `1/k^2` and `1/k^4` over odd k.
@@ -431,4 +507,37 @@ fn odd_sums<S: Scalar>(b: S) -> [S; 3] {
     let s0 = tangent.scale(0.25 * PI) / root;
     let s1 = (S::cst(SQUARES) - s0) / b;
     [s0, s1, (S::cst(FOURTHS) - s1) / b]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use laval_num::complex::c;
+    use laval_num::dual::Dual;
+
+    type D = Dual<f64, 1>;
+
+    /// Side by side each harmonic is what it is by itself, with its derivative, whatever its unknown and however many there are.
+    #[test]
+    fn harmonics_side_by_side_are_those_one_by_one() {
+        let cavity = Cavity { radius: 0.14, free: 0.09, height: 0.3, density: 870.0 };
+        let lifted = Cavity { radius: D::cst(0.14), free: D::seed(0.09, 0), height: D::cst(0.3), density: D::cst(870.0) };
+        for (w, speed) in [(c(50.0, 10.0), 300.0), (c(-290.0, 1e-3), 150.0), (c(900.0, 0.0), 120.0)] {
+            let flow = Flow::new(cavity, w, speed);
+            let derived = Flow::new(lifted, Complex::cst(w), D::cst(speed));
+            let ks: Vec<f64> = (0..37).map(|i| 2.0 * f64::from(i) + 1.0).chain([60.3, 181.7, 944.0]).collect();
+            let (mut out, mut slopes) = (Vec::new(), Vec::new());
+            flow.terms(&ks, &mut out);
+            derived.terms(&ks, &mut slopes);
+            assert!(out.len() == ks.len() && slopes.len() == ks.len());
+            for ((&k, term), with_slope) in ks.iter().zip(out).zip(slopes) {
+                let (alone, doubt) = flow.single(k);
+                assert!((term.0 - alone).abs() <= 1e-13 * alone.abs() + term.1 && (term.1 - doubt).abs() <= 1e-6 * doubt, "{w:?} {k}");
+                let (one, _) = derived.single(k);
+                let (a, b) = (c(one.re.eps[0], one.im.eps[0]), c(with_slope.0.re.eps[0], with_slope.0.im.eps[0]));
+                assert!((a - b).abs() <= 1e-11 * a.abs(), "{w:?} {k}: {a:?} {b:?}");
+                assert!((value(with_slope.0) - term.0).abs() <= 1e-13 * alone.abs() + term.1, "{w:?} {k}");
+            }
+        }
+    }
 }

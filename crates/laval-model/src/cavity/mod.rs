@@ -30,6 +30,7 @@ pub use ideal::Truncation;
 pub use sum::Total;
 
 use laval_num::complex::Complex;
+use laval_num::lanes::LaneScalar;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 
@@ -58,6 +59,12 @@ pub struct Tilt<S> {
 }
 
 impl<S: Scalar> Cavity<S> {
+    /// The same cavity in every lane.
+    #[inline(always)]
+    fn spread<L: LaneScalar>(&self) -> Cavity<S::Over<L>> {
+        let Cavity { radius, free, height, density } = *self;
+        Cavity { radius: radius.spread::<L>(), free: free.spread::<L>(), height: height.spread::<L>(), density: density.spread::<L>() }
+    }
     /// Mass that would fill the cavity, kg.
     pub fn full_mass(&self) -> S {
         (self.radius.square() * self.height * self.density).scale(PI)

@@ -12,8 +12,10 @@
 use laval_num::analytic::value;
 use laval_num::complex::Complex;
 use laval_num::dense::Field;
+use laval_num::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
 use laval_num::quadrature::gauss;
 use laval_num::scalar::Scalar;
+use std::marker::PhantomData;
 use std::sync::OnceLock;
 
 /// Coefficients of odd central differences of step 2, from `1/(2 asinh(delta/2)) - 1/delta`.
@@ -37,20 +39,91 @@ pub struct Total<S> {
     pub error: f64,
 }
 
-/// Sum of `term(k)`, given with its own rounding error, over k = 1, 3, 5, ...: `term` is smooth in k beyond `first`, and without further length scale beyond `corner`. The
-/// sum is taken as found when it moves by less than `share` of its size.
-pub fn over_odd<S: Scalar>(first: f64, corner: f64, share: f64, mut term: impl FnMut(f64) -> (Complex<S>, f64)) -> Total<S> {
+/// A term with its own rounding error.
+pub(super) type Term<S> = (Complex<S>, f64);
+
+/// Terms of a sum over harmonics k, which may be any numbers.
+pub(super) trait Series<S: Scalar> {
+    /// Appends the terms of several.
+    fn terms(&self, all: &[f64], out: &mut Vec<Term<S>>);
+}
+
+/// Terms that can be computed side by side.
+pub(super) trait SideBySide<S: Scalar> {
+    /// The term of k must be computed by itself.
+    fn apart(&self, k: f64) -> bool;
+    /// The term of k.
+    fn alone(&self, k: f64) -> Term<S>;
+    /// The terms of several, in lanes. Must be `#[inline(always)]` (see [`Kernel`]).
+    fn together<L: LaneScalar>(&self, ks: L) -> (Complex<S::Over<L>>, L);
+}
+
+struct Together<'a, S, F> {
+    series: &'a F,
+    ks: &'a [f64; LANES],
+    number: PhantomData<S>,
+}
+
+impl<S: Scalar, F: SideBySide<S>> Kernel for Together<'_, S, F> {
+    type Out = [Term<S>; LANES];
+    #[inline(always)]
+    fn run<L: LaneScalar>(self) -> Self::Out {
+        let (term, doubt) = self.series.together::<L>(L::load(self.ks));
+        let (mut out, doubt) = ([(Complex::zero(), 0.0); LANES], doubt.to_array());
+        for l in 0..LANES {
+            out[l] = (Complex { re: S::lane::<L>(term.re, l), im: S::lane::<L>(term.im, l) }, doubt[l]);
+        }
+        out
+    }
+}
+
+/// Fewer terms than these are computed one by one.
+const FEW: usize = 3;
+
+/// Appends terms, side by side where they need not be computed by themselves.
+pub(super) fn side_by_side<S: Scalar, F: SideBySide<S>>(series: &F, all: &[f64], out: &mut Vec<Term<S>>) {
+    let first = out.len();
+    out.resize(first + all.len(), (Complex::zero(), 0.0));
+    let (mut places, mut ks, mut count) = ([0; LANES], [0.0; LANES], 0);
+    for (i, &k) in all.iter().enumerate() {
+        if S::SPREADS && !series.apart(k) {
+            (places[count], ks[count]) = (first + i, k);
+            count += 1;
+        } else {
+            out[first + i] = series.alone(k);
+        }
+        if count == LANES || i + 1 == all.len() && count >= FEW {
+            // lanes without a term of their own repeat the first
+            let first = ks[0];
+            ks[count..].fill(first);
+            let terms = dispatch(Level::best(), Together { series, ks: &ks, number: PhantomData::<S> });
+            places[..count].iter().zip(terms).for_each(|(&i, term)| out[i] = term);
+            count = 0;
+        }
+    }
+    for (&i, &k) in places.iter().zip(&ks).take(count) {
+        out[i] = series.alone(k);
+    }
+}
+
+/// Sum over k = 1, 3, 5, ...: terms are smooth in k beyond `first`, and without further length scale beyond `corner`. The sum is taken as found when it moves by less
+/// than `share` of its size.
+pub(super) fn over_odd<S: Scalar>(first: f64, corner: f64, share: f64, series: &impl Series<S>) -> Total<S> {
     static RULE: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
     let rule = RULE.get_or_init(|| gauss(10));
-    let mut terms: Vec<Complex<S>> = Vec::with_capacity(64);
+    let (mut terms, mut places): (Vec<Complex<S>>, Vec<f64>) = (Vec::with_capacity(64), Vec::new());
+    let (mut found, mut weights): (Vec<Term<S>>, Vec<f64>) = (Vec::new(), Vec::new());
     let (mut harmonics, mut last, mut rounding) = (0, None, 0.0);
     let (mut exact, mut size, mut added) = (Complex::zero(), 0.0, 0);
     // even, so that the joint lies between two harmonics
     let mut joint = if first > 16.0 { 2.0 * (0.5 * first.min(FARTHEST)).ceil() } else { 16.0 };
     loop {
         let count = (0.5 * joint) as usize;
-        while terms.len() < count + REACH {
-            let (t, doubt) = term(2.0 * terms.len() as f64 + 1.0);
+        places.clear();
+        places.extend((terms.len()..count + REACH).map(|i| 2.0 * i as f64 + 1.0));
+        found.clear();
+        series.terms(&places, &mut found);
+        for &(t, doubt) in &found {
             terms.push(t);
             rounding += doubt;
         }
@@ -73,17 +146,22 @@ pub fn over_odd<S: Scalar>(first: f64, corner: f64, share: f64, mut term: impl F
             d.pop();
         }
         let mut end = joint.recip();
-        loop {
+        places.clear();
+        weights.clear();
+        while end > 0.0 {
             let start = if end * corner < 0.2 || end * joint < NOTHING { 0.0 } else { 0.5 * end };
             for &(x, weight) in rule {
                 let t = start + (end - start) * x;
-                sum += term(t.recip()).0.scale(S::cst(0.5 * weight * (end - start) / (t * t)));
-                harmonics += 1;
-            }
-            if start == 0.0 {
-                break;
+                places.push(t.recip());
+                weights.push(0.5 * weight * (end - start) / (t * t));
             }
             end = start;
+        }
+        found.clear();
+        series.terms(&places, &mut found);
+        harmonics += places.len();
+        for ((t, _), weight) in found.iter().zip(&weights) {
+            sum += t.scale(S::cst(*weight));
         }
         let moved = last.map_or(f64::INFINITY, |before| value(sum - before).size());
         let next = 2.0 * (0.75 * joint).ceil();
@@ -92,4 +170,16 @@ pub fn over_odd<S: Scalar>(first: f64, corner: f64, share: f64, mut term: impl F
         }
         (joint, last) = (next, Some(sum));
     }
+}
+
+/// `|re| + |im|` without derivatives.
+#[inline(always)]
+pub(super) fn size<S: Scalar>(z: Complex<S>) -> S::Base {
+    z.re.base().abs() + z.im.base().abs()
+}
+
+/// The same number in every lane.
+#[inline(always)]
+pub(super) fn spread<S: Scalar, L: LaneScalar>(z: Complex<S>) -> Complex<S::Over<L>> {
+    Complex { re: z.re.spread::<L>(), im: z.im.spread::<L>() }
 }

@@ -83,7 +83,7 @@ impl LaneBits {
 }
 
 /// A [`Scalar`] of all lanes.
-pub trait LaneScalar: Scalar + Entry {
+pub trait LaneScalar: Scalar<Base = Self> + Entry {
     /// The level whose instructions the type uses.
     const LEVEL: Level;
     /// One register's truth values each.
@@ -126,7 +126,7 @@ pub trait LaneScalar: Scalar + Entry {
 
 impl<R: Reg, const K: usize> LaneScalar for Lanes<R, K>
 where
-    Self: Entry,
+    Self: Entry + Scalar<Base = Self>,
 {
     const LEVEL: Level = R::LEVEL;
     type Mask = [R::Mask; K];
@@ -245,6 +245,25 @@ impl<R: Reg, const K: usize> Neg for Lanes<R, K> {
 }
 
 impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
+    type Base = Self;
+    type Over<L: LaneScalar> = L;
+    const SPREADS: bool = false;
+    #[inline(always)]
+    fn base(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn constant(x: Self) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn spread<L: LaneScalar>(self) -> L {
+        L::cst(f64::NAN)
+    }
+    #[inline(always)]
+    fn lane<L: LaneScalar>(_: L, _: usize) -> Self {
+        Self::cst(f64::NAN)
+    }
     #[inline(always)]
     fn cst(x: f64) -> Self {
         debug_assert!(R::LEVEL <= Level::best(), "lanes of a level that this processor lacks");
@@ -309,15 +328,18 @@ impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
         }
         all
     }
+    #[inline(always)]
     fn analytic<const N: usize, F: Analytic<N>>(z: Complex<Self>) -> [Complex<Self>; N] {
         let (re, im) = (z.re.plain(), z.im.plain());
-        let mut f = [[[0.0; LANES]; 2]; N];
-        for l in 0..LANES {
-            for (f, value) in f.iter_mut().zip(F::value(c(re[l], im[l]))) {
-                (f[0][l], f[1][l]) = (value.re, value.im);
-            }
+        if let Some(way) = F::way(&re, &im) {
+            return F::by(way, z);
         }
-        f.map(|[re, im]| c(Self::from_plain(&re), Self::from_plain(&im)))
+        let (re, im) = by_lane::<N, F>(&re, &im);
+        let mut out = [Complex::zero(); N];
+        for i in 0..N {
+            out[i] = c(Self::from_plain(&re[i]), Self::from_plain(&im[i]));
+        }
+        out
     }
     #[inline(always)]
     fn scale(self, k: f64) -> Self {
@@ -331,6 +353,20 @@ impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
     fn product_error(self, o: Self, product: Self) -> Self {
         each!(self, x, i, x.product_error(o.0[i], product.0[i]))
     }
+}
+
+/// Real and imaginary parts of functions, lane by lane.
+type Parts<const N: usize> = ([[f64; LANES]; N], [[f64; LANES]; N]);
+
+#[inline(never)]
+fn by_lane<const N: usize, F: Analytic<N>>(re: &[f64; LANES], im: &[f64; LANES]) -> Parts<N> {
+    let mut out = ([[0.0; LANES]; N], [[0.0; LANES]; N]);
+    for l in 0..LANES {
+        for (i, value) in F::value(c(re[l], im[l])).into_iter().enumerate() {
+            (out.0[i][l], out.1[i][l]) = (value.re, value.im);
+        }
+    }
+    out
 }
 
 #[cfg(test)]

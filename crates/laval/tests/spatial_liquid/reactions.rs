@@ -191,7 +191,7 @@ fn fixed_cavity() {
         for _ in 0..40 {
             let (fa, fb) = (inverse(a), inverse(b));
             // no number: at the pole
-            if (b - a).abs() < 1e-13 * w || !fb.is_finite() || fa == fb {
+            if (b - a).abs() < 1e-13 * w.abs() || !fb.is_finite() || fa == fb {
                 break;
             }
             (a, b) = (b, b - fb * (b - a) / (fb - fa));
