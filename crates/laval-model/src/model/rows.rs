@@ -1,12 +1,16 @@
 //! The linear parts of a machine by diagonals of their matrices, for many evaluations at points of a motion; diagonals of zeros are left out.
 
-use super::linear::{LinearModel, Loads};
+use super::linear::{Form, LinearModel, LinearScratch, Loads};
 use super::part::At;
+use super::system::System;
 use laval_num::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
 use laval_num::scalar::Scalar;
 
-/// What multiplies places, places times speed, velocities and velocities times speed.
-type Factors<T> = [T; 4];
+/// A polynomial of second degree in the speed.
+type Quadratic = [f64; 3];
+
+/// What multiplies places and velocities, by powers of the speed.
+type Factors<T> = [[T; 3]; 2];
 
 /// A diagonal of the matrices: by rows, each kind of factor empty where all are zero.
 #[derive(Clone, Debug)]
@@ -20,19 +24,15 @@ struct Diagonal {
 #[derive(Clone, Copy, Debug)]
 struct Load {
     row: usize,
-    force: [f64; 3],
-    spin_accel: [f64; 3],
+    force: [Quadratic; 3],
+    spin_accel: [Quadratic; 3],
 }
 
-/// The rows of a [`LinearModel`] without memory states at one speed, or of one whose matrices are the same at any.
+/// The rows of a [`LinearModel`] without memory states at one speed, or of one whose entries are polynomials in it.
 #[derive(Clone, Debug, Default)]
 pub struct LinearRows {
     /// Number of coordinates.
     n: usize,
-    /// Speed of the loads, rad/s.
-    speed: f64,
-    /// The matrices are those of any speed, and loads that turn grow with its square.
-    plain: bool,
     /// Number of rows: of coordinates, then of states.
     held: usize,
     /// Zeros before the first column and behind the last.
@@ -45,41 +45,124 @@ pub struct LinearRows {
     loads: Vec<Load>,
 }
 
-impl LinearRows {
-    /// `plain` says that the matrices are those of any speed, and that loads that turn grow with its square. `None` where loads turn with other spins or there are memory states.
-    pub fn new(model: &LinearModel<f64>, plain: bool) -> Option<Self> {
+/// Numbers of a model: what multiplies places and velocities, the mass and what multiplies the spin acceleration, entry by entry; and the loads, row by row.
+struct Numbers {
+    entries: Vec<[f64; 4]>,
+    loads: Vec<[f64; 6]>,
+}
+
+impl Numbers {
+    /// `None` where loads turn with other spins or there are memory states.
+    fn of(model: &LinearModel<f64>) -> Option<Self> {
         let Loads { others, force, force_cos, force_sin, spin_accel_force, spin_accel_cos, spin_accel_sin, .. } = &model.loads;
         let Loads { rate, spin_accel_rate_cos, spin_accel_rate_sin, .. } = &model.loads;
-        if !(others.is_empty() && model.memory.is_empty()) || plain && model.speed == 0.0 {
+        if !(others.is_empty() && model.memory.is_empty()) {
             return None;
         }
+        let (n, held, w) = (model.held() - model.states().len(), model.held(), model.speed);
+        let entries = (0..held).flat_map(|i| model.pattern().row(i).take_while(|x| x.1 < held)).map(|(e, _)| {
+            let [place, turned, rate, whirled, accelerated] = model.entry(e);
+            [place + w * turned, rate + w * whirled, model.mass_values()[e], accelerated]
+        });
+        let loads = (0..held).map(|i| match i.checked_sub(n) {
+            None => [force[i], force_cos[i], force_sin[i], spin_accel_force[i], spin_accel_cos[i], spin_accel_sin[i]],
+            // rates stand on the other side
+            Some(k) => [-rate[k], 0.0, 0.0, 0.0, -spin_accel_rate_cos[k], -spin_accel_rate_sin[k]],
+        });
+        Some(Numbers { entries: entries.collect(), loads: loads.collect() })
+    }
+
+    fn all(&self) -> impl Iterator<Item = f64> {
+        self.entries.as_flattened().iter().chain(self.loads.as_flattened()).copied()
+    }
+}
+
+/// Speeds over the highest at which polynomials are fitted, and number of those at which they are compared, from one end of the range to the other.
+const FITTED: [f64; 3] = [0.2, 0.6, 1.0];
+const COMPARED: u32 = 64;
+/// A term that is smaller than this, over the largest value, is rounding; and by so much the polynomials may differ.
+const ROUNDING: f64 = 1e-14;
+const SAME: f64 = 1e-12;
+
+/// Through three values at [`FITTED`] times `top`.
+fn through(values: [f64; 3], top: f64) -> Quadratic {
+    let [w0, w1, w2] = FITTED.map(|w| w * top);
+    let [v0, v1, v2] = values;
+    let (first, second) = ((v1 - v0) / (w1 - w0), (v2 - v1) / (w2 - w1));
+    let c2 = (second - first) / (w2 - w0);
+    let c1 = first - c2 * (w0 + w1);
+    let c0 = v0 - w0 * (c1 + w0 * c2);
+    let size = ROUNDING * values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let kept = |c: f64, scale: f64| if (c * scale).abs() > size { c } else { 0.0 };
+    [kept(c0, 1.0), kept(c1, top), kept(c2, top * top)]
+}
+
+fn at_speed([c0, c1, c2]: Quadratic, w: f64) -> f64 {
+    c0 + w * (c1 + w * c2)
+}
+
+impl LinearRows {
+    /// At the speed of the model. `None` where loads turn with other spins or there are memory states.
+    pub fn new(model: &LinearModel<f64>) -> Option<Self> {
+        let numbers = Numbers::of(model)?;
+        Some(Self::filled(model, &numbers.all().map(|x| [x, 0.0, 0.0]).collect::<Vec<_>>()))
+    }
+
+    /// At any speed up to `top`, rad/s, of either sign: of a machine whose matrices and loads are polynomials of second degree in the speed and whose mass is the same
+    /// at all. That is tested at many speeds, those of tables among them. `None` of other machines.
+    pub fn of_any_speed(system: &System, top: f64) -> Option<Self> {
+        let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+        let mut numbers_at = |w: f64| {
+            system.linear(system.params(), w, Form::Time, &mut model, &mut scratch);
+            Numbers::of(&model)
+        };
+        let [a, b, c] = [numbers_at(FITTED[0] * top)?, numbers_at(FITTED[1] * top)?, numbers_at(FITTED[2] * top)?];
+        let polynomials: Vec<Quadratic> = a.all().zip(b.all()).zip(c.all()).map(|((a, b), c)| through([a, b, c], top)).collect();
+        let sizes: Vec<f64> = a.all().zip(b.all()).zip(c.all()).map(|((a, b), c)| SAME * a.abs().max(b.abs()).max(c.abs())).collect();
+        // masses, and what multiplies the spin acceleration
+        let fixed = a.entries.len();
+        if polynomials.as_chunks::<4>().0.iter().take(fixed).any(|p| p[2..].iter().any(|q| q[1] != 0.0 || q[2] != 0.0)) {
+            return None;
+        }
+        let even = (0..COMPARED).map(|k| top * (-1.0 + (2.0 * f64::from(k) + 0.5) / f64::from(COMPARED)));
+        for w in even.chain(system.table_speeds(-top.abs(), top.abs())) {
+            let now = numbers_at(w)?;
+            // NaN fails
+            if !now.all().zip(&polynomials).zip(&sizes).all(|((x, p), size)| (x - at_speed(*p, w)).abs() <= *size) {
+                return None;
+            }
+        }
+        Some(Self::filled(&model, &polynomials))
+    }
+
+    /// From the numbers of a model in the order of [`Numbers::all`].
+    fn filled(model: &LinearModel<f64>, numbers: &[Quadratic]) -> Self {
         let (n, held) = (model.held() - model.states().len(), model.held());
-        let mut out = LinearRows { n, held, speed: model.speed, plain, ..LinearRows::default() };
+        let mut out = LinearRows { n, held, ..LinearRows::default() };
         let (mut entries, mut counts) = (Vec::new(), vec![0; 2 * held]);
+        let zero = |q: &Quadratic| *q == [0.0; 3];
+        let mut next = 0;
         for i in 0..held {
-            for (e, column) in model.pattern().row(i).take_while(|x| x.1 < held) {
-                let [place, turned, rate, whirled, accelerated] = model.entry(e);
-                let w = model.speed;
-                let factors = if plain { [place, turned, rate, whirled] } else { [place + w * turned, 0.0, rate + w * whirled, 0.0] };
-                if factors.iter().any(|&x| x != 0.0) {
+            for (_, column) in model.pattern().row(i).take_while(|x| x.1 < held) {
+                let [place, rate, _, accelerated] = [0, 1, 2, 3].map(|k| numbers[next + k]);
+                next += 4;
+                if !(zero(&place) && zero(&rate)) {
                     counts[held + column - i] += 1;
-                    entries.push((i, column, factors));
+                    entries.push((i, column, [place, rate]));
                 }
-                if accelerated != 0.0 {
-                    out.spin_accel.push((i, column, accelerated));
+                if accelerated[0] != 0.0 {
+                    out.spin_accel.push((i, column, accelerated[0]));
                 }
             }
-            let (force, spin_accel) = match i.checked_sub(n) {
-                None => ([force[i], force_cos[i], force_sin[i]], [spin_accel_force[i], spin_accel_cos[i], spin_accel_sin[i]]),
-                // rates stand on the other side
-                Some(k) => ([-rate[k], 0.0, 0.0], [0.0, -spin_accel_rate_cos[k], -spin_accel_rate_sin[k]]),
-            };
-            if force.iter().chain(&spin_accel).any(|&x| x != 0.0) {
-                out.loads.push(Load { row: i, force, spin_accel });
+        }
+        for (row, load) in numbers[next..].as_chunks::<6>().0.iter().enumerate() {
+            if !load.iter().all(zero) {
+                let [f, c, s, g, gc, gs] = *load;
+                out.loads.push(Load { row, force: [f, c, s], spin_accel: [g, gc, gs] });
             }
         }
         out.arrange(&entries, &counts);
-        Some(out)
+        out
     }
 
     /// Sorts entries into diagonals, whose numbers by column less row (plus `held`) are given, and the rest.
@@ -97,7 +180,7 @@ impl LinearRows {
                 self.scattered.push((row, column, factors));
                 continue;
             };
-            for (values, x) in self.diagonals[k].factors.iter_mut().zip(factors) {
+            for (values, x) in self.diagonals[k].factors.iter_mut().flatten().zip(factors.into_iter().flatten()) {
                 if x != 0.0 {
                     values.resize(held.next_multiple_of(LANES), 0.0);
                     values[row] = x;
@@ -115,9 +198,9 @@ impl LinearRows {
         scratch.fill(self, at);
         dispatch(Level::best(), Sum { rows: self, w, scratch });
         out[..held].copy_from_slice(&scratch.sum[..held]);
-        for &(row, column, [place, place_speed, rate, rate_speed]) in &self.scattered {
+        for &(row, column, [place, rate]) in &self.scattered {
             let k = self.padding + column;
-            out[row] += (place + w * place_speed) * scratch.places[k] + (rate + w * rate_speed) * scratch.velocities[k];
+            out[row] += at_speed(place, w) * scratch.places[k] + at_speed(rate, w) * scratch.velocities[k];
         }
         if accel != 0.0 {
             for &(i, j, x) in &self.spin_accel {
@@ -125,10 +208,9 @@ impl LinearRows {
             }
         }
         let (sin, cos) = Scalar::sin_cos(at.phase);
-        let turning = if self.plain { (w / self.speed).powi(2) } else { 1.0 };
         for load in &self.loads {
-            let ([f, c, s], [g, gc, gs]) = (load.force, load.spin_accel);
-            out[load.row] -= f + turning * (c * cos + s * sin) + accel * (g + gc * cos + gs * sin);
+            let ([f, c, s], [g, gc, gs]) = (load.force.map(|q| at_speed(q, w)), load.spin_accel.map(|q| at_speed(q, w)));
+            out[load.row] -= f + c * cos + s * sin + accel * (g + gc * cos + gs * sin);
         }
     }
 }
@@ -170,12 +252,12 @@ impl Kernel for Sum<'_> {
         for (block, out) in sum.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
             let row = block * LANES;
             let mut sum = S::cst(0.0);
-            for Diagonal { from, factors: [place, place_speed, rate, rate_speed] } in &self.rows.diagonals {
-                if !(place.is_empty() && place_speed.is_empty()) {
-                    sum += factor(place, place_speed, row, w) * load(places, from + row);
+            for Diagonal { from, factors: [place, rate] } in &self.rows.diagonals {
+                if let Some(factor) = factor(place, row, w) {
+                    sum += factor * load(places, from + row);
                 }
-                if !(rate.is_empty() && rate_speed.is_empty()) {
-                    sum += factor(rate, rate_speed, row, w) * load(velocities, from + row);
+                if let Some(factor) = factor(rate, row, w) {
+                    sum += factor * load(velocities, from + row);
                 }
             }
             sum.store(out);
@@ -188,12 +270,18 @@ fn load<S: LaneScalar>(x: &[f64], from: usize) -> S {
     S::load(&x[from..].as_chunks::<LANES>().0[0])
 }
 
-/// Constant factors and factors of the speed, some of which may be empty.
+/// By powers of the speed, some of which may be empty; `None` where all are.
 #[inline(always)]
-fn factor<S: LaneScalar>(constant: &[f64], of_speed: &[f64], row: usize, w: S) -> S {
-    match (constant.is_empty(), of_speed.is_empty()) {
-        (false, true) => load(constant, row),
-        (true, _) => w * load::<S>(of_speed, row),
-        (false, false) => load::<S>(constant, row) + w * load::<S>(of_speed, row),
+fn factor<S: LaneScalar>([constant, linear, square]: &[Vec<f64>; 3], row: usize, w: S) -> Option<S> {
+    let mut out = if constant.is_empty() { None } else { Some(load::<S>(constant, row)) };
+    for (values, power) in [(linear, w), (square, w * w)] {
+        if !values.is_empty() {
+            let term = power * load::<S>(values, row);
+            out = Some(match out {
+                Some(sum) => sum + term,
+                None => term,
+            });
+        }
     }
+    out
 }

@@ -19,7 +19,6 @@ use crate::model::rows::{LinearRows, Padded};
 use crate::model::system::{System, Workspace};
 use crate::model::tangent::{SparseTangent, TangentScratch};
 use crate::programme::Spin;
-use crate::reduced_machine::is_plain;
 use laval_num::complex::C64;
 use laval_num::dense::Singular;
 use laval_num::factor::{Factors, Number, Selection};
@@ -37,9 +36,11 @@ const GROWTH: i32 = 16;
 
 /// The machine by entries.
 pub(super) struct Large {
-    /// Linear parts at the latest speeds, the last one first; one for all speeds where the matrices of all parts are those of any speed.
+    /// Linear parts at the latest speeds, the last one first.
     models: Vec<Linear>,
-    any_speed: bool,
+    /// Their rows at any speed, where there are such.
+    any_speed: Option<LinearRows>,
+    one_speed: bool,
     scratch: LinearScratch<f64>,
     coordinates: Arc<Selection>,
     mass: Factors<f64>,
@@ -65,14 +66,7 @@ struct Linear {
     rows: Option<LinearRows>,
 }
 
-impl Linear {
-    fn new(system: &System, speed: f64, plain: bool, mut model: LinearModel<f64>, scratch: &mut LinearScratch<f64>) -> Self {
-        system.linear(system.params(), speed, Form::Time, &mut model, scratch);
-        Linear { rows: LinearRows::new(&model, plain), model }
-    }
-}
-
-/// Speed at which the matrices of any speed are assembled where the machine stands, rad/s: loads that turn show in it.
+/// Highest speed of rows at any speed where the machine stands, rad/s.
 const ANY: f64 = 100.0;
 
 /// Factors of T at a real and a complex place, and room for right sides.
@@ -115,25 +109,26 @@ impl Rates {
 }
 
 impl Large {
-    /// `None` of a machine that is not large, or not of this kind; `constant` says that its mass matrix is. Its linear parts are assembled at `speed`.
+    /// `None` of a machine that is not large, or not of this kind; `constant` says that its mass matrix is. It begins at `speed` and turns no faster than `fastest`; at `speed` alone without.
     ///
     /// # Errors
     /// A singular mass matrix.
-    pub fn new(system: &System, constant: bool, speed: f64) -> Result<Option<Self>, Failure> {
+    pub fn new(system: &System, constant: bool, speed: f64, fastest: Option<f64>) -> Result<Option<Self>, Failure> {
         if !(constant && 2 * system.n() + system.m() > FEW && system.slots().iter().all(|s| s.memory == 0)) {
             return Ok(None);
         }
-        let plain = system.slots().iter().filter(|s| s.is_linear()).all(|s| is_plain(system, s));
-        let mut scratch = LinearScratch::default();
-        let speed = if plain && speed == 0.0 { ANY } else { speed };
-        let linear = Linear::new(system, speed, plain, LinearModel::default(), &mut scratch);
-        let plain = plain && linear.rows.is_some();
+        let any_speed = fastest.and_then(|top| LinearRows::of_any_speed(system, if top == 0.0 { ANY } else { top }));
+        let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+        system.linear(system.params(), speed, Form::Time, &mut model, &mut scratch);
+        let rows = if any_speed.is_none() { LinearRows::new(&model) } else { None };
+        let linear = Linear { rows, model };
         let model = &linear.model;
         let mut out = Large {
             coordinates: model.selection(&(0..system.n()).collect::<Vec<_>>()),
             states: model.states().iter().copied().chain(nonlinear_states(system)).collect(),
             models: vec![linear],
-            any_speed: plain,
+            any_speed,
+            one_speed: fastest.is_none(),
             scratch,
             mass: Factors::default(),
             factored: Vec::new(),
@@ -158,23 +153,25 @@ impl Large {
 
     /// The mass matrix is that of any speed: the same at all stages of a step.
     pub fn has_constant_mass(&self) -> bool {
-        self.any_speed
+        self.any_speed.is_some() || self.one_speed
     }
 
     /// Assembles the linear parts at a speed, or finds them.
     fn assemble(&mut self, system: &System, speed: f64) -> Result<(), Failure> {
-        if self.any_speed {
-            self.models[0].model.speed = speed;
-            return Ok(());
-        }
         // also where both are NaN
         if let Some(k) = self.models.iter().position(|m| m.model.speed.to_bits() == speed.to_bits()) {
             self.models[..=k].rotate_right(1);
             return Ok(());
         }
         let reused = if self.models.len() < KEPT { None } else { self.models.pop() };
-        let linear = Linear::new(system, speed, false, reused.map(|l| l.model).unwrap_or_default(), &mut self.scratch);
-        self.models.insert(0, linear);
+        let mut model = reused.map(|l| l.model).unwrap_or_default();
+        system.linear(system.params(), speed, Form::Time, &mut model, &mut self.scratch);
+        self.models.insert(0, Linear { rows: None, model });
+        if self.any_speed.is_some() {
+            return Ok(());
+        }
+        let linear = &mut self.models[0];
+        linear.rows = LinearRows::new(&linear.model);
         if self.models[0].model.mass_values() == self.factored { Ok(()) } else { self.factor_mass(system) }
     }
 
@@ -216,12 +213,14 @@ impl Large {
 
     /// Forces and rates at zero accelerations.
     fn residual(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], force: &mut [f64], rate: &mut [f64]) -> Result<(), Failure> {
-        self.assemble(system, spin.speed)?;
+        if self.any_speed.is_none() {
+            self.assemble(system, spin.speed)?;
+        }
         let n = system.n();
         let Linear { model, rows } = &self.models[0];
         let at = point(system, t, spin, y, &self.zero);
         rate.fill(0.0);
-        match rows {
+        match self.any_speed.as_ref().or(rows.as_ref()) {
             Some(rows) => {
                 self.z.clear();
                 self.z.extend(model.states().iter().map(|&i| at.z[i]));

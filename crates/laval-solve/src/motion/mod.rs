@@ -165,7 +165,9 @@ impl<'a> Motion<'a> {
         if motion.massless.is_some() {
             return Ok(motion);
         }
-        motion.large = Large::new(system, !free && motion.direct.constant_mass(), spin.speed).map_err(fail)?.map(Box::new);
+        let one_speed = matches!(&motion.law, SpinLaw::Programme(p) if p.constant_speed().is_some());
+        let top = if one_speed { None } else { Some(fastest) };
+        motion.large = Large::new(system, !free && motion.direct.constant_mass(), spin.speed, top).map_err(fail)?.map(Box::new);
         if motion.large.is_some() {
             return Ok(motion);
         }

@@ -1,5 +1,6 @@
 //! Motions in time, alone and by the thousand.
 
+mod any_speed;
 mod basins;
 mod claims;
 mod continued;
