@@ -181,7 +181,7 @@ pub struct Work {
     pub iterations: usize,
 }
 
-/// Storage of Newton's method. After success `lu` holds the factors, rows scaled, at the point returned.
+/// Storage of Newton's method. After success `lu` holds the factors, rows scaled, at the point returned, or so close to it that Newton's step was below the tolerance.
 #[derive(Default)]
 pub(crate) struct Solver {
     pub lu: Lu,
@@ -259,16 +259,22 @@ impl Solver {
     fn iterate(&mut self, system: &mut dyn System, o: &Options, seen: &mut NotConverged) -> Result<f64, Cause> {
         self.evaluate(system, At::Iterate, true)?;
         let (mut previous, mut rate) = (f64::INFINITY, 0.0);
+        // the factors are those of the iterate before: so close to the root they serve as well
+        let mut kept = false;
         loop {
             if system.cancelled() {
                 return Err(Cause::Cancelled);
             }
-            self.weigh()?;
+            if kept {
+                self.r.iter_mut().zip(&self.weight).for_each(|(r, w)| *r /= w);
+            } else {
+                self.weigh()?;
+                self.work.factorisations += 1;
+                self.lu.factor(&self.jac).map_err(|_| Cause::Singular)?;
+            }
             let size = max_abs(&self.y).max(1.0);
             let residual = max_abs(&self.r);
             seen.residual = residual;
-            self.work.factorisations += 1;
-            self.lu.factor(&self.jac).map_err(|_| Cause::Singular)?;
             self.delta.clear();
             self.delta.extend(self.r.iter().map(|r| -r));
             self.lu.solve(&mut self.delta);
@@ -291,7 +297,8 @@ impl Solver {
             if step > HOPELESS {
                 return Err(Cause::Diverged);
             }
-            self.advance(system, o.damped && !noise && !small, residual)?;
+            kept = o.to_rounding && small;
+            self.advance(system, o.damped && !noise && !small, residual, !kept)?;
             if seen.iterations == 1 {
                 rate = step / previous;
             }
@@ -301,15 +308,15 @@ impl Solver {
         }
     }
 
-    /// Goes along `delta`, with damping only as far as the residual, weighed as before, falls.
-    fn advance(&mut self, system: &mut dyn System, damped: bool, residual: f64) -> Result<(), Cause> {
+    /// Goes along `delta`, with damping only as far as the residual, weighed as before, falls; to a new Jacobian if `with_jac`.
+    fn advance(&mut self, system: &mut dyn System, damped: bool, residual: f64, with_jac: bool) -> Result<(), Cause> {
         let mut length = 1.0;
         let mut last = Cause::Stalled;
         while length >= SHORTEST {
             self.trial.clear();
             self.trial.extend(self.y.iter().zip(&self.delta).map(|(y, d)| y + length * d));
             let full = length == 1.0;
-            match self.evaluate(system, At::Trial, full) {
+            match self.evaluate(system, At::Trial, full && with_jac) {
                 Ok(()) => {
                     let now = self.r_trial.iter().zip(&self.weight).map(|(r, w)| (r / w).abs()).fold(0.0, f64::max);
                     if !damped || now <= (1.0 - 1e-4 * length) * residual {

@@ -80,6 +80,9 @@ struct Seen {
     sizes: Vec<Vec<Vec<f64>>>,
 }
 
+/// Relative difference of speeds that are one.
+const SAME_SPEED: f64 = 1e-7;
+
 impl Seen {
     fn new(system: &System) -> Self {
         Seen { probes: probes::all(system), which: probes::ordered(system), sizes: Vec::new() }
@@ -233,7 +236,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
             let (a, b) = (&p.moved, &q.moved);
             q.kind == p.kind
                 && q.probe == p.probe
-                && (a.speed - b.speed).abs() <= 1e-7 * a.speed.abs()
+                && (a.speed - b.speed).abs() <= SAME_SPEED * a.speed.abs()
                 && (a.value - b.value).abs() <= 1e-6 * a.value
         };
         if !kept.iter().any(same) {
@@ -241,6 +244,11 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
         }
     }
     kept.sort_by_number(|a| a.moved.speed.abs());
+    let all = probes::all(system);
+    // of places at one speed the order is that of the probes: rounding does not decide it
+    for run in kept.chunk_by_mut(|a, b| b.moved.speed.abs() - a.moved.speed.abs() <= SAME_SPEED * b.moved.speed.abs()) {
+        run.sort_by_key(|p| all.iter().position(|probe| *probe == p.probe));
+    }
     found.places = kept;
     let end = if ended == End::MaxPoints { ended } else { context.end(complete) };
     Ok((found, end))
