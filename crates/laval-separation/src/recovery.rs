@@ -8,7 +8,8 @@
 //! ```
 //!
 //! The sum over sizes is exact; only the places are sampled. Without inertia `d_i^2 = const tau_i/t`, which is the first estimate; then the exits of particles
-//! of just those diameters are computed, `ln T` is joined straight over `ln d`, and so on until t_q no longer changes. Powders of single sizes or classes are
+//! of just those diameters are computed, `ln T` is joined straight over `ln d`, and so on until t_q no longer changes. Of many places a part comes first, and what
+//! inertia and run-up delay it by on the average is the first estimate of the rest. Powders of single sizes or classes are
 //! counted: place by place, class by class. All of them (q = 1) are caught with the last one, wherever it starts ([`super::slowest`]): no set of places holds it.
 //!
 //! Validity: larger particles leave no later than smaller ones of the same start and density.
@@ -89,16 +90,23 @@ struct Curve {
     /// (ln diameter, ln counted time), diameters increasing, times falling.
     nodes: Vec<(f64, f64)>,
     surface: Option<Surface>,
+    /// Estimate of what is added to `product` before any node is known: from other places.
+    delay: f64,
 }
 
 impl Curve {
+    /// What inertia and run-up add to the logarithm of the time, at the largest diameter computed.
+    fn delayed(&self) -> Option<f64> {
+        let (d, time) = self.nodes.last()?;
+        Some(self.unit + 2.0 * d + time - self.product?)
+    }
     /// ln of the smallest diameter that leaves by a counted time (its ln).
     fn critical(&self, counted: f64) -> f64 {
         let Some(product) = self.product else { return f64::INFINITY };
         let k = self.nodes.partition_point(|n| n.1 > counted);
         let between = |a: (f64, f64), b: (f64, f64)| a.0 + (b.0 - a.0) * (counted - a.1) / (b.1 - a.1);
         match (k.checked_sub(1).map(|i| self.nodes[i]), self.nodes.get(k)) {
-            (None, None) => 0.5 * (product - self.unit - counted),
+            (None, None) => 0.5 * (product + self.delay - self.unit - counted),
             // small particles: Stokes
             (None, Some(b)) => b.0 - 0.5 * (counted - b.1),
             (Some(a), Some(b)) => between(a, *b),
@@ -153,8 +161,9 @@ enum Kind {
     Counted(Vec<(f64, Option<Surface>, usize, f64)>),
 }
 
-/// Change of ln t that ends the search: what is left is its square times the curvature of ln T over ln d; most rounds; share of the powder that no longer counts.
-const CONVERGED: f64 = 1e-6;
+/// Change of ln t that ends the search: what is left is smaller by as much as the slopes of ln T over ln d are known, some percent, and far below what the sampling of
+/// places leaves open; most rounds; share of the powder that no longer counts.
+const CONVERGED: f64 = 3e-5;
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
 const NOTHING: f64 = 1e-9;
@@ -227,6 +236,7 @@ impl<'a> Recovery<'a> {
                             unit: unit.abs().ln(),
                             nodes: vec![],
                             surface: exit.map(|e| e.surface),
+                            delay: 0.0,
                         }
                     })
                     .collect();
@@ -385,8 +395,19 @@ impl<'a> Recovery<'a> {
         if places >= MANY {
             let near = self.approach(share, places / PART, x, NEARLY)?;
             x = if near.is_finite() { near } else { x };
+            self.expect();
         }
         Ok(spinning.clock.time(self.approach(share, places, x, CONVERGED)?.exp()))
+    }
+
+    /// Estimates the delay of places without a node by the mean of the others.
+    fn expect(&mut self) {
+        let Kind::Smooth(curves) = &mut self.found else { return };
+        let (sum, count) = curves.iter().filter_map(Curve::delayed).fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
+        let mean: f64 = sum / count;
+        if mean.is_finite() {
+            curves.iter_mut().for_each(|c| c.delay = mean);
+        }
     }
 
     /// ln of the counted time that a share of so many places takes, from an estimate of it, until it changes by less than that; infinite when the share is never caught.
@@ -491,7 +512,7 @@ mod tests {
     #[test]
     fn small_particles_follow_stokes() {
         let (product, unit) = (2.5f64, 4e9f64);
-        let mut curve = Curve { density: 2000.0, product: Some(product.ln()), unit: unit.ln(), nodes: vec![], surface: None };
+        let mut curve = Curve { density: 2000.0, product: Some(product.ln()), unit: unit.ln(), nodes: vec![], surface: None, delay: 0.0 };
         let diameter = |time: f64| (product / (unit * time)).sqrt();
         for time in [1.0, 30.0, 1e4] {
             assert!((curve.critical(f64::ln(time)) - diameter(time).ln()).abs() < 1e-14, "{time}");

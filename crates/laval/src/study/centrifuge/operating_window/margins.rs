@@ -6,6 +6,7 @@ use super::passage::Passage;
 use super::steady::{Branches, Growth, State, linear, spectrum, states_validity};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::{Slot, Station, System};
+use crate::separation::batch::Batch;
 use crate::separation::load::Load;
 use crate::separation::measures::derated;
 use crate::separation::particle::Particle;
@@ -28,6 +29,11 @@ pub(super) const STABLE: usize = 3;
 
 /// Index of the requirement that every part is inside its model: what is outside is not known. How far inside does not matter.
 pub(super) const VALID: usize = 7;
+
+/// Places from which on a part of them decides where it can, that part, and by what share of the time the answer of the part may be wrong.
+const MANY: usize = 512;
+const PART: usize = 8;
+const SURE: f64 = 0.15;
 
 /// Weight of the next margin beside the least when speeds are compared: a requirement that the speed hardly changes does not choose it.
 const NEXT: f64 = 1e-3;
@@ -158,9 +164,30 @@ impl Evaluator<'_> {
 
     /// Adds the requirement on the separation, or replaces it.
     pub fn separated(&self, point: &mut Point) {
+        if let Some(task) = &self.required.task {
+            self.separate(point, task, &task.batch);
+        }
+    }
+
+    /// The same for the least margin alone, down to `floor`: with a part of the places where the margin is far from deciding it.
+    pub fn separated_down_to(&self, floor: f64, point: &mut Point) {
         let Some(task) = &self.required.task else { return };
+        point.margins.retain(|m| m.name != 0);
+        let others = point.least();
+        if task.batch.places >= MANY {
+            self.separate(point, task, &Batch { places: task.batch.places / PART, ..task.batch.clone() });
+            let [least, most] = [1.0 + SURE, 1.0 - SURE].map(|k| 1.0 - k * point.needed / task.time);
+            // NaN decides nothing
+            if least > others || most < floor.min(others) {
+                return;
+            }
+        }
+        self.separate(point, task, &task.batch);
+    }
+
+    fn separate(&self, point: &mut Point, task: &Task, batch: &Batch) {
         // a path that cannot be computed leaves the margin undefined
-        let found = needed(&task.batch, point.speed, task.recovery, &|| true);
+        let found = needed(batch, point.speed, task.recovery, &|| true);
         let time = found.as_ref().map_or(f64::NAN, |t| *t);
         let value = 1.0 - time / task.time;
         let detail = found.map_or_else(|d| Detail::Path(d.message.to_string()), |_| Detail::Time);

@@ -35,6 +35,9 @@ pub struct Map {
     pub cells: Vec<Cell>,
 }
 
+/// Least margin of a map.
+const LEAST: f64 = -1.0;
+
 /// A point of a map.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Cell {
@@ -120,7 +123,7 @@ impl OperatingWindow {
                 let here = Here::now();
                 points.par_iter_mut().for_each(|p| {
                     let _counted = here.enter();
-                    evaluator.separated(p);
+                    evaluator.separated_down_to(LEAST, p);
                 });
                 points
             } else {
@@ -132,7 +135,7 @@ impl OperatingWindow {
             for &w in &grid {
                 if let Some(p) = points.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs())) {
                     let binding = p.binding().map_or("", |m| margins::NAMES[m.name]);
-                    cells.push(Cell { speed: w, value: x, margin: p.least().max(-1.0), binding });
+                    cells.push(Cell { speed: w, value: x, margin: p.least().max(LEAST), binding });
                 }
             }
         }
