@@ -6,7 +6,7 @@ use crate::pieces;
 use crate::progress::Bar;
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, interrupt, language, terminal};
 use laval::diagnostic::{Diagnostic, Diagnostics};
-use laval::file::{Loaded, NamedStudy};
+use laval::file::{Loaded, NamedStudy, Refusal};
 use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
 use laval::report::{self, Format, Language, Report, WriteError};
@@ -17,6 +17,7 @@ use laval::text;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::Ordering;
+use std::thread::{self, ScopedJoinHandle};
 use std::time::{Duration, Instant};
 
 /// Which studies of which file, and where their results go.
@@ -221,7 +222,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn run(mut self) -> u8 {
+    fn run(self) -> u8 {
         listen();
         let studies: Vec<&str> = self.report.studies.iter().map(String::as_str).collect();
         // held until the end: the files of two runs at once would be mixed
@@ -238,6 +239,19 @@ impl<'a> Run<'a> {
         let refusals = self.loaded.refusals_in(&before);
         bar.finish();
         self.input.complain(&Diagnostics(refusals.iter().map(|r| r.diagnostic.clone()).collect()));
+        let loaded = self.loaded;
+        let summary = Context { name: "summary", cancel: &CANCEL, progress: &Silent, work_limit: u64::MAX, keep: None };
+        // where no further processor or thread is free it is computed with the rest of the first page
+        let beside = self.shows_overview() && loaded.studies.len() > 1 && rayon::current_num_threads() > 1;
+        thread::scope(|scope| {
+            let compute = || guarded(|| study::Beforehand::of(&loaded.system, &summary));
+            let ahead = beside.then(|| thread::Builder::new().spawn_scoped(scope, compute).ok()).flatten();
+            self.studies(&refusals, ahead)
+        })
+    }
+
+    /// Runs the studies, then writes the report.
+    fn studies(mut self, refusals: &[Refusal], ahead: Option<ScopedJoinHandle<Option<study::Beforehand>>>) -> u8 {
         let mut written = Instant::now();
         let count = self.loaded.studies.len();
         for (i, study) in self.loaded.studies.iter().enumerate() {
@@ -266,7 +280,7 @@ impl<'a> Run<'a> {
         if self.missing {
             return self.code;
         }
-        self.overview();
+        self.overview(ahead);
         let files = match self.write() {
             Ok(files) => files,
             Err(code) => return code,
@@ -330,10 +344,8 @@ impl<'a> Run<'a> {
     }
 
     /// The first page, from the machine and what its studies found.
-    fn overview(&mut self) {
-        // tables and figures hold nothing of it
-        let shown = !self.args.quiet || self.formats.iter().any(|f| matches!(f, Format::Json | Format::Html));
-        if !shown || CANCEL.load(Ordering::Relaxed) {
+    fn overview(&mut self, ahead: Option<ScopedJoinHandle<Option<study::Beforehand>>>) {
+        if !self.shows_overview() || CANCEL.load(Ordering::Relaxed) {
             return;
         }
         let context = Context { name: "summary", cancel: &CANCEL, progress: &Silent, work_limit: u64::MAX, keep: None };
@@ -341,12 +353,18 @@ impl<'a> Run<'a> {
         let speeds: Vec<_> = self.loaded.studies.iter().flat_map(|s| s.study.speeds(system)).collect();
         // its computations are short, and only how long they take is shown
         let bar = Bar::new("summary", self.args.quiet);
-        self.report.overview = guarded(|| study::overview(system, &speeds, &self.report.outcomes, &context));
+        let beforehand = ahead.and_then(|a| a.join().ok()).flatten();
+        self.report.overview = guarded(|| study::overview_after(beforehand, system, &speeds, &self.report.outcomes, &context));
         if self.report.overview.is_none() {
             self.code = FAILED;
         }
         bar.finish();
         self.paragraph(&report::summary(&self.report, terminal::findings()));
+    }
+
+    /// Tables and figures hold nothing of the first page.
+    fn shows_overview(&self) -> bool {
+        !self.args.quiet || self.formats.iter().any(|f| matches!(f, Format::Json | Format::Html))
     }
 
     fn paragraph(&mut self, text: &str) {

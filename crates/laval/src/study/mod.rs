@@ -24,7 +24,9 @@ pub use linear::{
 };
 pub use motion::{basins, motion_map, record, run_up, sweep, transient};
 pub use nonlinear::{backbone, bifurcation_loci, limit_cycles, methods, nonlinear_response, response_map, stationary};
-pub use overview::{blocks as machine_blocks, mode as mode_of_page, overview, page_range, with_studies_not_run};
+pub use overview::{
+    Beforehand, blocks as machine_blocks, mode as mode_of_page, overview, overview_after, page_range, with_studies_not_run,
+};
 pub use parameters::{optimum, sensitivity, uncertainty};
 pub use registry::registry;
 pub use shared::{limits, operation, presentation, speed_range, stations, support};

@@ -275,8 +275,52 @@ pub fn page_range(system: &System, speeds: &[SpinSpeeds]) -> (f64, f64) {
     if sign < 0.0 { (-high, -low) } else { (low, high) }
 }
 
+/// What of the first page rests on the machine alone and takes longest: it can be computed while the studies run.
+pub struct Beforehand {
+    /// The run-up in the time of `[operation]`.
+    run_up: Option<Known<Outcome>>,
+    /// Modes of any frequency that grow at the operating speed; see [`Facts`].
+    growing: Option<Option<C64>>,
+}
+
+impl Beforehand {
+    /// Computes it.
+    pub fn of(system: &System, context: &Context) -> Self {
+        let rated = system.machine.speed.filter(|w| *w != 0.0);
+        let operation = operation::among(&system.machine.extras);
+        let of_run_up = || {
+            let time = rated.and(operation.run_up_time)?;
+            let sign = rated.map_or(1.0, f64::signum);
+            let top = Operating::of(system, &operation).map_or(0.0, |o| sign * o.high);
+            Some(checks::simulate(system, top, time, context))
+        };
+        let of_growing = || {
+            rated.filter(|_| in_region(system) && !transcendental(system)).and_then(|speed| {
+                let search = || roots(system, &rest(system, speed)?, &Request { growing: true, everywhere: true, ..Request::default() });
+                match limited(context, COUNT, search) {
+                    Known::Yes(found) => found.growing().map(|_| found.spectrum.least_stable().map(|m| m.value).filter(|v| v.re > 0.0)),
+                    _ => None,
+                }
+            })
+        };
+        let (run_up, growing) = both(of_run_up, of_growing);
+        Beforehand { run_up, growing }
+    }
+}
+
 /// The first page. `speeds`: what the studies of the file cover.
 pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], context: &Context) -> Overview {
+    overview_after(None, system, speeds, outcomes, context)
+}
+
+/// The same, with what was computed beforehand.
+pub fn overview_after(
+    beforehand: Option<Beforehand>,
+    system: &System,
+    speeds: &[SpinSpeeds],
+    outcomes: &[Outcome],
+    context: &Context,
+) -> Overview {
     let rated = system.machine.speed.filter(|w| *w != 0.0);
     let operation = operation::among(&system.machine.extras);
     let operating = Operating::of(system, &operation);
@@ -389,23 +433,9 @@ pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], co
         };
         (criticals, narrow, forced, response_study)
     };
-    let of_run_up = || {
-        let time = rated.and(operation.run_up_time)?;
-        let top = operating.map_or(0.0, |o| sign * o.high);
-        Some(checks::simulate(system, top, time, context))
-    };
-    let of_growing = || {
-        rated.filter(|_| in_region(system) && !transcendental(system)).and_then(|speed| {
-            let search = || roots(system, &rest(system, speed)?, &Request { growing: true, everywhere: true, ..Request::default() });
-            match limited(context, COUNT, search) {
-                Known::Yes(found) => found.growing().map(|_| found.spectrum.least_stable().map(|m| m.value).filter(|v| v.re > 0.0)),
-                _ => None,
-            }
-        })
-    };
     // none of them rests on another
-    let (((stability, near, worst), (criticals, narrow, forced, response_study)), (run_up, growing)) =
-        both(|| both(of_stability, of_criticals), || both(of_run_up, of_growing));
+    let (((stability, near, worst), (criticals, narrow, forced, response_study)), Beforehand { run_up, growing }) =
+        both(|| both(of_stability, of_criticals), || beforehand.unwrap_or_else(|| Beforehand::of(system, context)));
     // slower waves of a liquid that nothing inside it damps are within rounding
     let fastest = range.1;
     let threshold = match system.domains(fastest).iter().any(Domain::undamped) {

@@ -7,6 +7,8 @@ use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::loci::search::{Loci, Request};
 use crate::study::shared::probes;
 use crate::study::shared::validity::Uses;
+use laval_num::work::Here;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// Displacements and validity of one motion.
@@ -31,7 +33,12 @@ pub(super) fn measured(system: &System, request: &Request, found: &Loci) -> Resu
         let sizes = probes::sizes(&machine, &probes::ordered(&machine), &orbit, turns);
         Measured { sizes, uses: Some(Uses::over(&machine, &orbit, turns)) }
     };
-    let points = found.loci.iter().map(|l| l.points.iter().map(|p| measure(p.value, p.speed, &p.x)).collect()).collect();
-    let corners = found.loci.iter().map(|l| l.corners.iter().map(|c| measure(c.turn.value, c.speed, &c.x)).collect()).collect();
+    let here = Here::now();
+    let counted = |value: f64, speed: f64, x: &[f64]| {
+        let _counted = here.enter();
+        measure(value, speed, x)
+    };
+    let points = found.loci.iter().map(|l| l.points.par_iter().map(|p| counted(p.value, p.speed, &p.x)).collect()).collect();
+    let corners = found.loci.iter().map(|l| l.corners.par_iter().map(|c| counted(c.turn.value, c.speed, &c.x)).collect()).collect();
     Ok([points, corners])
 }
