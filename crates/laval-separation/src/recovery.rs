@@ -161,9 +161,9 @@ enum Kind {
     Counted(Vec<(f64, Option<Surface>, usize, f64)>),
 }
 
-/// Change of ln t that ends the search: what is left is smaller by as much as the slopes of ln T over ln d are known, some percent, and far below what the sampling of
-/// places leaves open; most rounds; share of the powder that no longer counts.
-const CONVERGED: f64 = 3e-5;
+/// Change of ln t that ends the search: the error that remains is its square times the curvature of ln T over ln d. Then the most rounds, the change of a share that
+/// ends its search, and the share of the powder that is neglected.
+const CONVERGED: f64 = 1e-6;
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
 const NOTHING: f64 = 1e-9;

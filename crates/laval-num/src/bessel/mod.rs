@@ -8,8 +8,8 @@
 //! On the imaginary axis they are the Bessel functions of real argument, `J_n(y) = (-i)^n I_n(i y)`.
 //!
 //! Method: power series near 0; integrals by the trapezoidal rule in the middle ([`quadrature`], in lanes Miller's recurrence for I); Hankel's expansions
-//! (with the recessive exponential in I) from |z| = 25. Error below 2e-14 of the larger of the function and the envelope `1/sqrt(2 pi |z|)`: close to their zeros on the imaginary axis
-//! functions are small by cancellation.
+//! (with the recessive exponential in I) from |z| = 25. Error below 2e-14 of the larger of the function and the envelope `1/sqrt(2 pi |z|)`: close to their
+//! zeros on the imaginary axis functions are small by cancellation.
 //!
 //! Sources: NIST Digital Library of Mathematical Functions, chapter 10; L. N. Trefethen, J. A. C. Weideman, SIAM Review 56 (2014) 385.
 

@@ -40,6 +40,7 @@ pub(super) struct Large {
     models: Vec<Linear>,
     /// Their rows at any speed, where there are such.
     any_speed: Option<LinearRows>,
+    /// The spin has one speed throughout.
     one_speed: bool,
     scratch: LinearScratch<f64>,
     coordinates: Arc<Selection>,

@@ -30,10 +30,10 @@ pub(super) const STABLE: usize = 3;
 /// Index of the requirement that every part is inside its model: what is outside is not known. How far inside does not matter.
 pub(super) const VALID: usize = 7;
 
-/// Places from which on a part of them decides where it can, that part, and by what share of the time the answer of the part may be wrong.
-const MANY: usize = 512;
+/// With so many places one of every [`PART`] decides first, 256 or more; the relative error allowed for its time.
+const MANY: usize = 256 * PART;
 const PART: usize = 8;
-const SURE: f64 = 0.15;
+const ALLOWANCE: f64 = 0.15;
 
 /// Weight of the next margin beside the least when speeds are compared: a requirement that the speed hardly changes does not choose it.
 const NEXT: f64 = 1e-3;
@@ -176,7 +176,7 @@ impl Evaluator<'_> {
         let others = point.least();
         if task.batch.places >= MANY {
             self.separate(point, task, &Batch { places: task.batch.places / PART, ..task.batch.clone() });
-            let [least, most] = [1.0 + SURE, 1.0 - SURE].map(|k| 1.0 - k * point.needed / task.time);
+            let [least, most] = [1.0 + ALLOWANCE, 1.0 - ALLOWANCE].map(|k| 1.0 - k * point.needed / task.time);
             // NaN decides nothing
             if least > others || most < floor.min(others) {
                 return;
