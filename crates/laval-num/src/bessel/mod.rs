@@ -7,7 +7,7 @@
 //! Scaled by the complex exponential they stay of the order of `1/sqrt(z)` for any size of z, are analytic, and are closed under differentiation.
 //! On the imaginary axis they are the Bessel functions of real argument, `J_n(y) = (-i)^n I_n(i y)`.
 //!
-//! Method: power series near 0; integrals by the trapezoidal rule in the middle ([`quadrature`], in lanes Miller's recurrence for I); Hankel's expansions
+//! Method: power series near 0; integrals by the trapezoidal rule in the middle (module `quadrature`; in lanes Miller's recurrence for I); Hankel's expansions
 //! (with the recessive exponential in I) from |z| = 25. Error below 2e-14 of the larger of the function and the envelope `1/sqrt(2 pi |z|)`: close to their
 //! zeros on the imaginary axis functions are small by cancellation.
 //!
