@@ -45,6 +45,11 @@ impl Roots {
         Roots((0..n as i64).map(|j| unit_root(j, n as u64)).collect())
     }
 
+    /// n.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
     /// `e^(2 pi i k j/n)`: order k at sample j.
     pub fn at(&self, k: usize, j: usize) -> C64 {
         self.0[k * j % self.0.len()]

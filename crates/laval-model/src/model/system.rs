@@ -367,11 +367,10 @@ impl System {
         })
     }
     fn each<T>(&self, at: &At<f64>, ws: &mut Workspace<f64>, f: impl Fn(&Slot, &At<f64>, &mut Vec<T>)) -> Vec<(usize, T)> {
-        let mut out = Vec::new();
+        let (mut out, mut own) = (Vec::new(), Vec::new());
         for (k, slot) in self.slots.iter().enumerate() {
-            let mut own = Vec::new();
             self.with_local(slot, at, ws, |l| f(slot, l, &mut own));
-            out.extend(own.into_iter().map(|x| (k, x)));
+            out.extend(own.drain(..).map(|x| (k, x)));
         }
         out
     }

@@ -32,7 +32,8 @@ fn worst(bearing: &str, base: &str) -> (f64, Symmetry) {
         for p in branch.points.iter().step_by(7) {
             let orbit = Orbit::of(&mut balance, &p.x, p.speed).expect("a motion");
             for slot in Measure::forces(system) {
-                let of = |s| Measure::Force(slot).first_order(system, &orbit, 1, s);
+                let highest = orbit.orders.last().copied().unwrap_or(1);
+                let of = |s| Measure::Force(slot).first_order(system, &orbit, 1, (s, &Measure::samples(highest, 1, s)));
                 let (all, spared) = (of(Symmetry::None), of(symmetry));
                 let size = all[0].abs() + all[1].abs();
                 worst = (0..2).map(|k| (all[k] - spared[k]).abs() / size).fold(worst, f64::max);

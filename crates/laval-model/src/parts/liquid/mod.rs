@@ -55,6 +55,7 @@ use crate::text::Text;
 use laval_num::analytic::value;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
+use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -120,6 +121,10 @@ const MOST_HARMONICS: i64 = 999;
 const TIME_ERROR: f64 = 1e-4;
 /// Largest share of the tilt reaction that its estimated error may be.
 const ACCURACY: f64 = 1e-6;
+
+thread_local! {
+    static BLOCKS: RefCell<Blocks<f64>> = RefCell::default();
+}
 
 /// See the [module](self).
 #[derive(Clone)]
@@ -463,11 +468,13 @@ wave_damping = "4 1/s"
 
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         if self.fill != Fill::Empty && self.physics() == Physics::Linear {
-            let mut blocks = Blocks::default();
-            blocks.reset(at.q.len(), at.z.len() - self.memory(), at.speed);
-            self.linear(p, at.speed, &mut blocks);
             let (mut force, mut rate) = (vec![0.0; at.q.len()], vec![0.0; at.z.len()]);
-            blocks.residual(at, &mut force, &mut rate);
+            // allocating the blocks for every instant of a motion took longer than filling them
+            BLOCKS.with_borrow_mut(|blocks| {
+                blocks.reset(at.q.len(), at.z.len() - self.memory(), at.speed);
+                self.linear(p, at.speed, blocks);
+                blocks.residual(at, &mut force, &mut rate);
+            });
             out.push(Observed { name: "force", unit: "N", value: force[0].hypot(force[1]) });
         }
         if self.waves() {

@@ -89,12 +89,17 @@ impl Orbit {
 
     /// Coordinates, rates, accelerations and states at base phase `tau`, in vectors of the machine's sizes.
     pub fn at(&self, tau: f64, q: &mut [f64], v: &mut [f64], a: &mut [f64], z: &mut [f64]) {
+        self.turned(|k| C64::cis(k as f64 * tau), [q, v, a, z]);
+    }
+
+    /// The same where every order stands at an angle, given as `e^(i angle)`.
+    pub fn turned(&self, turned: impl Fn(usize) -> C64, [q, v, a, z]: [&mut [f64]; 4]) {
         for x in [&mut *q, &mut *v, &mut *a, &mut *z] {
             x.fill(0.0);
         }
         for ((&k, amplitudes), states) in self.orders.iter().zip(&self.coordinates).zip(&self.states) {
             let w = k as f64 * self.frequency;
-            let turn = C64::cis(k as f64 * tau);
+            let turn = turned(k);
             for (i, &amplitude) in amplitudes.iter().enumerate() {
                 let x = amplitude * turn;
                 q[i] += x.re;
@@ -168,6 +173,15 @@ impl Orbit {
             }
         }
         out
+    }
+
+    /// What a probe measures, from rest, where every order stands at an angle, given as `e^(i angle)`.
+    pub fn probe_turned(&self, probe: &Probe, turned: impl Fn(usize) -> C64) -> [f64; 2] {
+        let each = self.orders.iter().zip(&self.coordinates);
+        each.fold(self.rest_seen(probe).map(|r| -r), |[x, y], (&k, amplitudes)| {
+            let (turn, [a, b]) = (turned(k), probe.amplitudes(amplitudes));
+            [x + (a * turn).re, y + (b * turn).re]
+        })
     }
 
     /// What a probe measures at rest.

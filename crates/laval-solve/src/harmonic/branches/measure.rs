@@ -93,22 +93,25 @@ impl Measure {
         Track::new(self, system, orbit, turns).at(tau)
     }
 
+    /// The samples that [`Measure::first_order`] takes of motions with orders to this one.
+    pub fn samples(highest: usize, turns: usize, symmetry: Symmetry) -> Roots {
+        Roots::new(if symmetry == Symmetry::Circular { ROUND } else { turns * SAMPLES.max(8 * highest.div_ceil(turns)) })
+    }
+
     /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. Of a symmetric motion only part of the period is sampled.
-    pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> [C64; 2] {
-        let count = turns * SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1).div_ceil(turns));
+    pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize, (symmetry, samples): (Symmetry, &Roots)) -> [C64; 2] {
+        let count = samples.count();
         // after half a turn both components have changed their signs, and so has the wave they are compared with; after a quarter y is what x was, and the motion turns forward
-        let (count, taken) = match symmetry {
-            Symmetry::Circular => (ROUND, ROUND),
-            Symmetry::Quarter if turns == 1 => (count, count / 4),
-            Symmetry::Half if turns == 1 => (count, count / 2),
-            _ => (count, count),
+        let taken = match symmetry {
+            Symmetry::Quarter if turns == 1 => count / 4,
+            Symmetry::Half if turns == 1 => count / 2,
+            _ => count,
         };
         let mut track = Track::new(self, system, orbit, turns);
-        let roots = Roots::new(count);
         let mut out = [C64::zero(); 2];
         for j in 0..taken {
-            let back = roots.at(turns, j).conj().scale(2.0 / taken as f64);
-            for (o, f) in out.iter_mut().zip(track.sample(&roots, j)) {
+            let back = samples.at(turns, j).conj().scale(2.0 / taken as f64);
+            for (o, f) in out.iter_mut().zip(track.sample(samples, j)) {
                 *o += back.scale(f);
             }
         }
@@ -128,19 +131,22 @@ impl Measure {
     /// Largest value over a period, and the base phase where it is reached.
     pub fn largest(self, system: &System, orbit: &Orbit, turns: usize) -> (f64, f64) {
         let samples = SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1));
-        let h = TAU / samples as f64;
+        let (h, roots) = (TAU / samples as f64, Roots::new(samples));
         let mut track = Track::new(self, system, orbit, turns);
-        let mut square = |tau: f64| track.square(tau);
-        let (mut tau, mut best) = (0.0, square(0.0));
+        let mut size = |j: usize| {
+            let [x, y] = track.sample(&roots, j);
+            x * x + y * y
+        };
+        let (mut tau, mut best) = (0.0, size(0));
         for j in 1..samples {
-            let r = square(h * j as f64);
+            let r = size(j);
             if !(r <= best) {
-                (tau, best) = (h * j as f64, r);
+                (tau, best) = (roots.phase(j), r);
             }
         }
         let refined = match self {
             Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h),
-            Measure::Force(_) => vertex(square, (tau, best), h),
+            Measure::Force(_) => vertex(|tau| track.square(tau), (tau, best), h),
         };
         (refined.1.sqrt(), refined.0)
     }
@@ -274,7 +280,7 @@ impl<'a> Track<'a> {
     fn sample(&mut self, roots: &Roots, j: usize) -> [f64; 2] {
         let Track { system, orbit, .. } = *self;
         match self.measure {
-            Measure::Probe(k) => orbit.probe_at(&system.probes()[k], roots.phase(j))[0],
+            Measure::Probe(k) => orbit.probe_turned(&system.probes()[k], |k| roots.at(k, j)),
             Measure::Force(slot) => {
                 let states = system.slots()[slot].states.clone();
                 orbit.some_turned(&self.own, states, |k| roots.at(k, j), [&mut self.q, &mut self.v, &mut self.a, &mut self.z]);

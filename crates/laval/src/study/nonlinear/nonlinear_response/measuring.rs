@@ -128,11 +128,12 @@ impl<'a> Measuring<'a> {
             let balance = self.balance_of(branch);
             let balanced = &mut self.balances[balance];
             let orbits: Vec<Orbit> = branch.points.iter().map(|p| Orbit::of(balanced, &p.x, p.speed).unwrap_or_default()).collect();
+            let at_folds: Vec<Orbit> = branch.folds.iter().map(|f| Orbit::of(balanced, &f.x, f.speed).unwrap_or_default()).collect();
             if self.measured.observed.is_empty() {
                 self.measured.observed = orbits.iter().find(|o| !o.orders.is_empty()).map_or_else(Vec::new, |o| self.observed_of(o));
             }
             let here = Here::now();
-            let seeing = self.seeing(branch);
+            let seeing = self.seeing(branch, &orbits);
             let one = |orbit: &Orbit| {
                 let _counted = here.enter();
                 let own = seeing.amplitudes_of(orbit);
@@ -149,12 +150,7 @@ impl<'a> Measuring<'a> {
                 observations.push(seen);
                 validity.push(valid);
             }
-            let mut folds = Vec::new();
-            for f in &branch.folds {
-                let orbit = Orbit::of(&mut self.balances[balance], &f.x, f.speed).unwrap_or_default();
-                let seeing = self.seeing(branch);
-                folds.push(seeing.sizes_of(&orbit, &seeing.amplitudes_of(&orbit)));
-            }
+            let folds = at_folds.iter().map(|orbit| seeing.sizes_of(orbit, &seeing.amplitudes_of(orbit))).collect();
             self.measured.at_folds.push(folds);
             self.measured.first_forces.push(forces);
             self.measured.sizes.push(sizes);
@@ -165,8 +161,12 @@ impl<'a> Measuring<'a> {
     }
 
     /// The machine without the equations of its motion, which threads do not share.
-    fn seeing(&self, branch: &Traced) -> Seeing<'_> {
-        let turns = branch.turns();
+    fn seeing(&self, branch: &Traced, orbits: &[Orbit]) -> Seeing<'_> {
+        let (turns, symmetry) = (branch.turns(), branch.discretisation.whole().symmetry);
+        // sizes repeat with the part of the period that the symmetry repeats
+        let parts = symmetry.order().max(1);
+        let instants = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
+        let highest = orbits.iter().filter_map(|o| o.orders.last().copied()).max().unwrap_or(1);
         Seeing {
             system: self.system,
             bodies: &self.bodies,
@@ -174,8 +174,11 @@ impl<'a> Measuring<'a> {
             force_slots: &self.force_slots,
             observed: self.measured.observed.len(),
             turns,
-            symmetry: branch.discretisation.whole().symmetry,
+            symmetry,
             roots: Roots::new(SAMPLES * turns),
+            parts,
+            instants: Roots::new(instants * parts),
+            force_samples: Measure::samples(highest, turns, symmetry),
         }
     }
 
@@ -205,6 +208,11 @@ struct Seeing<'m> {
     symmetry: Symmetry,
     /// Of the samples of a period.
     roots: Roots,
+    /// Parts of the period that repeat, and the instants in all of them.
+    parts: usize,
+    instants: Roots,
+    /// Of the samples from which a force at the spin frequency is found.
+    force_samples: Roots,
 }
 
 impl Seeing<'_> {
@@ -220,7 +228,7 @@ impl Seeing<'_> {
             if orbit.orders.is_empty() {
                 return [f64::NAN; 3];
             }
-            let [x, y] = Measure::Force(slot).first_order(self.system, orbit, self.turns, self.symmetry);
+            let [x, y] = Measure::Force(slot).first_order(self.system, orbit, self.turns, (self.symmetry, &self.force_samples));
             let (forward, backward) = ((x + y.mul_i()).scale(0.5), (x - y.mul_i()).scale(0.5));
             [forward.abs() + backward.abs(), x.abs(), y.abs()]
         };
@@ -249,7 +257,7 @@ impl Seeing<'_> {
         // squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
         let squares = |[x, y]: [f64; 2]| [x * x + y * y, x * x, y * y];
         for (o, (_, pair)) in out.iter_mut().zip(self.bodies) {
-            let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(orbit.pair_turned(pair, |k| self.roots.at(k, j))).to_vec()).collect();
+            let series: Vec<[f64; 3]> = (0..samples).map(|j| squares(orbit.pair_turned(pair, |k| self.roots.at(k, j)))).collect();
             for (k, which) in [1, 2, 5].into_iter().enumerate() {
                 o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
                     let near = |shift: f64| squares(orbit.pair_at(pair, h * (top as f64 + beside + shift * CLOSER)))[k];
@@ -262,7 +270,6 @@ impl Seeing<'_> {
     }
 
     fn observe(&self, orbit: &Orbit) -> (Vec<f64>, Uses) {
-        let (turns, symmetry) = (self.turns, self.symmetry);
         let mut uses = Uses::default();
         if orbit.orders.is_empty() {
             return (vec![f64::NAN; self.observed], uses);
@@ -270,9 +277,7 @@ impl Seeing<'_> {
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut ws = Workspace::default();
-        // sizes repeat with the part of the period that the symmetry repeats
-        let (divisor, parts) = (turns as f64, symmetry.order().max(1));
-        let samples = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
+        let (divisor, parts, samples) = (self.turns as f64, self.parts, self.instants.count() / self.parts);
         let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
         let system = self.system;
         let instant = |tau: f64| (divisor * tau, tau / orbit.frequency);
@@ -281,7 +286,7 @@ impl Seeing<'_> {
         let mut owners: Vec<(usize, usize)> = Vec::new();
         for j in 0..samples {
             let tau = h * j as f64;
-            orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
+            orbit.turned(|k| self.instants.at(k, j), [&mut q, &mut v, &mut a, &mut z]);
             let (phase, t) = instant(tau);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase, speed: orbit.speed, spin_accel: 0.0, t };
             if parts > 1 || j % 4 == 0 {
@@ -326,8 +331,8 @@ impl Seeing<'_> {
 
 /// Index of the largest of quantity `k` in samples of a period, and how far beside it, in samples, the vertex of the parabola through it and those beside it
 /// lies; `None` where one is not a number.
-fn crest(series: &[Vec<f64>], k: usize) -> Option<(usize, f64)> {
-    let of = |j: usize| series[j % series.len()].get(k).copied().unwrap_or(f64::NAN);
+fn crest(series: &[impl AsRef<[f64]>], k: usize) -> Option<(usize, f64)> {
+    let of = |j: usize| series[j % series.len()].as_ref().get(k).copied().unwrap_or(f64::NAN);
     let mut top = 0;
     for j in 0..series.len() {
         if of(j).is_nan() {
