@@ -86,6 +86,8 @@ struct Around {
     middle: f64,
     folds: Vec<f64>,
     turns: usize,
+    /// Equal parts of the period with which sizes repeat.
+    parts: usize,
     /// Length of the chord in scaled unknowns and parameter.
     length: f64,
 }
@@ -105,7 +107,8 @@ impl Around {
             motions.push(Motion { place: place(k), x: state.x.clone(), speed: state.speed, residual: state.residual, orbit });
         }
         let folds = branch.folds.iter().filter(|f| (least..most).contains(&f.after)).map(|f| chord.place(&f.x, f.speed)).collect();
-        let mut around = Around { middle: place(i), motions, folds, turns: branch.turns(), length: chord.length() };
+        let parts = branch.discretisation.whole().symmetry.order().max(1);
+        let mut around = Around { middle: place(i), motions, folds, turns: branch.turns(), parts, length: chord.length() };
         let mut last = f64::INFINITY;
         for _ in 0..MOST {
             let place = around.next();
@@ -242,7 +245,7 @@ impl<'a> Own<'a> {
 
     fn largest(&mut self, place: f64) -> (f64, f64) {
         self.go(place);
-        self.measure.largest(self.system, &self.orbit, self.around.turns)
+        self.measure.largest_of_part(self.system, &self.orbit, self.around.turns, self.around.parts)
     }
 
     fn square(&mut self, place: f64, tau: f64) -> f64 {

@@ -147,7 +147,7 @@ pub struct Assessor {
 }
 
 /// Points of a branch that one thread assesses together.
-const GROUP: usize = 32;
+pub(super) const GROUP: usize = 32;
 /// Exponents that decay and are followed from motion to motion.
 const FOLLOWED: usize = 8;
 /// Most terms of Hill's determinants for one branch.

@@ -130,6 +130,11 @@ impl Measure {
 
     /// Largest value over a period, and the base phase where it is reached.
     pub fn largest(self, system: &System, orbit: &Orbit, turns: usize) -> (f64, f64) {
+        self.largest_of_part(system, orbit, turns, 1)
+    }
+
+    /// The same of a motion whose sizes repeat with so many equal parts of the period.
+    pub(in crate::harmonic) fn largest_of_part(self, system: &System, orbit: &Orbit, turns: usize, parts: usize) -> (f64, f64) {
         let samples = SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1));
         let (h, roots) = (TAU / samples as f64, Roots::new(samples));
         let mut track = Track::new(self, system, orbit, turns);
@@ -138,7 +143,7 @@ impl Measure {
             x * x + y * y
         };
         let (mut tau, mut best) = (0.0, size(0));
-        for j in 1..samples {
+        for j in 1..samples.div_ceil(parts) {
             let r = size(j);
             if !(r <= best) {
                 (tau, best) = (roots.phase(j), r);

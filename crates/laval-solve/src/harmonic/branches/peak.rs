@@ -49,14 +49,15 @@ pub fn refine(balance: &mut Balance, branch: &Traced, i: usize, measure: Measure
     let (least, most) = speeds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &w| (a.min(w), b.max(w)));
     let range = (lo.max(2.0 * least - most), hi.min(2.0 * most - least));
     let settings = Settings { max_points: POINTS, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(range.0, range.1) };
+    let parts = branch.discretisation.whole().symmetry.order().max(1);
     let size = |balance: &mut Balance, x: &[f64], speed: f64| {
-        Some(measure.largest(balance.system, &Orbit::of(balance, x, speed).ok()?, branch.turns()).0)
+        Some(measure.largest_of_part(balance.system, &Orbit::of(balance, x, speed).ok()?, branch.turns(), parts).0)
     };
     let sampled = size(balance, &at.x, at.speed)?;
     let beside = size(balance, &before.x, before.speed)?;
     let (turns, unit) = (branch.turns(), sampled.max(beside));
     let mut tests: [Test<'_, Balance>; 1] =
-        [Box::new(move |balance, point| slope(balance, point, measure, turns, unit).unwrap_or(f64::NAN))];
+        [Box::new(move |balance, point| slope(balance, point, measure, (turns, parts), unit).unwrap_or(f64::NAN))];
     let found = trace(balance, &before.x, before.speed, direction, &settings, &mut tests).ok()?;
     let mut best: Option<Peak> = None;
     let better = |a: f64, b: f64| if sense == Sense::Largest { a > b } else { a < b };
@@ -76,11 +77,11 @@ pub fn refine(balance: &mut Balance, branch: &Traced, i: usize, measure: Measure
 }
 
 /// Slope of the square along a branch: at the instant of the largest value, by central differences along the tangent.
-fn slope(balance: &mut Balance, point: &Point, measure: Measure, turns: usize, unit: f64) -> Option<f64> {
+fn slope(balance: &mut Balance, point: &Point, measure: Measure, (turns, parts): (usize, usize), unit: f64) -> Option<f64> {
     let system = balance.system;
     balance.condense(point.p, true).ok()?;
     let orbit = Orbit::of(balance, &point.x, point.p).ok()?;
-    let tau = measure.largest(system, &orbit, turns).1;
+    let tau = measure.largest_of_part(system, &orbit, turns, parts).1;
     let size = point.x.iter().zip(balance.scales()).map(|(x, s)| (x / s) * (x / s)).sum::<f64>().sqrt().max(1.0);
     let step = 1e-5 * size;
     let beside = orbit.beside(balance, (&point.x, point.p), (&point.dx_ds, point.dp_ds), step).ok()?;

@@ -5,7 +5,7 @@ use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::problem::{Balance, Discretisation, Nonlinear};
 use crate::harmonic::balance::terms::{Terms, admitted};
 use crate::harmonic::branches::agreement::{self, Agreement};
-use crate::harmonic::branches::branch::{Assessor, Origin};
+use crate::harmonic::branches::branch::{Assessor, GROUP, Origin};
 use crate::harmonic::branches::families;
 use crate::harmonic::branches::starts::Starts;
 use crate::harmonic::branches::unclosed::{Unclosed, unclosed};
@@ -16,6 +16,7 @@ use crate::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_model::text;
 use laval_num::continuation::{Branch, Direction, End, Point, Settings, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
@@ -474,7 +475,11 @@ fn sampling_error(system: &System, balance: &mut Balance, d: Discretisation, bra
     Ok(if size == 0.0 { change } else { change / size })
 }
 
-/// The whole motion at a point.
-pub fn orbit_at(balance: &mut Balance, state: &State) -> Option<Orbit> {
-    Orbit::of(balance, &state.x, state.speed).ok()
+/// The whole motions at points, empty where there is none. Groups are of a fixed number, so that nothing depends on how many threads share them.
+pub fn orbits(balance: &Balance, states: &[State]) -> Vec<Orbit> {
+    let of = |group: &[State]| {
+        let mut own = balance.twin(balance.cancel);
+        group.iter().map(|s| Orbit::of(&mut own, &s.x, s.speed).unwrap_or_default()).collect::<Vec<_>>()
+    };
+    states.par_chunks(GROUP).map(of).collect::<Vec<_>>().concat()
 }

@@ -10,7 +10,7 @@ use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::around::Peaks;
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense, refine};
-use crate::solve::harmonic::branches::response::{Request, Response, Traced};
+use crate::solve::harmonic::branches::response::{Request, Response, Traced, orbits};
 use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
 use crate::study::shared::support::larger;
@@ -127,7 +127,7 @@ impl<'a> Measuring<'a> {
         for branch in &response.branches {
             let balance = self.balance_of(branch);
             let balanced = &mut self.balances[balance];
-            let orbits: Vec<Orbit> = branch.points.iter().map(|p| Orbit::of(balanced, &p.x, p.speed).unwrap_or_default()).collect();
+            let orbits = orbits(balanced, &branch.points);
             let at_folds: Vec<Orbit> = branch.folds.iter().map(|f| Orbit::of(balanced, &f.x, f.speed).unwrap_or_default()).collect();
             if self.measured.observed.is_empty() {
                 self.measured.observed = orbits.iter().find(|o| !o.orders.is_empty()).map_or_else(Vec::new, |o| self.observed_of(o));
