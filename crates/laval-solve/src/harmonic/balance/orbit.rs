@@ -5,6 +5,7 @@ use crate::model::probe::Probe;
 use crate::model::station::Pair;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero};
+use laval_num::fourier::Roots;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -87,13 +88,25 @@ impl Orbit {
         Ok(out)
     }
 
+    /// What of it moves at one order of the base frequency; `None` where it has no such order.
+    pub fn of_order(&self, order: usize) -> Option<Orbit> {
+        let which = self.orders.iter().position(|&k| k == order)?;
+        let [coordinates, states] = [&self.coordinates, &self.states].map(|all| vec![all[which].clone()]);
+        Some(Orbit { orders: vec![order], coordinates, states, rest: self.rest.clone(), ..*self })
+    }
+
     /// Coordinates, rates, accelerations and states at base phase `tau`, in vectors of the machine's sizes.
     pub fn at(&self, tau: f64, q: &mut [f64], v: &mut [f64], a: &mut [f64], z: &mut [f64]) {
         self.turned(|k| C64::cis(k as f64 * tau), [q, v, a, z]);
     }
 
+    /// The same at a sample of a period.
+    pub fn at_sample(&self, roots: &Roots, j: usize, out: [&mut [f64]; 4]) {
+        self.turned(|k| roots.at(k, j), out);
+    }
+
     /// The same where every order stands at an angle, given as `e^(i angle)`.
-    pub fn turned(&self, turned: impl Fn(usize) -> C64, [q, v, a, z]: [&mut [f64]; 4]) {
+    fn turned(&self, turned: impl Fn(usize) -> C64, [q, v, a, z]: [&mut [f64]; 4]) {
         for x in [&mut *q, &mut *v, &mut *a, &mut *z] {
             x.fill(0.0);
         }
@@ -117,8 +130,12 @@ impl Orbit {
         self.some_turned(coordinates, states, |k| C64::cis(k as f64 * tau), out);
     }
 
-    /// The same where every order stands at an angle, given as `e^(i angle)`.
-    pub fn some_turned(&self, coordinates: &[usize], states: Range<usize>, turned: impl Fn(usize) -> C64, [q, v, a, z]: [&mut [f64]; 4]) {
+    /// The same at a sample of a period.
+    pub fn some_at_sample(&self, coordinates: &[usize], states: Range<usize>, (roots, j): (&Roots, usize), out: [&mut [f64]; 4]) {
+        self.some_turned(coordinates, states, |k| roots.at(k, j), out);
+    }
+
+    fn some_turned(&self, coordinates: &[usize], states: Range<usize>, turned: impl Fn(usize) -> C64, [q, v, a, z]: [&mut [f64]; 4]) {
         for x in [&mut *q, &mut *v, &mut *a, &mut *z] {
             x.fill(0.0);
         }
@@ -144,15 +161,10 @@ impl Orbit {
 
     /// A pair, from rest, at base phase `tau`.
     pub fn pair_at(&self, pair: &Pair, tau: f64) -> [f64; 2] {
-        self.pair_turned(pair, |k| C64::cis(k as f64 * tau))
-    }
-
-    /// The same where every order stands at an angle, given as `e^(i angle)`.
-    pub fn pair_turned(&self, pair: &Pair, turned: impl Fn(usize) -> C64) -> [f64; 2] {
         let [x, y] = self.rest_of(pair);
         let each = self.orders.iter().zip(&self.coordinates);
         each.fold([-x, -y], |[x, y], (&k, amplitudes)| {
-            let turn = turned(k);
+            let turn = C64::cis(k as f64 * tau);
             let [a, b] = pair.amplitudes(amplitudes);
             [x + (a * turn).re, y + (b * turn).re]
         })
@@ -175,11 +187,11 @@ impl Orbit {
         out
     }
 
-    /// What a probe measures, from rest, where every order stands at an angle, given as `e^(i angle)`.
-    pub fn probe_turned(&self, probe: &Probe, turned: impl Fn(usize) -> C64) -> [f64; 2] {
+    /// What a probe measures, from rest, at a sample of a period.
+    pub fn probe_at_sample(&self, probe: &Probe, roots: &Roots, j: usize) -> [f64; 2] {
         let each = self.orders.iter().zip(&self.coordinates);
         each.fold(self.rest_seen(probe).map(|r| -r), |[x, y], (&k, amplitudes)| {
-            let (turn, [a, b]) = (turned(k), probe.amplitudes(amplitudes));
+            let (turn, [a, b]) = (roots.at(k, j), probe.amplitudes(amplitudes));
             [x + (a * turn).re, y + (b * turn).re]
         })
     }

@@ -68,6 +68,14 @@ impl Measure {
         }
     }
 
+    /// It is a linear function of the motion, up to a constant and what turns with the rotor.
+    fn is_linear(self, system: &System) -> bool {
+        match self {
+            Measure::Probe(_) => true,
+            Measure::Force(slot) => system.slots()[slot].is_linear(),
+        }
+    }
+
     /// The coordinates and states that it depends on.
     pub(super) fn coordinates(self, system: &System) -> (Vec<usize>, Range<usize>) {
         match self {
@@ -98,8 +106,12 @@ impl Measure {
         Roots::new(if symmetry == Symmetry::Circular { ROUND } else { turns * SAMPLES.max(8 * highest.div_ceil(turns)) })
     }
 
-    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. Of a symmetric motion only part of the period is sampled.
+    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. Of a symmetric motion only part of the period is sampled; what is
+    /// linear answers each order alone.
     pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize, (symmetry, samples): (Symmetry, &Roots)) -> [C64; 2] {
+        let linear = symmetry != Symmetry::Circular && self.is_linear(system);
+        let alone = linear.then(|| orbit.of_order(turns)).flatten().map(|alone| (alone, Roots::new(ROUND * turns)));
+        let (orbit, samples) = alone.as_ref().map_or((orbit, samples), |(alone, few)| (alone, few));
         let count = samples.count();
         // after half a turn both components have changed their signs, and so has the wave they are compared with; after a quarter y is what x was, and the motion turns forward
         let taken = match symmetry {
@@ -285,10 +297,10 @@ impl<'a> Track<'a> {
     fn sample(&mut self, roots: &Roots, j: usize) -> [f64; 2] {
         let Track { system, orbit, .. } = *self;
         match self.measure {
-            Measure::Probe(k) => orbit.probe_turned(&system.probes()[k], |k| roots.at(k, j)),
+            Measure::Probe(k) => orbit.probe_at_sample(&system.probes()[k], roots, j),
             Measure::Force(slot) => {
                 let states = system.slots()[slot].states.clone();
-                orbit.some_turned(&self.own, states, |k| roots.at(k, j), [&mut self.q, &mut self.v, &mut self.a, &mut self.z]);
+                orbit.some_at_sample(&self.own, states, (roots, j), [&mut self.q, &mut self.v, &mut self.a, &mut self.z]);
                 self.force(slot, self.turns as f64 * roots.phase(j))
             }
         }

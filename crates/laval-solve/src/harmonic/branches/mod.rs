@@ -11,6 +11,7 @@ pub mod peak;
 pub mod response;
 pub mod seeds;
 pub mod sensitivity;
+pub mod sizes;
 pub(in crate::harmonic) mod starts;
 pub mod time_starts;
 pub mod unclosed;

@@ -11,6 +11,7 @@ use crate::solve::harmonic::branches::around::Peaks;
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::branches::response::{Request, Response, Traced, orbits};
+use crate::solve::harmonic::branches::sizes::{CLOSER, SAMPLES, Waves, crest, vertex};
 use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
 use crate::study::shared::support::larger;
@@ -32,16 +33,15 @@ pub(super) struct Measuring<'a> {
     pub(super) which: Vec<usize>,
     /// Slots of parts whose force is measured.
     force_slots: Vec<usize>,
+    /// What parts show is measured.
+    observes: bool,
     /// By branch.
     peaks: HashMap<usize, Peaks>,
     pub(super) measured: Measured,
 }
 
-const SAMPLES: usize = 64;
 /// Instants at which a circular motion, whose sizes stay, is looked at.
 const ROUND: usize = 4;
-/// Step of the second look at a largest value, over the step of the samples.
-const CLOSER: f64 = 0.125;
 
 impl<'a> Measuring<'a> {
     pub(super) fn new(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
@@ -60,9 +60,15 @@ impl<'a> Measuring<'a> {
             probes,
             which,
             force_slots: Measure::forces(system),
+            observes: true,
             peaks: HashMap::new(),
             measured: Measured::default(),
         })
+    }
+
+    /// Of displacements, tilts and validity alone.
+    pub(super) fn of_sizes(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
+        Ok(Measuring { force_slots: Vec::new(), observes: false, ..Measuring::new(system, response, request)? })
     }
 
     /// All that is measured of a response.
@@ -129,7 +135,7 @@ impl<'a> Measuring<'a> {
             let balanced = &mut self.balances[balance];
             let orbits = orbits(balanced, &branch.points);
             let at_folds: Vec<Orbit> = branch.folds.iter().map(|f| Orbit::of(balanced, &f.x, f.speed).unwrap_or_default()).collect();
-            if self.measured.observed.is_empty() {
+            if self.observes && self.measured.observed.is_empty() {
                 self.measured.observed = orbits.iter().find(|o| !o.orders.is_empty()).map_or_else(Vec::new, |o| self.observed_of(o));
             }
             let here = Here::now();
@@ -166,7 +172,7 @@ impl<'a> Measuring<'a> {
         // sizes repeat with the part of the period that the symmetry repeats
         let parts = symmetry.order().max(1);
         let instants = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
-        let highest = orbits.iter().filter_map(|o| o.orders.last().copied()).max().unwrap_or(1);
+        let orders = orbits.iter().map(|o| o.orders.as_slice()).max_by_key(|o| o.len()).unwrap_or_default();
         Seeing {
             system: self.system,
             bodies: &self.bodies,
@@ -175,10 +181,10 @@ impl<'a> Measuring<'a> {
             observed: self.measured.observed.len(),
             turns,
             symmetry,
-            roots: Roots::new(SAMPLES * turns),
+            waves: Waves::new(orders, turns, symmetry),
             parts,
             instants: Roots::new(instants * parts),
-            force_samples: Measure::samples(highest, turns, symmetry),
+            force_samples: Measure::samples(orders.last().copied().unwrap_or(1), turns, symmetry),
         }
     }
 
@@ -206,8 +212,7 @@ struct Seeing<'m> {
     /// Period in turns.
     turns: usize,
     symmetry: Symmetry,
-    /// Of the samples of a period.
-    roots: Roots,
+    waves: Waves,
     /// Parts of the period that repeat, and the instants in all of them.
     parts: usize,
     instants: Roots,
@@ -236,37 +241,7 @@ impl Seeing<'_> {
     }
 
     fn amplitudes_of(&self, orbit: &Orbit) -> Vec<[f64; 8]> {
-        let divisor = self.turns;
-        if orbit.orders.is_empty() {
-            return vec![[f64::NAN; 8]; self.bodies.len()];
-        }
-        let slow = |x: &Pair| {
-            let whirls = (1..divisor).map(|k| orbit.whirl(x, k));
-            whirls.fold(0.0, |m, (forward, backward)| larger(larger(m, forward.abs()), backward.abs()))
-        };
-        let first = orbit.orders.iter().position(|&k| k == divisor);
-        let own = |x: &Pair| first.map_or([0.0; 2], |i| x.amplitudes(&orbit.coordinates[i]).map(|a| a.abs()));
-        let start = |(_, pair): &(String, Pair)| {
-            let [x, y] = own(pair);
-            [orbit.whirl(pair, divisor).0.abs(), 0.0, 0.0, slow(pair), 0.0, 0.0, x, y]
-        };
-        let mut out: Vec<[f64; 8]> = self.bodies.iter().map(start).collect();
-        let h = TAU / (SAMPLES * divisor) as f64;
-        // after half a turn squares repeat
-        let samples = if self.symmetry == Symmetry::None { SAMPLES * divisor } else { SAMPLES * divisor / 2 };
-        // squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
-        let squares = |[x, y]: [f64; 2]| [x * x + y * y, x * x, y * y];
-        for (o, (_, pair)) in out.iter_mut().zip(self.bodies) {
-            let series: Vec<[f64; 3]> = (0..samples).map(|j| squares(orbit.pair_turned(pair, |k| self.roots.at(k, j)))).collect();
-            for (k, which) in [1, 2, 5].into_iter().enumerate() {
-                o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
-                    let near = |shift: f64| squares(orbit.pair_at(pair, h * (top as f64 + beside + shift * CLOSER)))[k];
-                    larger(series[top][k], vertex([near(-1.0), near(0.0), near(1.0)]).1).sqrt()
-                });
-            }
-            o[4] = (series.iter().map(|s| s[0]).sum::<f64>() / samples as f64).sqrt();
-        }
-        out
+        self.bodies.iter().map(|(_, pair)| self.waves.sizes(orbit, pair)).collect()
     }
 
     fn observe(&self, orbit: &Orbit) -> (Vec<f64>, Uses) {
@@ -278,7 +253,8 @@ impl Seeing<'_> {
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut ws = Workspace::default();
         let (divisor, parts, samples) = (self.turns as f64, self.parts, self.instants.count() / self.parts);
-        let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
+        // by quantity
+        let mut series: Vec<Vec<f64>> = vec![Vec::with_capacity(samples); self.observed];
         let system = self.system;
         let instant = |tau: f64| (divisor * tau, tau / orbit.frequency);
         let h = TAU / (samples * parts) as f64;
@@ -286,11 +262,14 @@ impl Seeing<'_> {
         let mut owners: Vec<(usize, usize)> = Vec::new();
         for j in 0..samples {
             let tau = h * j as f64;
-            orbit.turned(|k| self.instants.at(k, j), [&mut q, &mut v, &mut a, &mut z]);
+            orbit.at_sample(&self.instants, j, [&mut q, &mut v, &mut a, &mut z]);
             let (phase, t) = instant(tau);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase, speed: orbit.speed, spin_accel: 0.0, t };
             if parts > 1 || j % 4 == 0 {
                 uses.see(system, &at, &mut ws);
+            }
+            if self.observed == 0 {
+                continue;
             }
             let mut seen = system.observe(&at, &mut ws);
             if owners.is_empty() {
@@ -301,12 +280,12 @@ impl Seeing<'_> {
                 }
             }
             seen.retain(|(_, o)| o.name != Observed::DISPLACEMENT);
-            series.push(seen.iter().map(|(_, o)| o.value.abs()).collect());
+            series.iter_mut().zip(&seen).for_each(|(s, (_, o))| s.push(o.value.abs()));
         }
         let mut largest = vec![f64::NAN; self.observed];
         for (k, l) in largest.iter_mut().enumerate() {
-            let Some((top, beside)) = crest(&series, k) else { continue };
-            *l = series[top][k];
+            let Some((top, beside)) = crest(&series[k]) else { continue };
+            *l = series[k][top];
             let Some(&(part, place)) = owners.get(k).filter(|_| *l > 0.0) else { continue };
             let (slot, tau) = (&system.slots()[part], h * (top as f64 + beside));
             let own = slot.coordinates();
@@ -327,26 +306,4 @@ impl Seeing<'_> {
         }
         (largest, uses)
     }
-}
-
-/// Index of the largest of quantity `k` in samples of a period, and how far beside it, in samples, the vertex of the parabola through it and those beside it
-/// lies; `None` where one is not a number.
-fn crest(series: &[impl AsRef<[f64]>], k: usize) -> Option<(usize, f64)> {
-    let of = |j: usize| series[j % series.len()].as_ref().get(k).copied().unwrap_or(f64::NAN);
-    let mut top = 0;
-    for j in 0..series.len() {
-        if of(j).is_nan() {
-            return None;
-        }
-        if of(j) > of(top) {
-            top = j;
-        }
-    }
-    Some((top, vertex([of(top + series.len() - 1), of(top), of(top + 1)]).0))
-}
-
-/// Place, in steps from the middle one, and value of the vertex of a parabola through three equally spaced values.
-fn vertex([a, b, c]: [f64; 3]) -> (f64, f64) {
-    let bend = a - 2.0 * b + c;
-    if bend < 0.0 { ((0.5 * (a - c) / bend).clamp(-1.0, 1.0), b - (a - c) * (a - c) / (8.0 * bend)) } else { (0.0, b) }
 }

@@ -94,7 +94,7 @@ impl Summary {
     /// As [`respond`].
     pub fn of(system: &System, request: &Request, cancel: &AtomicBool) -> Result<Summary, Diagnostic> {
         let response = respond(system, request, cancel, &|_| {})?;
-        let mut measuring = Measuring::new(system, &response, request)?;
+        let mut measuring = Measuring::of_sizes(system, &response, request)?;
         measuring.measure(&response);
         let displaced = measuring.measured.displaced(&measuring.probes);
         let mut rises = false;
