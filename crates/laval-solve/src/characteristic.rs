@@ -34,6 +34,7 @@ const NEAR: f64 = 1e-9;
 const MOVES: f64 = 4.0;
 
 /// T(s) about one equilibrium.
+#[derive(Clone)]
 pub struct Characteristic<'a> {
     system: &'a System,
     params: Vec<D1>,

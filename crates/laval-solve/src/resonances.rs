@@ -10,6 +10,7 @@
 //! Source of the approximation: as of [`laval_num::rational`].
 
 use super::characteristic::Characteristic;
+use super::spectra_ahead::together;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 use laval_num::rational::poles;
@@ -22,6 +23,8 @@ const LEAST: f64 = 1e-4;
 /// Relative error allowed, and most poles.
 const ERROR: f64 = 1e-7;
 const MOST: usize = 28;
+/// Frequencies that one thread evaluates together.
+const PIECE: usize = 16;
 /// Poles farther than this from the axis, over the largest frequency, are of no use.
 const FAR: f64 = 0.5;
 
@@ -32,8 +35,13 @@ pub(super) fn resonances(t: &mut Characteristic, members: &[usize], mirrored: bo
     let ratios = (0..RATIOS).map(|k| frequency * LEAST.powf(k as f64 / RATIOS as f64));
     let upper: Vec<f64> = even.chain(ratios).collect();
     let grid: Vec<f64> = if mirrored { upper } else { upper.iter().flat_map(|&w| [w, -w]).collect() };
-    let mut probes = Probes::new(t, members, usual);
-    let known: Vec<(C64, [C64; 2])> = grid.iter().filter_map(|&w| probes.at(w)).collect();
+    let probes = Probes::new(t, members, usual);
+    let pieces: Vec<&[f64]> = grid.chunks(PIECE).collect();
+    let of_piece = |piece: &&[f64]| {
+        let (mut t, mut value, mut slope) = (t.clone(), Mat::default(), Mat::default());
+        piece.iter().filter_map(|&w| probes.at(&mut t, w, &mut value, &mut slope)).collect::<Vec<_>>()
+    };
+    let known: Vec<(C64, [C64; 2])> = together(&pieces, of_piece).concat();
     let x: Vec<C64> = known.iter().map(|k| k.0).collect();
     let of = |which: usize| {
         let f: Vec<C64> = known.iter().map(|k| k.1[which]).collect();
@@ -47,31 +55,28 @@ pub(super) fn resonances(t: &mut Characteristic, members: &[usize], mirrored: bo
 }
 
 /// The responses that are looked at.
-struct Probes<'a, 'b> {
-    t: &'a mut Characteristic<'b>,
+struct Probes<'a> {
     members: &'a [usize],
     /// Loads, and weights of what they move, of each of two.
     loads: [Vec<C64>; 2],
     weights: [Vec<C64>; 2],
-    value: Mat<C64>,
-    slope: Mat<C64>,
 }
 
-impl<'a, 'b> Probes<'a, 'b> {
-    fn new(t: &'a mut Characteristic<'b>, members: &'a [usize], usual: f64) -> Self {
+impl<'a> Probes<'a> {
+    fn new(t: &mut Characteristic, members: &'a [usize], usual: f64) -> Self {
         let (mut value, mut slope) = (Mat::default(), Mat::default());
         t.at(c(0.0, 0.317 * usual), &mut value, &mut slope);
         // displacements and tilts alike
         let size = |i: usize| Some(value[(i, i)].abs().sqrt()).filter(|x| *x > 0.0 && x.is_finite()).unwrap_or(1.0);
         let mixed = |turn: f64| members.iter().enumerate().map(|(k, &i)| C64::cis(turn * (k as f64 + 0.4)).scale(size(i))).collect();
-        Probes { loads: [mixed(0.7), mixed(2.3)], weights: [mixed(1.9), mixed(-1.1)], t, members, value, slope }
+        Probes { loads: [mixed(0.7), mixed(2.3)], weights: [mixed(1.9), mixed(-1.1)], members }
     }
 
-    fn at(&mut self, w: f64) -> Option<(C64, [C64; 2])> {
+    fn at(&self, t: &mut Characteristic, w: f64, value: &mut Mat<C64>, slope: &mut Mat<C64>) -> Option<(C64, [C64; 2])> {
         let s = c(0.0, w);
-        self.t.at(s, &mut self.value, &mut self.slope);
+        t.at(s, value, slope);
         let k = self.members.len();
-        let own = Mat::from_fn(k, k, |i, j| self.value[(self.members[i], self.members[j])]);
+        let own = Mat::from_fn(k, k, |i, j| value[(self.members[i], self.members[j])]);
         let lu = Lu::new(&own).ok()?;
         let out = [0, 1].map(|which| {
             let mut x = self.loads[which].clone();

@@ -5,6 +5,7 @@
 use crate::border::Border;
 use crate::characteristic::{Characteristic, Polished};
 use crate::sectors::Sector;
+use crate::spectra_ahead::together;
 use laval_num::complex::C64;
 use laval_num::contour::Sample;
 use laval_num::eig::{self, Quadratic, Start};
@@ -40,19 +41,32 @@ pub struct Near<'a> {
     pub root: Option<&'a Polished>,
 }
 
-/// The roots that starts lead to. Where the iteration side by side does not settle, or T is no polynomial, each by itself.
+/// The roots that starts lead to. Where the iteration side by side does not settle, or T is no polynomial, each by itself, on all processors.
 pub fn polish_all(t: &mut Characteristic, starts: &[Near], sector: Option<Sector>) -> Vec<Option<Polished>> {
-    let single = |t: &mut Characteristic, s: &Near| match s.root {
-        Some(root) => t.polish_with(s.value, root.border.clone()),
-        None => t.polish(s.value, sector),
-    };
+    let mut out: Vec<Option<Polished>> = starts.iter().map(|_| None).collect();
     if starts.is_empty() {
-        return Vec::new();
+        return out;
     }
-    let Some(block) = Block::new(t, sector) else { return starts.iter().map(|s| single(t, s)).collect() };
+    if let Some(block) = Block::new(t, sector) {
+        polish_block(t, &block, starts, &mut out);
+    }
+    let left: Vec<usize> = (0..starts.len()).filter(|&k| out[k].is_none()).collect();
+    let alone = |&k: &usize| {
+        let (mut t, s) = (t.clone(), &starts[k]);
+        match s.root {
+            Some(root) => t.polish_with(s.value, root.border.clone()),
+            None => t.polish(s.value, sector),
+        }
+    };
+    for (&k, root) in left.iter().zip(together(&left, alone)) {
+        out[k] = root;
+    }
+    out
+}
+
+fn polish_block(t: &Characteristic, block: &Block, starts: &[Near], out: &mut [Option<Polished>]) {
     let mut order: Vec<usize> = (0..starts.len()).collect();
     order.sort_by(|&a, &b| starts[a].value.abs().total_cmp(&starts[b].value.abs()));
-    let mut out: Vec<Option<Polished>> = starts.iter().map(|_| None).collect();
     let mut factors = LaneFactors::default();
     for some in order.chunks(LANES) {
         let size = some.iter().map(|&k| starts[k].value.abs()).fold(0.0, f64::max);
@@ -65,13 +79,9 @@ pub fn polish_all(t: &mut Characteristic, starts: &[Near], sector: Option<Sector
             .map(|(&k, v)| Start { value: starts[k].value, vectors: v.as_ref().map(|(x, y)| (&x[..], &y[..])) })
             .collect();
         for (&k, root) in some.iter().zip(eig::polish(&scaled, &own, &mut factors)) {
-            out[k] = root.and_then(|r| of_all(t, &block, &scaled, r));
+            out[k] = root.and_then(|r| of_all(t, block, &scaled, r));
         }
     }
-    for (out, s) in out.iter_mut().zip(starts).filter(|(out, _)| out.is_none()) {
-        *out = single(t, s);
-    }
-    out
 }
 
 fn taken(of: &Selection, x: &[C64]) -> Vec<C64> {

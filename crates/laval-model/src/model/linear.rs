@@ -383,6 +383,7 @@ fn add_turning<S: Scalar>(slot: &Slot, first: usize, b: &Blocks<S>, params: &[S]
 }
 
 /// Scratch for [`System::linear`] and [`System::dynamic_stiffness`].
+#[derive(Clone)]
 pub struct LinearScratch<S> {
     local: Blocks<S>,
     impedance: Vec<Complex<S>>,

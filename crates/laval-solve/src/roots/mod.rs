@@ -30,12 +30,13 @@ use crate::pencil::{Family, ISOTROPIC, Linearised, Spectrum, time_forms};
 use crate::resonances::resonances;
 use crate::sectors::Sector;
 use crate::side_by_side::{Block, Determinants, Near, polish_all};
+use crate::spectra_ahead::together;
 use crate::ties::{mode_rank, settle};
 use laval_model::text;
 use laval_num::complex::{C64, c};
 use laval_num::contour::{Found, Function, Region, Sample, missing, zeros};
 use laval_num::eig;
-use laval_num::factor::{Directed, Factors, Selection};
+use laval_num::factor::{Directed, Factors, LogDet, Selection};
 use laval_num::lanes::LANES;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -48,6 +49,10 @@ const SPREAD: i32 = 16;
 /// Most evaluations of the characteristic matrix for one rectangle, and most terms of series in them.
 const BUDGET: u64 = 400_000;
 const TERMS: u64 = 8_000_000;
+
+/// Terms of series from which on places are evaluated on all processors, and how many one thread takes together.
+const COSTLY: u64 = 64;
+const PIECE: usize = 4;
 
 /// Relative distance of a zero of the rough function from the root it stands for.
 pub const SAME: f64 = 1e-6;
@@ -154,6 +159,8 @@ struct Determinant<'a, 'b> {
     bare: bool,
     /// Many places together, where T is a polynomial with many unknowns.
     together: Option<Determinants>,
+    /// T takes so long that places are evaluated on all processors.
+    costly: bool,
     cancel: Option<&'a AtomicBool>,
 }
 
@@ -162,11 +169,12 @@ impl<'a, 'b> Determinant<'a, 'b> {
         t: &'a mut Characteristic<'b>,
         sector: Option<Sector>,
         (frequency, counts): (f64, bool),
+        costly: bool,
         cancel: Option<&'a AtomicBool>,
     ) -> Self {
         let of = t.selection(&t.members(sector));
         let together = counts.then(|| Block::new(t, sector)).flatten().and_then(|block| Determinants::new(&block, frequency));
-        Determinant { t, sector, of, factors: Factors::default(), bare: false, together, cancel }
+        Determinant { t, sector, of, factors: Factors::default(), bare: false, together, costly, cancel }
     }
 
     /// For places of some size.
@@ -178,6 +186,11 @@ impl<'a, 'b> Determinant<'a, 'b> {
 
     fn single(&mut self, s: C64) -> Option<Sample> {
         let determinant = self.t.determinant(s, &self.of, &mut self.factors)?;
+        self.regular(determinant, s)
+    }
+
+    /// With the poles of waves taken away.
+    fn regular(&self, determinant: LogDet, s: C64) -> Option<Sample> {
         let mut sample = Sample { phase: determinant.phase, rate: determinant.rate };
         if !self.bare && self.sector != Some(Sector::Axial) {
             let (value, rate) = self.t.regular(s);
@@ -195,12 +208,22 @@ impl<'a, 'b> Determinant<'a, 'b> {
 
 impl Function for &mut Determinant<'_, '_> {
     fn together(&self) -> usize {
-        if self.together.is_some() { LANES } else { 1 }
+        if self.together.is_some() || self.costly { LANES } else { 1 }
     }
     fn at(&mut self, places: &[C64], out: &mut Vec<Option<Sample>>) {
         for some in places.chunks(self.together()) {
             if self.cancel.is_some_and(|c| c.load(Ordering::Relaxed)) {
                 out.extend(some.iter().map(|_| None));
+                continue;
+            }
+            if self.costly && some.len() > 1 {
+                let this = &*self;
+                let piece = |piece: &&[C64]| {
+                    let (mut t, mut factors) = (this.t.clone(), Factors::default());
+                    let one = |&s: &C64| t.determinant(s, &this.of, &mut factors).and_then(|d| this.regular(d, s));
+                    piece.iter().map(one).collect::<Vec<_>>()
+                };
+                out.extend(together(&some.chunks(PIECE).collect::<Vec<_>>(), piece).concat());
                 continue;
             }
             let side_by_side = self.together.as_mut().map(|d| d.at(some));
@@ -286,7 +309,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         at_zero: None,
     };
     for &sector in sectors {
-        let mut f = Determinant::new(&mut counting, sector, (frequency, budget > 0), request.cancel);
+        let mut f = Determinant::new(&mut counting, sector, (frequency, budget > 0), terms >= COSTLY, request.cancel);
         if f.of.members.is_empty() {
             continue;
         }
