@@ -7,6 +7,7 @@ use super::pencil::Spectrum;
 use super::roots::{Request, mode, mode_near, roots};
 use super::sectors::Sector;
 use super::side_by_side::{Near, polish_all};
+use super::spectra_ahead::together;
 use super::sweep::{Branch, Count, Strongest, Sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -71,16 +72,17 @@ pub(super) fn follow(
                 break;
             }
             led.retain(|l| those.iter().all(|t| t.0 != l.0));
-            for (id, mode) in those {
-                let Some(to) = piece(|| lead_in_pieces(system, state, (speeds[k - 1], speed), mode, pieces)) else { return Ok(met(out)) };
-                let to = to?;
-                led.extend(to.map(|value| (*id, value, mode.sector)));
+            let lead = |m: &&(usize, MachineMode)| lead_in_pieces(system, state, (speeds[k - 1], speed), &m.1, pieces);
+            let Some(all) = piece(|| together(&those, lead)) else { return Ok(met(out)) };
+            for ((id, mode), to) in those.into_iter().zip(all) {
+                led.extend(to?.map(|value| (*id, value, mode.sector)));
             }
         }
         let starts: Vec<C64> = led.iter().map(|l| signed(l.1, l.2)).collect();
         let frequency = limit.is_finite().then_some(limit);
         let dense = system.domains(speed).iter().any(|d| !d.axis);
-        let request = Request { margin: if dense { COUNTED * speed.abs() } else { 0.0 }, frequency, starts: &starts, ..Request::default() };
+        let margin = if dense { COUNTED * speed.abs() } else { 0.0 };
+        let request = Request { margin, frequency, starts: &starts, alone: true, ..Request::default() };
         let Some(found) = piece(|| roots(system, &about, &request)) else { return Ok(met(out)) };
         let found = found?.spectrum;
         out.strongest.extend(Strongest::of(speed, &found));
@@ -134,7 +136,7 @@ pub(super) fn follow_large(
         let mut spectrum = Spectrum::default();
         if is_counted(k, speeds.len()) {
             let starts: Vec<C64> = led.iter().map(|l| signed(l.root.value, l.sector)).collect();
-            let request = Request { frequency, starts: &starts, ..Request::default() };
+            let request = Request { frequency, starts: &starts, alone: true, ..Request::default() };
             let Some(found) = piece(|| roots(system, &about, &request)) else { break };
             let found = found?;
             frequency = Some(found.frequency);

@@ -70,6 +70,8 @@ pub struct Request<'a> {
     pub everywhere: bool,
     /// Places near roots.
     pub starts: &'a [C64],
+    /// No other roots are looked for at the same time: places of a costly function are evaluated on all processors.
+    pub alone: bool,
     /// Most evaluations for one rectangle, where they are fewer than a study may take.
     pub evaluations: Option<u64>,
     /// Ends the search: what is not counted by then is not proven.
@@ -261,6 +263,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     let mut counting = Characteristic::new(rough.as_ref().unwrap_or(system), about);
     let terms = domains.iter().map(|d| d.terms as u64).sum::<u64>().max(1);
     let budget = BUDGET.min(TERMS / terms).min(request.evaluations.unwrap_or(u64::MAX));
+    let costly = request.alone && terms >= COSTLY;
     let sectors: &[Option<Sector>] = if uncoupled(&mut t, speed) { &[Some(Sector::Forward), Some(Sector::Axial)] } else { &[None] };
     // roots that are known lead on, and what is missing shows in the count
     let large = is_large(system).then(|| match request.frequency {
@@ -309,7 +312,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         at_zero: None,
     };
     for &sector in sectors {
-        let mut f = Determinant::new(&mut counting, sector, (frequency, budget > 0), terms >= COSTLY, request.cancel);
+        let mut f = Determinant::new(&mut counting, sector, (frequency, budget > 0), costly, request.cancel);
         if f.of.members.is_empty() {
             continue;
         }

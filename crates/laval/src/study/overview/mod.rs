@@ -296,7 +296,9 @@ impl Beforehand {
         };
         let of_growing = || {
             rated.filter(|_| in_region(system) && !transcendental(system)).and_then(|speed| {
-                let search = || roots(system, &rest(system, speed)?, &Request { growing: true, everywhere: true, ..Request::default() });
+                let search = || {
+                    roots(system, &rest(system, speed)?, &Request { growing: true, everywhere: true, alone: true, ..Request::default() })
+                };
                 match limited(context, COUNT, search) {
                     Known::Yes(found) => found.growing().map(|_| found.spectrum.least_stable().map(|m| m.value).filter(|v| v.re > 0.0)),
                     _ => None,

@@ -138,7 +138,13 @@ impl Study for Modes {
         let roots = if in_region(system) {
             let terms: usize = system.domains(self.speed).iter().map(|d| d.terms).sum();
             context.announce(terms as f64, SERIES, text!("terms of series in every evaluation of the function whose roots are counted"));
-            let request = Request { margin: self.threshold, frequency: self.frequency, cancel: Some(context.cancel), ..Request::default() };
+            let request = Request {
+                margin: self.threshold,
+                frequency: self.frequency,
+                cancel: Some(context.cancel),
+                alone: true,
+                ..Request::default()
+            };
             Some(roots(system, &about, &request)?)
         } else {
             None
