@@ -304,6 +304,7 @@ fn what_no_memory_holds_is_refused_before_it_begins() {
         ("kind = \"critical_speeds\"\nspeed = { from = 1, to = 9, points = POINTS }", 100_000),
         ("kind = \"stability_map\"\nspeed = { from = 1, to = 9, points = POINTS }", 100_000),
         ("kind = \"forced_response\"\nspeed = { from = 1, to = 9, points = POINTS }", 100_000),
+        ("kind = \"nonlinear_response\"\nspeed = { from = 10, to = 90 }\nmax_points = POINTS", 1_000_000),
         ("kind = \"sweep\"\nspeed = { from = 1, to = 9, points = POINTS }", 100_000),
         (
             "kind = \"basins\"\nfrom = { \"d0.x\" = -1e-3, \"d0.y\" = -1e-3 }\nto = { \"d0.x\" = 1e-3, \"d0.y\" = 1e-3 }\npoints = POINTS",

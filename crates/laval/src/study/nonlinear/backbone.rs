@@ -22,6 +22,7 @@ use crate::outcome::{self, Arg, Axis, Figure, Finding, Line, Message, Outcome, O
 use crate::solve::harmonic::free::backbone::{Family, Motion, Origin, Request, admit, backbone};
 use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, largest, speed};
 use crate::study::{Context, Study};
@@ -107,6 +108,10 @@ amplitude = { from = "1 um", to = "1 mm" }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         vec![SpinSpeeds::one(self.request.speed)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        Some(Size::of_branch(self.request.max_points, system))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

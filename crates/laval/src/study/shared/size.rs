@@ -62,6 +62,11 @@ impl Size {
         }
     }
 
+    /// A branch of so many motions with their sizes, forces and amplitudes.
+    pub(in crate::study) fn of_branch(points: usize, system: &System) -> Size {
+        Size::of_rows(points, 16 * system.stations().len() + system.slots().len() + 2 * (system.n() + system.m()))
+    }
+
     /// Whether it fits.
     pub(in crate::study) fn check(self) -> Result<(), Diagnostic> {
         self.check_within(most())

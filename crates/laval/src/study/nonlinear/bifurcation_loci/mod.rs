@@ -21,6 +21,7 @@ use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Response};
 use crate::solve::harmonic::loci::follow::PathEnd;
 use crate::solve::harmonic::loci::search::{Loci, Request, loci_from};
 use crate::solve::harmonic::stability::floquet::Stability;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
@@ -190,6 +191,10 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         vec![SpinSpeeds::between(self.request.speeds.0, self.request.speeds.1)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        Some(Size::of_branch(self.request.max_points, system))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -35,6 +35,7 @@ use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Request, States
 use crate::solve::harmonic::branches::time_starts;
 use crate::solve::symmetry::Symmetry;
 use crate::study::nonlinear::progress::progress;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
@@ -203,6 +204,10 @@ harmonics = "auto"
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         let (from, to) = self.request.speeds;
         vec![self.one.map_or(SpinSpeeds::between(from, to), SpinSpeeds::one)]
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        Some(Size::of_branch(self.request.max_points, system))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

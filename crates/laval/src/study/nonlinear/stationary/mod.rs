@@ -32,6 +32,7 @@ use crate::solve::co_rotating::isotropic;
 use crate::solve::stationary::images::Images;
 use crate::solve::stationary::{Found, Progress, Request, Search, Stability, State};
 use crate::solve::symmetry::probed_speeds;
+use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, SPEED_RANGE, one_or_range, range};
 use crate::study::{Context, Study};
@@ -226,6 +227,10 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
         let assessed = self.stabilise.iter().chain(&self.errors).map(|v| SpinSpeeds::one(v.speed));
         std::iter::once(SpinSpeeds::between(self.speed.from, self.speed.to)).chain(assessed).collect()
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        Some(Size::of_branch(self.max_points, system))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
