@@ -112,6 +112,9 @@ fn dip(a: &Node, b: &Node) -> Option<f64> {
     (c2 > 0.0 && u > 0.0 && u < 1.0 && c0 + u * (c1 + u * c2) < 0.25 * sa.abs().min(sb.abs())).then_some(u.clamp(0.05, 0.95))
 }
 
+/// Beside an exact zero, over the bracket.
+const NEAR: [f64; 3] = [1e-6, 1e-4, 1e-2];
+
 impl Tracer<'_> {
     /// The point of the branch in the plane normal to the chord at fraction `u` of it, to rounding.
     pub fn between(&mut self, a: &Node, b: &Node, u: f64, node: &mut Node) -> Result<(), Cause> {
@@ -165,6 +168,16 @@ impl Tracer<'_> {
             }
             (x1, f1, s1) = (x, f, side(&trial, f));
             let least = 0.5 * width / (x2 - x1).abs();
+            if f == 0.0 {
+                // the other end of the bracket follows: what is exactly zero may be rounding
+                for near in NEAR.map(|n| x1 + n * (x2 - x1)) {
+                    let f = self.between(a, b, near, &mut trial).map_or(f64::NAN, |()| g(self, &trial));
+                    if f != 0.0 && !f.is_nan() && !differ(f, f2) {
+                        (x2, s2) = (near, side(&trial, f));
+                        break;
+                    }
+                }
+            }
             if least > 0.5 || f == 0.0 {
                 break;
             }

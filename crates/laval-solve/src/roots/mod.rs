@@ -50,9 +50,10 @@ const SPREAD: i32 = 16;
 const BUDGET: u64 = 400_000;
 const TERMS: u64 = 8_000_000;
 
-/// Terms of series from which on places are evaluated on all processors, and how many one thread takes together.
+/// Terms of series from which on places are evaluated on all processors, pieces that a path then begins with, and places that one thread takes together.
 const COSTLY: u64 = 64;
-const PIECE: usize = 4;
+const PIECES: usize = 4;
+const SHARE: usize = 2;
 
 /// Relative distance of a zero of the rough function from the root it stands for.
 pub const SAME: f64 = 1e-6;
@@ -210,22 +211,29 @@ impl<'a, 'b> Determinant<'a, 'b> {
 
 impl Function for &mut Determinant<'_, '_> {
     fn together(&self) -> usize {
-        if self.together.is_some() || self.costly { LANES } else { 1 }
+        match (&self.together, self.costly) {
+            (Some(_), _) => LANES,
+            (None, true) => PIECES,
+            (None, false) => 1,
+        }
     }
     fn at(&mut self, places: &[C64], out: &mut Vec<Option<Sample>>) {
+        if self.costly && places.len() > 1 {
+            let this = &*self;
+            let share = |some: &&[C64]| {
+                let (mut t, mut factors) = (this.t.clone(), Factors::default());
+                let stopped = || this.cancel.is_some_and(|c| c.load(Ordering::Relaxed));
+                let one = |&s: &C64| {
+                    let determinant = if stopped() { None } else { t.determinant(s, &this.of, &mut factors) };
+                    determinant.and_then(|d| this.regular(d, s))
+                };
+                some.iter().map(one).collect::<Vec<_>>()
+            };
+            return out.extend(together(&places.chunks(SHARE).collect::<Vec<_>>(), share).concat());
+        }
         for some in places.chunks(self.together()) {
             if self.cancel.is_some_and(|c| c.load(Ordering::Relaxed)) {
                 out.extend(some.iter().map(|_| None));
-                continue;
-            }
-            if self.costly && some.len() > 1 {
-                let this = &*self;
-                let piece = |piece: &&[C64]| {
-                    let (mut t, mut factors) = (this.t.clone(), Factors::default());
-                    let one = |&s: &C64| t.determinant(s, &this.of, &mut factors).and_then(|d| this.regular(d, s));
-                    piece.iter().map(one).collect::<Vec<_>>()
-                };
-                out.extend(together(&some.chunks(PIECE).collect::<Vec<_>>(), piece).concat());
                 continue;
             }
             let side_by_side = self.together.as_mut().map(|d| d.at(some));

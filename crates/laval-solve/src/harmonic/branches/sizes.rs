@@ -86,6 +86,7 @@ fn larger(a: f64, b: f64) -> f64 {
 /// one is not a number.
 pub fn crest(series: &[f64]) -> Option<(usize, f64)> {
     let n = series.len();
+    let last = n.checked_sub(1)?;
     let mut top = 0;
     for (j, x) in series.iter().enumerate() {
         if x.is_nan() {
@@ -95,7 +96,7 @@ pub fn crest(series: &[f64]) -> Option<(usize, f64)> {
             top = j;
         }
     }
-    Some((top, vertex([*series.get((top + n - 1) % n)?, series[top], series[(top + 1) % n]]).0))
+    Some((top, vertex([series[(top + last) % n], series[top], series[(top + 1) % n]]).0))
 }
 
 /// Place, in steps from the middle one, and value of the vertex of a parabola through three equally spaced values.
