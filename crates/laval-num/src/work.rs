@@ -239,9 +239,11 @@ impl Here {
         Here(CURRENT.with_borrow(Clone::clone))
     }
 
-    /// Work of this thread counts for it until the guard is dropped.
+    /// Work of this thread counts for it until the guard is dropped. One that has to end already ends here: each of many pieces would go on for a slice.
     pub fn enter(&self) -> Counted {
-        enter(self.0.clone())
+        let counted = enter(self.0.clone());
+        settle(0);
+        counted
     }
 }
 
@@ -253,6 +255,22 @@ mod tests {
         loop {
             spend(1000);
         }
+    }
+
+    #[test]
+    fn what_enters_an_ended_computation_ends_at_once() {
+        let ended = watched(None, 10, || {
+            let here = Here::now();
+            let ends = |units: u64| {
+                let piece = || {
+                    let _counted = here.enter();
+                    spend(units);
+                };
+                std::thread::scope(|s| s.spawn(|| catch_unwind(AssertUnwindSafe(piece)).is_err()).join().unwrap())
+            };
+            [ends(9), ends(2 * SLICE), ends(0)]
+        });
+        assert_eq!(ended, Ok([false, true, true]));
     }
 
     #[test]
