@@ -45,7 +45,7 @@ impl Roots {
         Roots((0..n as i64).map(|j| unit_root(j, n as u64)).collect())
     }
 
-    /// n.
+    /// Number of samples.
     pub fn count(&self) -> usize {
         self.0.len()
     }

@@ -239,7 +239,7 @@ impl Here {
         Here(CURRENT.with_borrow(Clone::clone))
     }
 
-    /// Work of this thread counts for it until the guard is dropped. One that has to end already ends here: each of many pieces would go on for a slice.
+    /// Work of this thread counts for it until the guard is dropped. A computation that has to end ends here: each of many pieces would otherwise go on for a slice.
     pub fn enter(&self) -> Counted {
         let counted = enter(self.0.clone());
         settle(0);

@@ -71,7 +71,7 @@ pub struct Request<'a> {
     pub everywhere: bool,
     /// Places near roots.
     pub starts: &'a [C64],
-    /// No other roots are looked for at the same time: places of a costly function are evaluated on all processors.
+    /// This search has all processors: places of a costly function are evaluated on them side by side.
     pub alone: bool,
     /// Most evaluations for one rectangle, where they are fewer than a study may take.
     pub evaluations: Option<u64>,

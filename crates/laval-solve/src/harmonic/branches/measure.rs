@@ -68,7 +68,7 @@ impl Measure {
         }
     }
 
-    /// It is a linear function of the motion, up to a constant and what turns with the rotor.
+    /// A linear function of the motion, up to constant loads and those that turn with the rotor.
     fn is_linear(self, system: &System) -> bool {
         match self {
             Measure::Probe(_) => true,
@@ -106,8 +106,8 @@ impl Measure {
         Roots::new(if symmetry == Symmetry::Circular { ROUND } else { turns * SAMPLES.max(8 * highest.div_ceil(turns)) })
     }
 
-    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. Of a symmetric motion only part of the period is sampled; what is
-    /// linear answers each order alone.
+    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`. Of a symmetric motion only part of the period is sampled; of a
+    /// linear measure only the motion at the spin frequency.
     pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize, (symmetry, samples): (Symmetry, &Roots)) -> [C64; 2] {
         let linear = symmetry != Symmetry::Circular && self.is_linear(system);
         let alone = linear.then(|| orbit.of_order(turns)).flatten().map(|alone| (alone, Roots::new(ROUND * turns)));

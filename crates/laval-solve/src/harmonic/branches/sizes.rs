@@ -1,4 +1,4 @@
-//! Sizes of the motion of a pair of coordinates over a period: largest values between equidistant samples, by the parabola through the largest and those beside it.
+//! Sizes of the motion of a pair of coordinates (m, rad) over a period: largest values between equidistant samples, by the parabola through the largest and those beside it.
 
 use crate::harmonic::balance::orbit::Orbit;
 use crate::model::station::Pair;
@@ -11,7 +11,7 @@ pub const SAMPLES: usize = 64;
 /// Step of the second look at a largest value, over the step of the samples.
 pub const CLOSER: f64 = 0.125;
 
-/// The orders of a branch at the samples of a period after which squares repeat.
+/// `cos(k tau)` and `sin(k tau)` of the orders k of a branch, at the samples of a period after which squares repeat.
 pub struct Waves {
     turns: usize,
     orders: Vec<usize>,

@@ -33,7 +33,7 @@ pub(super) struct Measuring<'a> {
     pub(super) which: Vec<usize>,
     /// Slots of parts whose force is measured.
     force_slots: Vec<usize>,
-    /// What parts show is measured.
+    /// Observed quantities of parts are measured as well.
     observes: bool,
     /// By branch.
     peaks: HashMap<usize, Peaks>,
