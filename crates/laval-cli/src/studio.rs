@@ -5,7 +5,7 @@ use crate::{DONE, WRONG, input, interrupt, language, terminal};
 use laval::diagnostic::Diagnostic;
 use laval::report::Language;
 use laval::text;
-use laval_studio::{Example, Options, Server};
+use laval_studio::{Example, Options, Server, share_behind};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -75,6 +75,7 @@ pub fn studio(args: &Args) -> u8 {
             terminal::say(&text!("note: no browser could be opened; open the address above"));
         }
     }
+    share_behind();
     match server.serve() {
         Ok(()) => DONE,
         Err(d) => complain(&d),

@@ -21,6 +21,8 @@ use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::order::SortByNumber;
 use laval_num::univariate::{maximum, root};
+use laval_num::work::Here;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// A speed where the frequency of a mode is a multiple of the speed.
@@ -79,28 +81,29 @@ const DEPTH: usize = 6;
 /// Crossings of the frequencies of a sweep with multiples of the speed (order above 0), solved for on the characteristic function. Vibrations along or about
 /// the axis have no crossing of the order of a spin: no unbalance drives them.
 pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -> Vec<Critical> {
-    let mut out: Vec<Critical> = Vec::new();
-    for &order in orders {
-        let of_spin = same_ratio(order, 1.0) || system.spins().iter().any(|s| same_ratio(s.ratio.abs(), order));
-        for (branch, b) in found.branches.iter().enumerate() {
-            let along = |p: &(f64, MachineMode)| matches!(p.1.whirl, Whirl::Axial | Whirl::Torsional);
-            if of_spin && b.points.iter().all(along) {
-                continue;
-            }
-            let mut points: Vec<(f64, MachineMode)> = Vec::new();
-            for (k, p) in b.points.iter().enumerate() {
-                points.push(p.clone());
-                if k >= 1 && k + 1 < b.points.len() {
-                    // the mode may cross the line and come back between these speeds
-                    points.extend(beyond(system, state, order, &b.points[k - 1..k + 2]));
-                }
-            }
-            points.sort_by_number(|a| a.0);
-            for pair in points.windows(2) {
-                out.extend(between(system, state, order, (branch, &pair[0], &pair[1])));
+    let here = Here::now();
+    let of_branch = |&(order, branch): &(f64, usize)| {
+        let (b, _counted) = (&found.branches[branch], here.enter());
+        let mut points: Vec<(f64, MachineMode)> = Vec::new();
+        for (k, p) in b.points.iter().enumerate() {
+            points.push(p.clone());
+            if k >= 1 && k + 1 < b.points.len() {
+                // the mode may cross the line and come back between these speeds
+                points.extend(beyond(system, state, order, &b.points[k - 1..k + 2]));
             }
         }
+        points.sort_by_number(|a| a.0);
+        let pairs = points.windows(2);
+        pairs.filter_map(|pair| between(system, state, order, (branch, &pair[0], &pair[1]))).collect::<Vec<_>>()
+    };
+    let mut all: Vec<(f64, usize)> = Vec::new();
+    for &order in orders {
+        let of_spin = same_ratio(order, 1.0) || system.spins().iter().any(|s| same_ratio(s.ratio.abs(), order));
+        let along = |p: &(f64, MachineMode)| matches!(p.1.whirl, Whirl::Axial | Whirl::Torsional);
+        let crosses = |b: &usize| !(of_spin && found.branches[*b].points.iter().all(along));
+        all.extend((0..found.branches.len()).filter(crosses).map(|b| (order, b)));
     }
+    let mut out = all.par_iter().map(of_branch).collect::<Vec<_>>().concat();
     out.sort_by_number(|a| a.order);
     for same in out.chunk_by_mut(|a, b| a.order == b.order) {
         settle(same, |x| c(x.growth, x.speed), |x| rank(x.whirl));

@@ -67,6 +67,13 @@ impl Want {
     }
 }
 
+impl Request {
+    /// Nothing but what answers within a frame.
+    pub fn quick(&self) -> bool {
+        self.want.iter().all(|w| *w == Want::Modes)
+    }
+}
+
 /// Speeds of figures unless the page says how many.
 const POINTS: usize = 60;
 const MOST_POINTS: usize = 2000;
@@ -240,7 +247,7 @@ impl Answers<'_> {
         let parts: String = system.slots().iter().map(|s| format!("{} {}\n", s.part.kind(), s.name)).collect();
         if let Some(orders) = self.machines.orders(&parts).filter(|_| automatic) {
             fields["harmonics"] = orders.into();
-            let study: NonlinearResponse = construct(system, &fields)?;
+            let study = construct::<NonlinearResponse>(system, &fields)?.sketch();
             let result = study.result(system, &context).map_err(one)?;
             let dropped = result.response.branches.iter().flat_map(|b| &b.points).map(|p| p.truncation).fold(0.0, f64::max);
             if dropped <= study.request().truncation {
@@ -248,7 +255,7 @@ impl Answers<'_> {
             }
             fields["harmonics"] = "auto".into();
         }
-        let study: NonlinearResponse = construct(system, &fields)?;
+        let study = construct::<NonlinearResponse>(system, &fields)?.sketch();
         let result = study.result(system, &context).map_err(one)?;
         if automatic && result.end.is_complete() {
             self.machines.remember(parts, result.response.discretisation.harmonics);

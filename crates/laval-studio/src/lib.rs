@@ -8,6 +8,7 @@
 
 mod abandon;
 mod answer;
+mod behind;
 mod check;
 mod completion;
 mod drawing;
@@ -32,6 +33,7 @@ mod start;
 mod stream;
 mod targets;
 
+pub use behind::share_behind;
 pub use server::{Handle, Server};
 
 use laval::report::Language;

@@ -7,9 +7,9 @@
 //! ```
 
 use crate::abandon::Abandon;
-use crate::answer;
 use crate::routes::defect;
 use crate::server::State;
+use crate::{answer, behind};
 use axum::extract::ws::{Message, Utf8Bytes, WebSocket};
 use laval::report::Language;
 use serde::Deserialize;
@@ -77,7 +77,8 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
 /// Computes an answer on a thread of its own.
 fn begin(state: &Arc<State>, request: answer::Request, language: Language, abandon: &Abandon, sender: UnboundedSender<Line>) {
     let (state, cancel) = (state.clone(), abandon.cancel());
-    spawn_blocking(move || {
+    let quick = request.quick();
+    let work = move || {
         let send = |value: Json| {
             // the page has gone
             let _ = sender.send((request.serial, Some(value.to_string())));
@@ -87,5 +88,10 @@ fn begin(state: &Arc<State>, request: answer::Request, language: Language, aband
             send(json!({ "want": null, "serial": request.serial, "error": language.said(&defect().sentence()) }));
         }
         let _ = sender.send((request.serial, None));
-    });
+    };
+    if quick {
+        spawn_blocking(work);
+    } else {
+        behind::spawn(work);
+    }
 }

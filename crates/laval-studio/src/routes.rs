@@ -5,7 +5,7 @@ use crate::folder::Unsaved;
 use crate::guard::guard;
 use crate::server::State;
 use crate::stream::streamed;
-use crate::{answer, check, edit, folder, live, page, query, ranges, reach, runs, share, start};
+use crate::{answer, behind, check, edit, folder, live, page, query, ranges, reach, runs, share, start};
 use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::ws::WebSocketUpgrade;
@@ -185,7 +185,7 @@ async fn answer(Shared(state): Shared<Studio>, uri: Uri, body: Bytes) -> Respons
     let abandon = Abandon::default();
     let cancel = abandon.cancel();
     let (sender, response) = streamed("application/x-ndjson", abandon);
-    spawn_blocking(move || {
+    behind::spawn(move || {
         let send = |value: Json| {
             // the page has gone
             let _ = sender.send(Bytes::from(format!("{value}\n")));

@@ -1,7 +1,7 @@
 //! A map of basins of the planar balancer with two balls on one core: starts per second, what a map of 1000 by 1000 takes, and how many of 1000 random starts
 //! end elsewhere when they are followed to their ends by the same steps: beside a border balls move without order first, and other steps lead elsewhere.
 //!
-//! `cargo bench -p laval --bench basins -- 200` computes 200 by 200 starts (the default); 1000 computes the whole map. A speed behind it computes that alone.
+//! `cargo bench --workspace --bench basins -- 200` computes 200 by 200 starts (the default); 1000 computes the whole map. A speed behind it computes that alone.
 
 #[path = "common/allocator.rs"]
 mod allocator;

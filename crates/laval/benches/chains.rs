@@ -1,6 +1,6 @@
 //! How the cost of whole studies grows with the number of stations of a shaft, on one core: a chain of discs on two nonlinear bearings. Prints the time of one run each.
 //!
-//! `cargo bench -p laval --bench chains [-- STATIONS... KINDS...]`
+//! `cargo bench --workspace --bench chains [-- STATIONS... KINDS...]`
 
 #[path = "../tests/common/mod.rs"]
 mod common;

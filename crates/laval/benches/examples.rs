@@ -1,6 +1,6 @@
 //! How long every example takes: each of its studies, and the first page of its report, on all processors: the time on the wall clock and that of all processors together, of one run each.
 //!
-//! `cargo bench -p laval --bench examples [-- EXAMPLES... KINDS...]`, each by a part of its name; `page` is the first page
+//! `cargo bench --workspace --bench examples [-- EXAMPLES... KINDS...]`, each by a part of its name; `page` is the first page
 
 #[path = "common/allocator.rs"]
 mod allocator;

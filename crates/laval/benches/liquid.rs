@@ -2,7 +2,7 @@
 //! by harmonics, with the number of harmonics and the estimate of the error. Then stability maps of a machine over speed and fill: planar and strip liquid with complete
 //! spectra, spatial and viscous liquid with the roots that grow counted at every point and the boundary located.
 //!
-//! `cargo bench -p laval --bench liquid`; a word behind `--` leaves out maps whose name does not contain it.
+//! `cargo bench --workspace --bench liquid`; a word behind `--` leaves out maps whose name does not contain it.
 
 #[path = "common/allocator.rs"]
 mod allocator;

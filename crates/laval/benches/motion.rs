@@ -1,7 +1,7 @@
 //! Motions in time of a shaft of 50 elements on one core: a transient on linear bearings, a run-up on nonlinear ones. Prints the least time of some runs, the steps and the time of one; then
 //! errors over times, beside Newmark's method with steps of one length.
 //!
-//! `cargo bench -p laval --bench motion`
+//! `cargo bench --workspace --bench motion`
 
 #[path = "common/allocator.rs"]
 mod allocator;

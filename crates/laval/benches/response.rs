@@ -1,7 +1,7 @@
 //! The benchmark response of the planar machine (empty, per-axis law, chi = 42 N s/m, e = 50 um, 25 to 8000 rad/s, orders to 7, stability at every
 //! point), on one core. Prints the least and median time of many runs, the work done, and the processor.
 //!
-//! `cargo bench -p laval --bench response`
+//! `cargo bench --workspace --bench response`
 
 #[path = "../tests/common/mod.rs"]
 mod common;

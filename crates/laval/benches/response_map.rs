@@ -1,7 +1,7 @@
 //! A map of responses of the planar machine on one core (empty, per-axis law, 25 to 8000 rad/s, orders to 7, folds and stability at every point) over
 //! eccentricity and damping, beside the same responses computed one by one with `nonlinear_response`. Prints responses per second and the ratio.
 //!
-//! `cargo bench -p laval --bench response_map -- 10` computes 10 by 10 machines (the default); 100 computes all 10 000.
+//! `cargo bench --workspace --bench response_map -- 10` computes 10 by 10 machines (the default); 100 computes all 10 000.
 
 #[path = "common/allocator.rs"]
 mod allocator;

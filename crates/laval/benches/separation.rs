@@ -1,7 +1,7 @@
 //! A powder of one million particles with distributed sizes through a swinging cup at constant speed, on one core: exact motion with inertia, first exit
 //! of each by bracketing. Prints the time on the processor and checks the share caught against the exact sum over sizes.
 //!
-//! `nice -n -19 taskset -c 0 cargo bench -p laval --bench separation`
+//! `nice -n -19 taskset -c 0 cargo bench --workspace --bench separation`
 
 #[path = "common/allocator.rs"]
 mod allocator;

@@ -1,6 +1,6 @@
 //! How the cost of linear studies grows with the number of stations of a shaft, on one core, beside all modes by full matrices. Prints the least time of some runs.
 //!
-//! `cargo bench -p laval --bench stations -- 51` (numbers of stations; several sizes where none is given)
+//! `cargo bench --workspace --bench stations -- 51` (numbers of stations; several sizes where none is given)
 
 #[path = "../tests/common/mod.rs"]
 mod common;

@@ -1,6 +1,6 @@
 //! Writing a table of a million rows and eight columns as CSV and as Parquet, to a sink: seconds of all processors and on the wall clock. `tools/benches` puts pyarrow beside it.
 //!
-//! `cargo bench -p laval --bench tables -- 1000000` (rows)
+//! `cargo bench --workspace --bench tables -- 1000000` (rows)
 
 #[path = "common/allocator.rs"]
 mod allocator;

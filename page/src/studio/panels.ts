@@ -16,6 +16,9 @@ import { Answer, WANTS, Want } from "./types";
 /** Figures that are computed at a time beside the modes; the browser needs a core of its own. */
 const AT_ONCE = Math.min(3, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
 
+/** How long the text rests before its first page is requested, and after which time it is all the same, ms. */
+const REST = 100, LONGEST = 500;
+
 /** Time after which a figure of another text is dimmed, ms. */
 const LATE = 600;
 
@@ -53,6 +56,8 @@ export class Panels {
   layers: (want: Want, figure: number) => Layer[] = () => [];
   pulled: Pulled | null = null;
   private marking = 0;
+  /** The last text and speed that the first page is wanted for, since when, since when any is wanted, and what looks again. */
+  private readonly resting = { key: "", since: 0, first: 0, timer: 0 };
 
   constructor(host: HTMLElement, private readonly studio: Studio) {
     const seen = new IntersectionObserver(entries => {
@@ -108,7 +113,20 @@ export class Panels {
     // modes feed the view in space too
     if (!p.seen && p.want !== "modes") return false;
     if (p.want === "modes" && (this.studio.coming !== null || this.studio.promised === this.studio.text)) return false;
-    return p.asked !== this.key();
+    if (p.asked === this.key()) return false;
+    return p.want !== "page" || p.last === null || this.rested();
+  }
+
+  /** The first page takes the processors longest and is read, not watched: while the machine changes it comes now and then. */
+  private rested(): boolean {
+    const now = performance.now(), key = this.key(), r = this.resting;
+    if (key !== r.key) { r.key = key; r.since = now; r.first ||= now; }
+    // figures of a coming text are drawn first
+    if (this.studio.coming !== null) return false;
+    const wait = Math.min(r.since + REST, r.first + LONGEST) - now;
+    clearTimeout(r.timer);
+    if (wait > 0) r.timer = window.setTimeout(() => this.pump(), wait);
+    return wait <= 0;
   }
 
   /**
@@ -150,6 +168,7 @@ export class Panels {
     const { newest: text, speed } = this.studio, run = p.running = { abort: new AbortController(), key: this.key(), since: performance.now() };
     p.asked = run.key;
     p.since = 0;
+    if (p.want === "page") this.resting.first = 0;
     p.box.classList.add("busy");
     p.box.setAttribute("aria-busy", "true");
     try {

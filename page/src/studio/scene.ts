@@ -13,13 +13,17 @@ const SHOWN = 0.22;
 const PERIOD = 1.6;
 /** Seconds of one turn of a transient on the screen; of all of it at least and at most. */
 const TURN = 0.6, SHORTEST = 6, LONGEST = 45;
+/** Frames that are measured together, and how long one may take, ms. */
+const MEASURED = 12, SLOW = 17.5;
 /** Frames whose trace is seen. */
 const TRAIL = 48;
 
 interface Uniforms { turn: { value: Vector3 } }
 
 export class SpaceView {
-  private readonly renderer: WebGLRenderer;
+  private renderer: WebGLRenderer;
+  /** Edges are smoothed; where that takes too long, a drawing that stands still has more pixels instead. */
+  private smooth = true;
   private readonly world = new World();
   private readonly camera = new PerspectiveCamera(32, 1, 0.001, 1000);
   private readonly machine = new Group();
@@ -39,8 +43,9 @@ export class SpaceView {
   private before = 0;
   private frame = 0;
   private coarse = 2;
-  private late = 0;
+  /** Frames measured, and how long they took, ms. */
   private counted = 0;
+  private took = 0;
   /** Frames drawn, for a measurement. */
   frames = 0;
   playing = true;
@@ -49,13 +54,10 @@ export class SpaceView {
   at: (time: number) => void = () => {};
 
   constructor(private readonly host: HTMLElement) {
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.renderer = this.canvas();
     const light = new DirectionalLight(0xffffff, 2.2);
     light.position.set(2, 3, 4);
     this.world.add(new HemisphereLight(0xffffff, 0x667080, 1.6), light, this.machine);
-    const canvas = this.renderer.domElement;
-    canvas.setAttribute("aria-hidden", "true");
-    host.replaceChildren(canvas);
     new ResizeObserver(() => this.resize()).observe(host);
     new IntersectionObserver(e => { this.visible = e[0].isIntersecting; this.wake(); }).observe(host);
     this.steer();
@@ -63,6 +65,21 @@ export class SpaceView {
   }
 
   private visible = true;
+
+  private canvas(): WebGLRenderer {
+    const renderer = new WebGLRenderer({ antialias: this.smooth, alpha: true, powerPreference: "high-performance" });
+    renderer.domElement.setAttribute("aria-hidden", "true");
+    this.host.replaceChildren(renderer.domElement);
+    return renderer;
+  }
+
+  /** Draws without smoothing of edges from now on. */
+  private rough(): void {
+    this.smooth = false;
+    this.renderer.dispose();
+    this.renderer = this.canvas();
+    this.resize();
+  }
 
   private colour(kind: string): Color {
     const of = (name: string, otherwise: string) => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim() || otherwise);
@@ -212,17 +229,20 @@ export class SpaceView {
 
   /** Pixels of the drawing for one of the page: fewer while it moves, where the machine cannot draw all of them 60 times a second. */
   private sharpness(moves: boolean): void {
-    const full = Math.min(devicePixelRatio, 2), now = moves ? Math.min(full, this.coarse) : full;
+    const full = this.smooth ? Math.min(devicePixelRatio, 2) : 2, now = moves ? Math.min(devicePixelRatio, this.coarse) : full;
     if (now !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(now);
   }
 
+  /** Measures a number of frames; where they took too long, the next ones are plainer. */
   private pace(t: number): void {
-    if (!this.before || t - this.before > 500) { this.late = 0; this.counted = 0; return; }
-    this.counted++;
-    if (t - this.before > 20) this.late++;
-    if (this.counted < 12) return;
-    if (this.late > 1) this.coarse = Math.max(0.4, 0.8 * Math.min(this.coarse, devicePixelRatio));
-    this.late = this.counted = 0;
+    if (!this.before || t - this.before > 500) { this.took = this.counted = 0; return; }
+    this.took += t - this.before;
+    if (++this.counted < MEASURED) return;
+    if (this.took > MEASURED * SLOW) {
+      if (this.smooth) this.rough();
+      else this.coarse = Math.max(0.5, 0.8 * Math.min(this.coarse, devicePixelRatio));
+    }
+    this.took = this.counted = 0;
   }
 
   private resize(): void {

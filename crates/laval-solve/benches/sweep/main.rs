@@ -4,7 +4,7 @@
 //! The machine is built from parts and goes through the generic ensemble; beside it run a kernel written by hand for this machine in the same
 //! lanes ([`kernel`]), and laval's one-member integrator. `benches/sweep/compare/compare.sh` adds other programs on the same work.
 //!
-//! `cargo bench -p laval-solve --bench sweep [-- source | alone]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each;
+//! `cargo bench --workspace --bench sweep [-- source | alone]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each;
 //! with `alone` only one member at a time.
 
 #[path = "../../../laval/benches/common/clock.rs"]

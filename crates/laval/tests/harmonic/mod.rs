@@ -19,5 +19,6 @@ mod reference;
 mod response_map;
 mod response_starts;
 mod sagged;
+mod sketch;
 mod spectra;
 mod unbounded;

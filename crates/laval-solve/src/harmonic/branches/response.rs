@@ -49,6 +49,8 @@ pub struct Request {
     pub stability: bool,
     /// Assessor it on Hill's determinant also where all parts have a time form.
     pub determinant: bool,
+    /// For a figure that follows a changing machine: fewer points, and the branch from the second end only where that from the first does not lead there.
+    pub sketch: bool,
     /// Most points of a branch; after as many in all, orders and samples are raised no more.
     pub max_points: usize,
     /// Points, and starts tried, after which no further states are looked for.
@@ -83,6 +85,7 @@ impl Request {
             truncation: 1e-7,
             stability: true,
             determinant: false,
+            sketch: false,
             max_points: 2_000,
             work: u64::MAX,
             states: States::Main,
@@ -288,14 +291,13 @@ fn attempt<'a>(
     let origin = |up: bool| if up != (hi < 0.0) { Origin::Low } else { Origin::High };
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
     tick(Step { done: 0, stage: Stage::Start, speed: lo });
-    let from_lo = starts.at(system, &mut balance, request, lo, cancel)?;
-    tick(Step { done: 0, stage: Stage::Start, speed: hi });
-    let from_hi = starts.at(system, &mut balance, request, hi, cancel)?;
+    let (from_lo, from_hi) = starts.both(system, &mut balance, request, cancel);
     let ends = [(&from_lo, lo), (&from_hi, hi)];
     let unfollowed = ends.iter().filter(|(s, _)| s.as_ref().is_some_and(|s| !s.followed)).map(|f| f.1).collect();
     let unstarted = ends.iter().filter(|(found, _)| found.is_none()).map(|f| f.1).collect();
     let settings = settings(request);
-    let branches = both_ways(&balance, (from_lo.map(|s| s.x), from_hi.map(|s| s.x)), &settings, origin, tick)?;
+    let from = (from_lo.map(|s| s.x), from_hi.map(|s| s.x));
+    let branches = both_ways(&balance, from, (&settings, !request.sketch), origin, tick)?;
     if branches.is_empty() {
         return Err(Diagnostic::error(
             "response.start",
@@ -335,12 +337,12 @@ fn attempt<'a>(
     })
 }
 
-/// The branches from both ends of the range, with whether each runs up. They are followed at once where there is a thread for each; the second is of no use where the first
-/// ends in its start.
+/// The branches from both ends of the range, with whether each runs up. On request they are followed at once where there is a thread for each; the second is of no use where
+/// the first ends in its start.
 fn both_ways(
     balance: &Balance,
     (from_lo, from_hi): (Option<Vec<f64>>, Option<Vec<f64>>),
-    settings: &Settings,
+    (settings, at_once): (&Settings, bool),
     origin: impl Fn(bool) -> Origin + Sync,
     tick: Tick,
 ) -> Result<Vec<(Branch, bool)>, Diagnostic> {
@@ -369,16 +371,15 @@ fn both_ways(
             |p: &Point| p.p == hi && p.x.iter().zip(x).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs()));
         [branch.points.first(), branch.points.last()].into_iter().flatten().any(same)
     };
-    let (up, down) = rayon::join(
-        || {
-            let branch = from_lo.as_ref().map(|x| follow(x, true));
-            if let (Some(Ok(branch)), Some(x)) = (&branch, &from_hi) {
-                met.store(ends_in(branch, x), Ordering::Relaxed);
-            }
-            branch
-        },
-        || from_hi.as_ref().filter(|_| !met.load(Ordering::Relaxed)).map(|x| follow(x, false)),
-    );
+    let up = || {
+        let branch = from_lo.as_ref().map(|x| follow(x, true));
+        if let (Some(Ok(branch)), Some(x)) = (&branch, &from_hi) {
+            met.store(ends_in(branch, x), Ordering::Relaxed);
+        }
+        branch
+    };
+    let down = || from_hi.as_ref().filter(|_| !met.load(Ordering::Relaxed)).map(|x| follow(x, false));
+    let (up, down) = if at_once { rayon::join(up, down) } else { (up(), down()) };
     let down = down.filter(|_| !met.load(Ordering::Relaxed));
     let invalid =
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", text!("the response cannot be followed: {e}", e));
@@ -388,7 +389,13 @@ fn both_ways(
 /// How branches are followed.
 pub(super) fn settings(request: &Request) -> Settings {
     let (lo, hi) = request.speeds;
-    Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) }
+    let usual = Settings::new(lo, hi);
+    let usual = match request.sketch {
+        true => Settings { monitor_change: 0.2, min_cosine: 0.97, target_rate: 0.2, ..usual },
+        false => usual,
+    };
+    let steps = if request.sketch { 60.0 } else { 100.0 };
+    Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / steps, ..usual }
 }
 
 /// Folds of an assessed branch by how fast the rotor turns, with the evidence of more orders.

@@ -4,7 +4,6 @@
 //! states may exist there, so the start is followed from a speed well beyond the end, where Newton's method leads from the equilibrium under constant loads
 //! to the motion about it. Where no branch leads from there to the end of the range, the start is what Newton's method finds at the end itself.
 
-use crate::diagnostic::Diagnostic;
 use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::balance::raise::raised;
 use crate::harmonic::balance::terms::{Term, Terms};
@@ -13,6 +12,7 @@ use crate::model::system::System;
 use crate::rest::rest;
 use laval_num::continuation::{Direction, End, Settings, Zero, trace};
 use laval_num::newton::{Options, newton};
+use laval_num::work::Here;
 use std::sync::atomic::AtomicBool;
 
 /// Where the approach to the slow end begins, as a share of that speed: well below the hystereses of the machine's lowest resonance.
@@ -31,42 +31,59 @@ pub(super) struct Start {
     pub followed: bool,
 }
 
-/// Starts at both ends, kept from one discretisation to the next.
+/// Starts at the lower and at the upper end, kept from one discretisation to the next.
 #[derive(Default)]
-pub(super) struct Starts([Option<(Terms, Start)>; 2]);
+pub(super) struct Starts([Kept; 2]);
 
 impl Starts {
-    /// The state of a machine brought to the end `speed` of the range from beyond it.
-    pub fn at<'a>(
+    /// The states of a machine brought to the lower and to the upper end of the range from beyond them.
+    pub fn both<'a>(
         &mut self,
         system: &'a System,
         balance: &mut Balance<'a>,
         request: &Request,
-        speed: f64,
         cancel: &'a AtomicBool,
-    ) -> Result<Option<Start>, Diagnostic> {
-        let slow = (speed == request.speeds.0) == (speed > 0.0);
-        let kept = &mut self.0[usize::from(slow)];
-        let known = kept.as_ref().and_then(|(terms, start)| {
-            let x = solved(balance, carry(terms, &balance.terms, &start.x), speed)?;
-            Some(Start { x, ..*start })
-        });
-        let found = match known {
-            Some(start) => Some(start),
-            // one state, whichever way the machine came
-            None if balance.nonlinear.members.is_empty() => direct(balance, speed).map(|x| Start { x, followed: true }),
-            None => {
-                let from = speed * if slow { SLOWER } else { FASTER };
-                let x = approach(system, balance.discretisation(), request, (from, speed), cancel).and_then(|x| solved(balance, x, speed));
-                match x {
-                    Some(x) => Some(Start { x, followed: true }),
-                    None => direct(balance, speed).map(|x| Start { x, followed: false }),
-                }
-            }
+    ) -> (Option<Start>, Option<Start>) {
+        let ((lo, hi), [first, second]) = (request.speeds, &mut self.0);
+        let (mut other, here) = (balance.twin(balance.cancel), Here::now());
+        let at = |kept, balance: &mut Balance<'a>, speed| {
+            let _counted = here.enter();
+            at(kept, (system, balance), request, speed, cancel)
         };
-        *kept = found.clone().map(|start| (balance.terms.clone(), start));
-        Ok(found)
+        rayon::join(|| at(first, balance, lo), || at(second, &mut other, hi))
     }
+}
+
+type Kept = Option<(Terms, Start)>;
+
+/// The state of a machine brought to the end `speed` of the range from beyond it.
+fn at<'a>(
+    kept: &mut Kept,
+    (system, balance): (&'a System, &mut Balance<'a>),
+    request: &Request,
+    speed: f64,
+    cancel: &'a AtomicBool,
+) -> Option<Start> {
+    let slow = (speed == request.speeds.0) == (speed > 0.0);
+    let known = kept.as_ref().and_then(|(terms, start)| {
+        let x = solved(balance, carry(terms, &balance.terms, &start.x), speed)?;
+        Some(Start { x, ..*start })
+    });
+    let found = match known {
+        Some(start) => Some(start),
+        // one state, whichever way the machine came
+        None if balance.nonlinear.members.is_empty() => direct(balance, speed).map(|x| Start { x, followed: true }),
+        None => {
+            let from = speed * if slow { SLOWER } else { FASTER };
+            let x = approach(system, balance.discretisation(), request, (from, speed), cancel).and_then(|x| solved(balance, x, speed));
+            match x {
+                Some(x) => Some(Start { x, followed: true }),
+                None => direct(balance, speed).map(|x| Start { x, followed: false }),
+            }
+        }
+    };
+    *kept = found.clone().map(|start| (balance.terms.clone(), start));
+    found
 }
 
 /// Newton's method at one speed.

@@ -35,6 +35,8 @@ pub(super) struct Measuring<'a> {
     force_slots: Vec<usize>,
     /// Observed quantities of parts are measured as well.
     observes: bool,
+    /// Neither the validity of parts is measured, nor what lies between computed points.
+    sketch: bool,
     /// By branch.
     peaks: HashMap<usize, Peaks>,
     pub(super) measured: Measured,
@@ -61,6 +63,7 @@ impl<'a> Measuring<'a> {
             which,
             force_slots: Measure::forces(system),
             observes: true,
+            sketch: false,
             peaks: HashMap::new(),
             measured: Measured::default(),
         })
@@ -69,6 +72,23 @@ impl<'a> Measuring<'a> {
     /// Of displacements, tilts and validity alone.
     pub(super) fn of_sizes(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
         Ok(Measuring { force_slots: Vec::new(), observes: false, ..Measuring::new(system, response, request)? })
+    }
+
+    /// Of displacements and tilts alone, at computed points.
+    pub(super) fn sketch(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
+        Ok(Measuring { sketch: true, ..Measuring::of_sizes(system, response, request)? })
+    }
+
+    /// Displacements and tilts; the tilts in the columns that parts show them in.
+    pub(super) fn sizes(&mut self, response: &Response, request: &Request) -> Measured {
+        self.measure(response);
+        (self.measured.largest, self.measured.rising) = self.peaks(response, request, false);
+        let tilts: Vec<usize> = (0..self.probes.len()).filter(|&k| self.probes[k].is_tilt()).collect();
+        self.measured.observed =
+            tilts.iter().map(|&k| (format!("{} tilt", self.probes[k].name), self.probes[k].unit().to_string())).collect();
+        let of_state = |sizes: &Vec<f64>| tilts.iter().map(|&k| sizes[k]).collect();
+        self.measured.observations = self.measured.sizes.iter().map(|b| b.iter().map(of_state).collect()).collect();
+        std::mem::take(&mut self.measured)
     }
 
     /// All that is measured of a response.
@@ -91,6 +111,9 @@ impl<'a> Measuring<'a> {
         sense: Sense,
         request: &Request,
     ) -> Option<Peak> {
+        if self.sketch {
+            return None;
+        }
         let branch = &response.branches[b];
         let at = self.balance_of(branch);
         let balance = &mut self.balances[at];
@@ -144,7 +167,8 @@ impl<'a> Measuring<'a> {
                 let _counted = here.enter();
                 let own = seeing.amplitudes_of(orbit);
                 let sizes = seeing.sizes_of(orbit, &own);
-                (sizes, own, seeing.forces_of(orbit), seeing.observe(orbit))
+                let seen = if self.sketch { Default::default() } else { seeing.observe(orbit) };
+                (sizes, own, seeing.forces_of(orbit), seen)
             };
             let all: Vec<_> = orbits.par_iter().map(one).collect();
             let (mut amplitudes, mut observations, mut validity, mut forces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

@@ -88,6 +88,12 @@ impl NonlinearResponse {
     pub fn new(request: Request) -> Self {
         NonlinearResponse { request, order_threshold: None, one: None }
     }
+    /// Over a range of speeds, the first figure with its table and the folds alone: displacements and tilts at computed points are measured, no forces, other quantities
+    /// of parts, validity, or values between points, there are fewer of these, and no findings. For a figure that follows a changing machine.
+    #[must_use]
+    pub fn sketch(self) -> Self {
+        NonlinearResponse { request: Request { sketch: true, ..self.request }, ..self }
+    }
     /// Over this range of speeds, rad/s, with the defaults.
     pub fn over(from: f64, to: f64) -> Self {
         NonlinearResponse::new(Request::over(from, to))
@@ -224,9 +230,13 @@ harmonics = "auto"
             let end = if context.cancelled() { End::Cancelled } else { limited(&response, &request, context) };
             return Ok(NonlinearResponseResult { response, measured: None, orders: None, motions, end });
         }
-        let mut measuring = Measuring::new(system, &response, &request)?;
-        let measured = measuring.all(&response, &request);
-        let orders = self.order_threshold.map(|threshold| measuring.orders(&response, threshold));
+        let mut measuring = if self.request.sketch {
+            Measuring::sketch(system, &response, &request)?
+        } else {
+            Measuring::new(system, &response, &request)?
+        };
+        let measured = if self.request.sketch { measuring.sizes(&response, &request) } else { measuring.all(&response, &request) };
+        let orders = self.order_threshold.filter(|_| !self.request.sketch).map(|threshold| measuring.orders(&response, threshold));
         let end = limited(&response, &request, context);
         Ok(NonlinearResponseResult { response, measured: Some(measured), orders, motions: None, end })
     }
@@ -240,6 +250,9 @@ harmonics = "auto"
             return Err(Diagnostic::error("response.result", text!("the stored response is of one speed, and this study is over a range")));
         };
         let shown = Shown::new(system, response, measured);
+        if self.request.sketch {
+            return shown.sketch(&self.request, name, *end)?.checked().map_err(Diagnostic::from);
+        }
         let mut outcome = shown.outcome(&self.request, name, *end)?;
         if let (Some(threshold), Some(orders)) = (self.order_threshold, orders) {
             outcome = shown.with_orders(orders, threshold, outcome)?;
@@ -308,6 +321,7 @@ pub(in crate::study) fn request(values: &Values, diagnostics: &mut Diagnostics) 
         truncation: values.number("truncation").unwrap_or(1e-7),
         stability: values.flag("stability").unwrap_or(true),
         determinant: false,
+        sketch: false,
         max_points: whole("max_points", 2_000),
         states: if values.choice("states") == Some("all") { States::All } else { States::Main },
         work: u64::MAX,

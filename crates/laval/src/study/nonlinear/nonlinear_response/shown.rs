@@ -64,6 +64,18 @@ impl<'a> Shown<'a> {
         Some((&self.probes[which], size))
     }
 
+    /// The first figure, its table and the folds.
+    pub(super) fn sketch(&self, request: &Request, name: &str, end: outcome::End) -> Result<Outcome, outcome::OutcomeError> {
+        let (response, all) = (self.response, request.states == States::All);
+        let out = Outcome::new(NonlinearResponse::KIND, name).over("speed", "rad/s").end(end);
+        let table = self.states(response, all).build()?;
+        if table.rows() == 0 {
+            return Ok(out);
+        }
+        let out = out.table(table).figure(self.figure(response, all, request.speeds));
+        Ok(response.branches.iter().flat_map(|b| &b.folds).fold(out, |out, f| out.special_point(fold_point(f))))
+    }
+
     pub(super) fn outcome(&self, request: &Request, name: &str, end: outcome::End) -> Result<Outcome, outcome::OutcomeError> {
         let response = self.response;
         let mut out = Outcome::new(NonlinearResponse::KIND, name).over("speed", "rad/s").end(end);
@@ -93,14 +105,7 @@ impl<'a> Shown<'a> {
         }
         for branch in &response.branches {
             for f in &branch.folds {
-                let status = if f.confirmed { Status::Located } else { Status::Bracketed };
-                out = out.special_point(
-                    SpecialPoint::new("fold", f.speed, f.bracket)
-                        .status(status)
-                        .evidence("scaled residual", f.residual, "")
-                        .evidence("difference of two methods", f.methods_differ, "rad/s")
-                        .evidence("change with four more orders", f.harmonics_change, "rad/s"),
-                );
+                out = out.special_point(fold_point(f));
             }
             for c in &branch.changes {
                 let status = if c.located { Status::Located } else { Status::Bracketed };
@@ -117,6 +122,14 @@ impl<'a> Shown<'a> {
         }
         Ok(out)
     }
+}
+
+fn fold_point(f: &Fold) -> SpecialPoint {
+    SpecialPoint::new("fold", f.speed, f.bracket)
+        .status(if f.confirmed { Status::Located } else { Status::Bracketed })
+        .evidence("scaled residual", f.residual, "")
+        .evidence("difference of two methods", f.methods_differ, "rad/s")
+        .evidence("change with four more orders", f.harmonics_change, "rad/s")
 }
 
 /// Which branch, as a phrase behind "the branch".

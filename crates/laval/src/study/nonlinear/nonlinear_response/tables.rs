@@ -1,7 +1,7 @@
 //! The tables: states, folds, other changes of stability, branches.
 
 use super::shown::{Shown, branch, words};
-use crate::outcome::{self, Arg, OutcomeError, Table};
+use crate::outcome::{self, Arg, OutcomeError, Table, TableBuilder};
 use crate::solve::harmonic::branches::bifurcation::Change;
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Fold, Response, State, Traced};
@@ -25,8 +25,14 @@ pub(super) fn label(branch: &Traced) -> &'static str {
 }
 
 impl Shown<'_> {
-    /// The states; with `all`, which family each belongs to.
+    /// The states with the use of the parts' validity; with `all`, which family each belongs to.
     pub(super) fn table(&self, response: &Response, all_states: bool) -> Result<Table, OutcomeError> {
+        let uses = self.measured.validity.iter().flatten().map(|u| u.worst(self.system).0).collect();
+        self.states(response, all_states).float("validity", "", "largest use of a part's validity; above 1 is outside", uses).build()
+    }
+
+    /// The states; with `all`, which family each belongs to.
+    pub(super) fn states(&self, response: &Response, all_states: bool) -> TableBuilder {
         let all: Vec<(usize, usize, &State)> =
             response.branches.iter().enumerate().flat_map(|(b, t)| t.points.iter().enumerate().map(move |(i, s)| (b, i, s))).collect();
         let mut t = Table::new("response", "Steady states, branch by branch in order along each; a branch may turn back in speed")
@@ -69,7 +75,8 @@ impl Shown<'_> {
             let column = all.iter().map(|a| self.measured.observations[a.0][a.1].get(k).copied().unwrap_or(f64::NAN)).collect();
             t = t.float(name, unit, "largest value over a period", column);
         }
-        for (k, &slot) in self.force_slots.iter().enumerate() {
+        let measured = self.measured.first_forces.iter().flatten().any(|f| !f.is_empty());
+        for (k, &slot) in self.force_slots.iter().enumerate().filter(|_| measured) {
             let name = &self.system.slots()[slot].name;
             let column = |c: usize| all.iter().map(|a| self.measured.first_forces[a.0][a.1][k][c]).collect::<Vec<f64>>();
             t = t
@@ -93,13 +100,6 @@ impl Shown<'_> {
         .flag("not unstable", "stable, or not assessed", all.iter().map(|a| !a.2.unstable()).collect())
         .float("truncation", "", "dropped over kept force harmonics", all.iter().map(|a| a.2.truncation).collect())
         .float("residual", "", "scaled residual of the balance", all.iter().map(|a| a.2.residual).collect())
-        .float(
-            "validity",
-            "",
-            "largest use of a part's validity; above 1 is outside",
-            all.iter().map(|a| self.measured.validity[a.0][a.1].worst(self.system).0).collect(),
-        )
-        .build()
     }
 
     /// The folds, with the size of the motion there.
