@@ -35,7 +35,7 @@ pub(super) struct Measuring<'a> {
     force_slots: Vec<usize>,
     /// Observed quantities of parts are measured as well.
     observes: bool,
-    /// Neither the validity of parts is measured, nor what lies between computed points.
+    /// Validity of parts, and extreme values between computed points, are left out.
     sketch: bool,
     /// By branch.
     peaks: HashMap<usize, Peaks>,

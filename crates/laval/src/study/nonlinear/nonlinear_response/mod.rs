@@ -88,8 +88,8 @@ impl NonlinearResponse {
     pub fn new(request: Request) -> Self {
         NonlinearResponse { request, order_threshold: None, one: None }
     }
-    /// Over a range of speeds, the first figure with its table and the folds alone: displacements and tilts at computed points are measured, no forces, other quantities
-    /// of parts, validity, or values between points, there are fewer of these, and no findings. For a figure that follows a changing machine.
+    /// The same response for a figure that follows a changing machine, at fewer speeds. Over a range of speeds (rad/s) it has the first figure with its table, and the folds:
+    /// displacements (m) and tilts (rad) at computed points. Forces, other quantities of parts, validity, values between points and findings are left out.
     #[must_use]
     pub fn sketch(self) -> Self {
         NonlinearResponse { request: Request { sketch: true, ..self.request }, ..self }
