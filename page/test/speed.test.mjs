@@ -30,7 +30,7 @@ const measure = (page, path, want, times) => page.evaluate(async ([path, want, t
   });
   const out = [], start = +slider.value;
   for (let i = 0; i < times; i++) {
-    await new Promise(r => setTimeout(r, 60 + 17 * (i % 3) / 3));
+    await new Promise(r => setTimeout(r, 60 + 16.7 * (i % 8) / 8));
     const t = performance.now(), done = painted();
     slider.value = String(start + 1 + (i % 7) + (i >> 3));
     slider.dispatchEvent(new Event("input", { bubbles: true }));

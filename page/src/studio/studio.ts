@@ -175,9 +175,8 @@ export class Studio {
           drawn = true;
           this.promised = null;
           clearTimeout(late);
-          if (edits) this.onComing();
           this.quick(a);
-          if (!edits) this.quickFits();
+          if (edits) this.onComing(); else this.quickFits();
         } else if (a.error !== undefined) {
           this.tell(a.error);
           this.taken();
