@@ -97,6 +97,7 @@ fn through(values: [f64; 3], top: f64) -> Quadratic {
     [kept(c0, 1.0), kept(c1, top), kept(c2, top * top)]
 }
 
+#[inline(always)]
 fn at_speed([c0, c1, c2]: Quadratic, w: f64) -> f64 {
     c0 + w * (c1 + w * c2)
 }
@@ -209,8 +210,9 @@ impl LinearRows {
         }
         let (sin, cos) = Scalar::sin_cos(at.phase);
         for load in &self.loads {
-            let ([f, c, s], [g, gc, gs]) = (load.force.map(|q| at_speed(q, w)), load.spin_accel.map(|q| at_speed(q, w)));
-            out[load.row] -= f + c * cos + s * sin + accel * (g + gc * cos + gs * sin);
+            let ([f, c, s], [g, gc, gs]) = (load.force, load.spin_accel);
+            let turning = |c, s| at_speed(c, w) * cos + at_speed(s, w) * sin;
+            out[load.row] -= at_speed(f, w) + turning(c, s) + accel * (at_speed(g, w) + turning(gc, gs));
         }
     }
 }

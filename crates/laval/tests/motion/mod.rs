@@ -2,6 +2,7 @@
 
 mod any_speed;
 mod basins;
+mod bystanders;
 mod claims;
 mod continued;
 mod massless;

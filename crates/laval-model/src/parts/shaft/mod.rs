@@ -454,12 +454,20 @@ material = "steel"
             let ([qx, qy], [vx, vy]) = (planes(ends, at.q), planes(ends, at.v));
             let both = |m: &M4<S>, x: &[S; 4], y: &[S; 4]| form(x, m, x) + form(y, m, y);
             let moving = both(&plane.mass, &vx, &vy);
-            stored += (moving + both(&plane.stiffness, &qx, &qy) + p.axial_force * both(&plane.axial, &qx, &qy)).scale(0.5);
+            stored += (moving + both(&plane.stiffness, &qx, &qy)).scale(0.5);
+            if !p.axial_force.is_nothing() {
+                stored += (p.axial_force * both(&plane.axial, &qx, &qy)).scale(0.5);
+            }
             stored += (*spin_inertia * at.speed * at.speed).scale(0.5);
             stored += (at.speed * (form(&vx, &plane.gyroscopic, &qy) - form(&vy, &plane.gyroscopic, &qx))).scale(0.5);
-            dissipated += p.mass_damping * moving + p.stiffness_damping * both(&plane.stiffness, &vx, &vy);
-            let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
-            dissipated += p.rotating_damping * both(&plane.stiffness, &sx, &sy);
+            dissipated += p.mass_damping * moving;
+            if !p.stiffness_damping.is_nothing() {
+                dissipated += p.stiffness_damping * both(&plane.stiffness, &vx, &vy);
+            }
+            if !p.rotating_damping.is_nothing() {
+                let [sx, sy] = slip(at.speed, [qx, qy], [vx, vy]);
+                dissipated += p.rotating_damping * both(&plane.stiffness, &sx, &sy);
+            }
             let material = p.stiffness_damping + p.rotating_damping;
             if let Some(line) = axial {
                 let place = ends.along(BENDING);

@@ -74,9 +74,9 @@ pub(super) fn planes<S: Scalar>(ends: Ends, q: &[S]) -> [[S; 4]; 2] {
 #[inline(always)]
 pub(super) fn form<S: Scalar>(a: &[S; 4], m: &M4<S>, b: &[S; 4]) -> S {
     let mut out = S::zero();
-    for (row, &x) in m.iter().zip(a) {
-        for (&m, &y) in row.iter().zip(b) {
-            out += x * m * y;
+    for i in 0..4 {
+        for j in 0..4 {
+            out += a[i] * m[i][j] * b[j];
         }
     }
     out

@@ -37,17 +37,28 @@ impl<S: Scalar> Matrices<S> {
 impl Matrices<f64> {
     #[inline(always)]
     fn lifted<S: Scalar>(&self) -> Matrices<S> {
-        let four = |m: &M4<f64>| m.map(|row| row.map(S::cst));
-        let line = |l: Line<f64>| Line { mass: l.mass.map(|r| r.map(S::cst)), stiffness: l.stiffness.map(|r| r.map(S::cst)) };
+        let line = |l: Line<f64>| Line { mass: lifted(&l.mass), stiffness: lifted(&l.stiffness) };
         let Plane { mass, gyroscopic, stiffness, axial } = &self.plane;
         Matrices {
-            plane: Plane { mass: four(mass), gyroscopic: four(gyroscopic), stiffness: four(stiffness), axial: four(axial) },
+            plane: Plane { mass: lifted(mass), gyroscopic: lifted(gyroscopic), stiffness: lifted(stiffness), axial: lifted(axial) },
             spin_inertia: S::cst(self.spin_inertia),
             torque: self.torque,
             axial: self.axial.map(line),
             torsional: self.torsional.map(line),
         }
     }
+}
+
+/// Loops instead of `map`, which is a call for every number where it is compiled in another unit.
+#[inline(always)]
+fn lifted<S: Scalar, const N: usize>(m: &[[f64; N]; N]) -> [[S; N]; N] {
+    let mut out = [[S::zero(); N]; N];
+    for i in 0..N {
+        for j in 0..N {
+            out[i][j] = S::cst(m[i][j]);
+        }
+    }
+    out
 }
 
 /// The matrices of all elements for some values of the parameters.
@@ -119,14 +130,13 @@ impl Shaft {
             Some(known) if alone && known.holds(p) => known,
             _ => return self.computed(p, f),
         };
-        let mut last: Option<(usize, Matrices<S>)> = None;
+        let Some(&first) = known.which.first() else { return };
+        let mut last = (first, known.different[first].lifted());
         for (k, &which) in known.which.iter().enumerate() {
-            let matrices = match last {
-                Some((of, matrices)) if of == which => matrices,
-                _ => known.different[which].lifted(),
-            };
-            f(k, &matrices);
-            last = Some((which, matrices));
+            if last.0 != which {
+                last = (which, known.different[which].lifted());
+            }
+            f(k, &last.1);
         }
     }
 
