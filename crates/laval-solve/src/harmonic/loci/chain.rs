@@ -261,7 +261,8 @@ impl<'s> Following<'s> {
         let more = Discretisation { harmonics: d.harmonics + 4, samples: d.samples.max(Terms::samples(d.harmonics + 4, 1)), ..d };
         let system = &self.search.machines[start.machine].1;
         let balance = Balance::new(system, more, self.search.request.speeds, Some(self.search.cancel))?;
-        let mut finer = FoldLocus { varied: Varied::new(system, balance, &self.search.request.parameter, self.out.exists, self.search.request.speeds) };
+        let mut finer =
+            FoldLocus { varied: Varied::new(system, balance, &self.search.request.parameter, self.out.exists, self.search.request.speeds) };
         let (n, from) = (coarse.size(), coarse.varied.scales().to_vec());
         let to = finer.varied.scales().to_vec();
         let terms = [coarse.varied.terms(), finer.varied.terms()];

@@ -4,7 +4,6 @@
 //! meets none of them is not found.
 
 pub use crate::harmonic::loci::locus::{Corner, Locus, LocusKind, LocusPoint};
-use laval_model::text;
 use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
@@ -301,4 +300,3 @@ fn collect(found: &Response, request: &Request, machine: usize, value: f64, out:
     }
     out.samples.push(sample);
 }
-
