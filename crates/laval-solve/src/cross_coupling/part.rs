@@ -1,6 +1,8 @@
 //! Cross-coupled stiffness at a place of the machine, as a part of it.
 
 use crate::model::blocks::Blocks;
+use crate::model::capability::Extent;
+use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, ParamValues, Values};
 use crate::model::part::{Layout, Link, Params, Part, Physics};
 use laval_model::diagnostic::Diagnostics;
@@ -41,5 +43,14 @@ impl Part for CrossCoupling {
         let q = p.cross_coupled.scale(self.sense);
         b.stiffness[(0, 1)] = q;
         b.stiffness[(1, 0)] = -q;
+    }
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for CrossCoupling {
+    fn is_steady(&self) -> bool {
+        true
     }
 }

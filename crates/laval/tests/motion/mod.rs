@@ -5,6 +5,7 @@ mod basins;
 mod bystanders;
 mod claims;
 mod continued;
+mod finer_shafts;
 mod massless;
 mod massless_settled;
 mod motion_map;

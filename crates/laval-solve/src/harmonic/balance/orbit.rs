@@ -263,6 +263,25 @@ mod tests {
     }
 
     #[test]
+    fn orders_add_up_to_the_whole() {
+        let orbit = orbit();
+        let parts: Vec<Orbit> = orbit.orders.iter().map(|&k| orbit.of_order(k).expect("an order")).collect();
+        for tau in [0.0, 0.8, 2.9] {
+            let sums = parts
+                .iter()
+                .map(|o| whole(o, tau))
+                .reduce(|a, b| [0, 1, 2, 3].map(|k| a[k].iter().zip(&b[k]).map(|(x, y)| x + y).collect()));
+            for (sum, at) in sums.expect("orders").iter().zip(&whole(&orbit, tau)) {
+                assert!(
+                    !at.is_empty() && sum.iter().zip(at).all(|(x, y)| (x - y).abs() <= 1e-12 * y.abs().max(1.0)),
+                    "{tau}: {sum:?} {at:?}"
+                );
+            }
+        }
+        assert!(parts.len() > 1 && orbit.of_order(999).is_none());
+    }
+
+    #[test]
     fn a_pair_is_seen_from_its_place_of_rest() {
         let (orbit, pair) = (orbit(), Pair([vec![(0, 1.0), (2, -0.5)], vec![(1, 2.0)]]));
         for tau in [0.0, 0.8, 2.9] {

@@ -298,30 +298,36 @@ pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<O
     Ok(Observations { quantities, laws, validity, uses: statements, outside, closed })
 }
 
-/// Statements of validity that do not hold, and gaps that would close, at one response of another frequency than the spin speed; entered at `place`.
-///
-/// # Errors
-/// As the state.
-pub(in crate::study::linear) fn assess(
-    system: &System,
-    state: State,
-    r: &Response,
-    (speed, place): (f64, f64),
-    (outside, closed): (&mut Vec<Outside>, &mut Vec<Closed>),
-) -> Result<(), Diagnostic> {
-    let rest = state(speed)?;
-    let turn = turn(system, &rest, r);
-    for (slot, what, ratio) in uses(system, &turn, speed, &mut Workspace::default()) {
-        if !(ratio <= 1.0) {
-            leave(outside, system, (slot, what, ratio), place);
+/// Uses of the statements of validity of parts (their index, the statement, the use), and gaps that are open at rest: the part, the clearance and how far it closes, m.
+pub(in crate::study::linear) struct Assessed<'s> {
+    uses: Vec<(usize, Text, f64)>,
+    gaps: Vec<(&'s Slot, f64, f64)>,
+}
+
+impl<'s> Assessed<'s> {
+    /// At a response of another frequency than the spin speed, rad/s.
+    ///
+    /// # Errors
+    /// As the state.
+    pub fn of(system: &'s System, state: State, r: &Response, speed: f64) -> Result<Self, Diagnostic> {
+        let rest = state(speed)?;
+        let turn = turn(system, &rest, r);
+        Ok(Assessed { uses: uses(system, &turn, speed, &mut Workspace::default()), gaps: gaps(system, &rest, &turn) })
+    }
+
+    /// Enters statements that do not hold, and gaps that would close, at `place`.
+    pub fn enter(self, system: &System, place: f64, (outside, closed): (&mut Vec<Outside>, &mut Vec<Closed>)) {
+        for used in self.uses {
+            if !(used.2 <= 1.0) {
+                leave(outside, system, used, place);
+            }
+        }
+        for (slot, gap, moved) in self.gaps {
+            if !(moved <= gap) {
+                close(closed, &slot.name, (gap, moved - gap), place);
+            }
         }
     }
-    for (slot, gap, moved) in gaps(system, &rest, &turn) {
-        if !(moved <= gap) {
-            close(closed, &slot.name, (gap, moved - gap), place);
-        }
-    }
-    Ok(())
 }
 
 /// Enters that a part is outside a statement of its validity at a speed.

@@ -27,7 +27,7 @@ use crate::solve::own_frequency;
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::{over_speed, rest};
 use crate::solve::sweep::{Strongest, spectrum, sweep};
-use crate::study::linear::forced_response::observed::{Closed, Outside, assess};
+use crate::study::linear::forced_response::observed::{Assessed, Closed, Outside};
 use crate::study::linear::over_frequency::{growth_unassessed, over_frequency};
 use crate::study::shared::half_power::{ends, of_responses};
 use crate::study::shared::margins::{STANDARD, Speeds};
@@ -39,6 +39,8 @@ use crate::study::shared::vibration::Vibration;
 use crate::study::{Context, Study};
 use crate::text;
 use laval_num::order::ascending;
+use laval_num::work::Here;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// What varies.
@@ -71,6 +73,8 @@ const POINTS: usize = 400;
 pub(super) const UNBOUNDED: f64 = 1e8;
 /// Distances from a mode, over its growth rate, at which the response is computed.
 const WIDTHS: [f64; 12] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 16.0];
+/// Responses that are computed at once.
+const AT_ONCE: usize = 32;
 
 impl Study for HarmonicForce {
     type Result = HarmonicForceResult;
@@ -247,18 +251,29 @@ frequency = { from = "5 Hz", to = "200 Hz" }
         let (mut singular, mut complete) = (Vec::new(), true);
         let (mut outside, mut closed) = (Vec::new(), Vec::new());
         let at = |x: f64| forced.response(&state, self.at(x), self.force, self.direction);
-        for (k, &x) in values.iter().enumerate() {
-            context.progress.report(k as u64, values.len() as u64);
-            if !context.goes_on(k as u64) {
+        let here = Here::now();
+        let assessed = |&x: &f64| {
+            let _counted = here.enter();
+            let Some(r) = at(x)? else { return Ok(None) };
+            let seen = Assessed::of(of, &state, &r, self.at(x).1)?;
+            Ok(Some((r, seen)))
+        };
+        for (k, some) in values.chunks(AT_ONCE).enumerate() {
+            let done = (k * AT_ONCE) as u64;
+            context.progress.report(done, values.len() as u64);
+            if !context.goes_on(done) {
                 complete = false;
                 break;
             }
-            match at(x)? {
-                Some(r) => {
-                    assess(of, &state, &r, (self.at(x).1, x), (&mut outside, &mut closed))?;
-                    points.push(Response { speed: x, ..r });
+            let found: Vec<Result<_, Diagnostic>> = some.par_iter().map(assessed).collect();
+            for (&x, found) in some.iter().zip(found) {
+                match found? {
+                    Some((r, seen)) => {
+                        seen.enter(of, x, (&mut outside, &mut closed));
+                        points.push(Response { speed: x, ..r });
+                    }
+                    None => singular.push(x),
                 }
-                None => singular.push(x),
             }
         }
         let probes = of.probes().to_vec();
