@@ -13,7 +13,7 @@ use parquet::column::writer::{ColumnCloseResult, ColumnWriter, get_column_writer
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
+use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedPageWriter, TrackedWrite};
 use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
@@ -108,6 +108,8 @@ fn repeats(v: &[f64]) -> bool {
 
 /// Columns encoded beside each other: so many stand in memory.
 const BESIDE: usize = 4;
+/// Values between two looks at the size of a page.
+const BATCH: usize = 8192;
 
 /// A column as the bytes of its pages.
 fn encoded(c: &Column, descr: ColumnDescPtr, properties: WriterPropertiesPtr) -> Result<(Bytes, ColumnCloseResult), ParquetError> {
@@ -142,8 +144,12 @@ fn encode_columns(columns: &[Column], notes: &[(&str, &str)], out: &mut (dyn Wri
     let about: Map<String, Value> = columns.iter().map(|c| (c.name.to_string(), json!({ "unit": c.unit, "doc": c.doc }))).collect();
     let mut entries: Vec<KeyValue> = notes.iter().map(|(k, v)| KeyValue::new(k.to_string(), v.to_string())).collect();
     entries.push(KeyValue::new("columns".to_string(), Value::Object(about).to_string()));
-    let mut properties =
-        WriterProperties::builder().set_compression(Compression::ZSTD(Default::default())).set_key_value_metadata(Some(entries));
+    // one set of statistics for a column: its pages are read in order
+    let mut properties = WriterProperties::builder()
+        .set_compression(Compression::ZSTD(Default::default()))
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_write_batch_size(BATCH)
+        .set_key_value_metadata(Some(entries));
     for c in columns {
         if let Values::Float(v) = c.values {
             let path = ColumnPath::new(vec![c.name.to_string()]);

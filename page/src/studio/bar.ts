@@ -3,7 +3,7 @@
 import * as api from "./api";
 import type { Compare } from "./compare";
 import { conflictDialog, openDialog, saveAs } from "./dialogs";
-import { button, find, make, say } from "./dom";
+import { button, find, make, say, write } from "./dom";
 import { choose } from "./language";
 import type { Studio } from "./studio";
 import * as theme from "./theme";
@@ -57,7 +57,7 @@ export function bar(studio: Studio, compare: Compare, recoloured: () => void): v
   let leaving = false, said = "";
   studio.conflict = (sentence, file) => conflictDialog(studio, sentence, file);
   studio.whenStatus(() => {
-    file.textContent = `${studio.file || say("new-file")}${studio.unsaved ? " •" : ""}`;
+    write(file, `${studio.file || say("new-file")}${studio.unsaved ? " •" : ""}`);
     file.title = studio.unsaved ? say("unsaved") : "";
     undo.disabled = !studio.editor.undos;
     redo.disabled = !studio.editor.redos;

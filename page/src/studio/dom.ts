@@ -32,3 +32,6 @@ export function find<T extends Element = HTMLElement>(selector: string, from: Pa
   if (!e) throw new Error(`the page has no ${selector}`);
   return e;
 }
+
+/** Text of an element; the same text is not laid out again. */
+export function write(e: Element, text: string): void { if (e.textContent !== text) e.textContent = text; }

@@ -2,7 +2,7 @@
 
 import { minus, number, unit } from "../report/numbers";
 import * as api from "./api";
-import { make, say } from "./dom";
+import { make, say, write } from "./dom";
 import { Lane } from "./lane";
 import type { Panels } from "./panels";
 import type { SpaceView } from "./scene";
@@ -78,7 +78,7 @@ export class Motion {
   private read(): void {
     const w = this.studio.speed ?? this.studio.machine?.speed;
     this.speed.disabled = !this.studio.machine?.speed;
-    this.reads.textContent = w ? ` ${number(+(w * RPM).toPrecision(4))} ${say("rpm")}` : "";
+    write(this.reads, w ? ` ${number(+(w * RPM).toPrecision(4))} ${say("rpm")}` : "");
   }
 
   /** The view is made when it is first looked at. */
@@ -137,7 +137,7 @@ export class Motion {
     const options = this.pick.options;
     if (options.length !== this.entries.length) this.pick.replaceChildren(...this.entries.map(e => make("option", { value: e.key }, e.title)));
     else this.entries.forEach((e, i) => {
-      if (options[i].textContent !== e.title) options[i].textContent = e.title;
+      write(options[i], e.title);
       if (options[i].value !== e.key) options[i].value = e.key;
     });
     const has = (key: string) => this.entries.some(e => e.key === key), kind = this.wish.split(":")[0];
@@ -196,7 +196,7 @@ export class Motion {
     else if (e?.motion && !s) fact = this.shown ? say("computing") : "";
     else if (e?.motion && s) fact = say("shown", { value: s.largest ?? "", from: factor(view?.enlarged ?? 0), to: factor(view?.slowed ?? 0) });
     else if (s) fact = `${say(`whirl-${s.whirl}`)}, ${say(s.growth > 0 ? "grows" : "decays", { value: number(+Math.abs(s.growth).toPrecision(3)) })}`;
-    if (this.fact.textContent !== fact) this.fact.textContent = fact;
+    write(this.fact, fact);
     if (!s?.frames || s.frames.closed) this.clock.textContent = "";
   }
 

@@ -4,7 +4,7 @@ import { Chosen, Figure } from "../report/figure";
 import { number, unit } from "../report/numbers";
 import type { Payload } from "../report/payload";
 import * as api from "./api";
-import { find, make, say } from "./dom";
+import { find, make, say, write } from "./dom";
 import { keep } from "./focus";
 import { PATIENCE } from "./lane";
 import { Layer, overlay } from "./overlay";
@@ -205,7 +205,7 @@ export class Panels {
     p.drawn = performance.now();
     p.box.classList.add("filled");
     p.box.classList.remove("stale");
-    p.took.textContent = a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`;
+    write(p.took, a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`);
     this.draw(p, a);
     this.listeners.forEach(f => f(a));
   }
@@ -213,7 +213,7 @@ export class Panels {
   private draw(p: Panel, a: Answer): void {
     const chosen: Chosen[] = p.figures.map(f => f.choice()), open = [...p.body.querySelectorAll("details")].map(d => d.open);
     const html = a.html ?? "", refocus = keep(p.body);
-    if (p.want === "modes") p.at.textContent = this.speed(a);
+    if (p.want === "modes") write(p.at, this.speed(a));
     // modes are drawings without listeners of their own: what is alike stays
     if (!html || p.want !== "modes" || !patched(p.body, html)) p.body.innerHTML = html || `<p class="none"></p>`;
     if (!html) p.body.querySelector("p")!.textContent = say("nothing");

@@ -68,11 +68,20 @@ fn rows(table: &Table, range: std::ops::Range<usize>) -> Vec<u8> {
 
 /// The shortest digits that give the same bits, in the form of `{:?}`.
 fn float(x: f64, digits: &mut zmij::Buffer, out: &mut Vec<u8>) {
-    // numbers from 1e-5 to 1e-4 have a power of ten there and none here, large ones a sign of it here and none there
-    if x.is_finite() && x.abs() < 1e16 && !(1e-5..1e-4).contains(&x.abs()) {
-        out.extend_from_slice(digits.format_finite(x).as_bytes());
-    } else {
-        out.extend_from_slice(format!("{x:?}").as_bytes());
+    let size = x.abs();
+    // large numbers have a sign of the power of ten here and none there
+    if !(x.is_finite() && size < 1e16) {
+        return out.extend_from_slice(format!("{x:?}").as_bytes());
+    }
+    let text = digits.format_finite(x);
+    // numbers from 1e-5 to 1e-4, tens of micrometres, have a power of ten there and none here
+    let after_zeros = if (1e-5..1e-4).contains(&size) { text.split_once("0.0000") } else { None };
+    match after_zeros.and_then(|(sign, rest)| Some((sign, rest.split_at_checked(1)?))) {
+        None => out.extend_from_slice(text.as_bytes()),
+        Some((sign, (first, others))) => {
+            let point = if others.is_empty() { "" } else { "." };
+            [sign, first, point, others, "e-5"].iter().for_each(|s| out.extend_from_slice(s.as_bytes()));
+        }
     }
 }
 
@@ -114,8 +123,24 @@ mod tests {
             same(x);
             same(-x / 3.0);
         }
-        for x in [0.0, -0.0, 1.0, 1e15, 1e16, 1e17, 123_456_789.0, 9.999e-5, 1e-4, 1e-5, 9.9e-6, 5e-324, f64::MAX, f64::NAN, f64::INFINITY]
-        {
+        for x in [
+            0.0,
+            -0.0,
+            1.0,
+            1e15,
+            1e16,
+            1e17,
+            123_456_789.0,
+            9.999e-5,
+            -2.5e-5,
+            1e-4,
+            1e-5,
+            9.9e-6,
+            5e-324,
+            f64::MAX,
+            f64::NAN,
+            f64::INFINITY,
+        ] {
             same(x);
         }
     }
