@@ -459,16 +459,16 @@ diag-the-cycles-cannot-be-followed-0df2 = the cycles cannot be followed: { $e }
 diag-the-force-of-depends-on-the-5b01 = the force of "{ $name }" depends on the angle of the rotor or on time: this machine has no free motion
 diag-use-nonlinear-response-for-the-motion-1f45 = use nonlinear_response for the motion that is forced, or a transient
 
+## laval-solve/src/harmonic/loci/chain.rs
+
+diag-the-locus-cannot-be-followed-7127 = the locus cannot be followed: { $e }
+
 ## laval-solve/src/harmonic/loci/existence.rs
 
 diag-choose-another-range-of-the-parameter-8d88 = choose another range of the parameter
 diag-the-machine-does-not-exist-at-9578 = the machine does not exist at any value tried of { $path }: { $why }
 diag-the-machine-does-not-exist-at-b3f3 = the machine does not exist at any value tried of { $path }
 diag-the-machine-exists-at-a-single-e5fd = the machine exists at a single value of { $path } in this range
-
-## laval-solve/src/harmonic/loci/search.rs
-
-diag-the-locus-cannot-be-followed-7127 = the locus cannot be followed: { $e }
 
 ## laval-solve/src/harmonic/stability/floquet.rs
 

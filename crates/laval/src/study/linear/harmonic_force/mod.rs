@@ -258,13 +258,16 @@ frequency = { from = "5 Hz", to = "200 Hz" }
             let seen = Assessed::of(of, &state, &r, self.at(x).1)?;
             Ok(Some((r, seen)))
         };
-        for (k, some) in values.chunks(AT_ONCE).enumerate() {
-            let done = (k * AT_ONCE) as u64;
-            context.progress.report(done, values.len() as u64);
-            if !context.goes_on(done) {
+        let mut done = 0;
+        while done < values.len() {
+            context.progress.report(done as u64, values.len() as u64);
+            if !context.goes_on(done as u64) {
                 complete = false;
                 break;
             }
+            let left = usize::try_from(context.work_limit - done as u64).unwrap_or(usize::MAX);
+            let some = &values[done..values.len().min(done + AT_ONCE.min(left))];
+            done += some.len();
             let found: Vec<Result<_, Diagnostic>> = some.par_iter().map(assessed).collect();
             for (&x, found) in some.iter().zip(found) {
                 match found? {
