@@ -74,11 +74,12 @@ fn float(x: f64, digits: &mut zmij::Buffer, out: &mut Vec<u8>) {
         return out.extend_from_slice(format!("{x:?}").as_bytes());
     }
     let text = digits.format_finite(x);
+    let (sign, plain) = text.strip_prefix('-').map_or(("", text), |plain| ("-", plain));
     // numbers from 1e-5 to 1e-4, tens of micrometres, have a power of ten there and none here
-    let after_zeros = if (1e-5..1e-4).contains(&size) { text.split_once("0.0000") } else { None };
-    match after_zeros.and_then(|(sign, rest)| Some((sign, rest.split_at_checked(1)?))) {
+    let after_zeros = if (1e-5..1e-4).contains(&size) { plain.strip_prefix("0.0000") } else { None };
+    match after_zeros.and_then(|digits| digits.split_at_checked(1)) {
         None => out.extend_from_slice(text.as_bytes()),
-        Some((sign, (first, others))) => {
+        Some((first, others)) => {
             let point = if others.is_empty() { "" } else { "." };
             [sign, first, point, others, "e-5"].iter().for_each(|s| out.extend_from_slice(s.as_bytes()));
         }
