@@ -141,6 +141,8 @@ test("what is said of a text ends with it: notice, and the message of a result",
   await high.fill("46.8");
   await pull(page, page.locator("#panel-stability svg:visible .target .hit").nth(2), 60, 0);
   await page.waitForSelector("#reach .bad");
+  // the search for where the handle was let go has ended, too: one that goes on would answer for the next text
+  await page.waitForSelector("#reach .nearest");
   const was = await text(page);
   await write(page, "drum.mass", "3 kg");
   await changed(page, was);

@@ -236,3 +236,24 @@ fn mistakes_have_their_place() {
         .replace("speed = 700\n", "");
     assert!(laval::file::load(&without).is_err());
 }
+
+/// A gap of 30 um closes where the amplitude `F/|k - m w^2 + i c w|` exceeds it, deepest at the peak; another frequency than that of the spin.
+#[test]
+fn a_gap_that_the_response_closes_is_reported() {
+    let (gap, damping) = (3e-5, 400.0);
+    let parts = format!("[[part]]\nkind = \"stop\"\nname = \"ring\"\nbetween = [\"disc\", \"ground\"]\ngap = {gap:?}\nstiffness = 1e7\n");
+    let study = "[[study]]\nkind = \"harmonic_force\"\nplace = \"disc\"\nforce = 20.0\ndirection = \"y\"\nspeed = 300\nfrequency = { from = 1, to = 1500, points = 50 }\n";
+    let o = run_all(&mass(damping, "", &format!("{parts}{study}"))).remove(0);
+    let f = finding(&o, "gap_closes");
+    let (x, amplitude) = (column(&o, "response", "frequency"), column(&o, "response", "amplitude.disc"));
+    let deeper: Vec<usize> = (0..x.len()).filter(|&i| amplitude[i] > 1.01 * gap).collect();
+    let (first, from) = (deeper[0], f.value.unwrap());
+    assert!(f.subject == "ring" && first > 0 && x[first - 1] <= from && from <= x[first], "{from} {} {}", x[first - 1], x[first]);
+    // 24 instants of a turn miss the largest displacement by less than a hundredth
+    let depth = amplitude.iter().fold(0.0f64, |m, a| m.max(*a)) - gap;
+    let found = f.evidence.iter().find(|e| e.what == "deepest penetration").unwrap().value;
+    assert!(depth > gap && found <= depth && found > 0.98 * depth, "{found} {depth}");
+    // a force half as large as needed closes none
+    let weak = run_all(&mass(damping, "", &format!("{parts}{}", study.replace("20.0", "2.0")))).remove(0);
+    assert!(findings(&weak, "gap_closes").is_empty());
+}
