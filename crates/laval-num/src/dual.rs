@@ -2,7 +2,7 @@
 
 use crate::analytic::Analytic;
 use crate::complex::{Complex, c};
-use crate::lanes::LaneScalar;
+use crate::lanes::{LaneScalar, Routine};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -124,6 +124,10 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     type Base = T::Base;
     type Over<L: LaneScalar> = Dual<T::Over<L>, N>;
     const SPREADS: bool = T::SPREADS && N <= 2;
+    #[inline(always)]
+    fn apart<R: Routine>(routine: R) -> R::Out {
+        T::apart(routine)
+    }
     #[inline(always)]
     fn base(self) -> T::Base {
         self.re.base()

@@ -9,8 +9,10 @@
 //! Outside the table the end values continue as constants, or, after [`Interpolant::straight_outside`], along the tangents at the ends. Sources: F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238;
 //! F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300.
 
+use crate::lanes::Routine;
 use crate::scalar::Scalar;
 use std::fmt;
+use std::marker::PhantomData;
 use std::ops::Range;
 
 /// A table that cannot be interpolated. Rows are counted from 0.
@@ -218,16 +220,18 @@ impl Knots {
     /// Value and d value / d x at `x`, with derivatives of `x` and of the values; the slope at a knot is that of the interval before it.
     #[inline(always)]
     pub fn value_and_slope<S: Scalar>(&self, y: &impl Ordinates<S>, x: S) -> (S, S) {
+        // four copies of the slope are most of what the compiler would have to optimise
+        let at_knot = |k: usize| S::apart(AtKnot { knots: self, y, k, number: PhantomData });
         let pieces = self.pieces(x.value());
         let (mut value, mut slope) = (y.at(pieces.start) + x.scale(0.0), x.scale(0.0));
         for i in pieces {
-            let c = cubic(self.width(i), self.mean(y, i), self.slope(y, i), self.slope(y, i + 1));
+            let c = cubic(self.width(i), self.mean(y, i), at_knot(i), at_knot(i + 1));
             let (rise, inside) = rise(c, self.x[i], self.width(i), x);
             value += rise;
             slope += inside;
         }
         if self.straight {
-            let (rise, inside) = beyond(self.range(), [self.slope(y, 0), self.slope(y, self.x.len() - 1)], x);
+            let (rise, inside) = beyond(self.range(), [at_knot(0), at_knot(self.x.len() - 1)], x);
             value += rise;
             slope += inside;
         }
@@ -251,6 +255,22 @@ impl Knots {
             i += 1;
         }
         i..i + 1
+    }
+}
+
+/// The slope of a table at a knot.
+struct AtKnot<'a, S, Y> {
+    knots: &'a Knots,
+    y: &'a Y,
+    k: usize,
+    number: PhantomData<S>,
+}
+
+impl<S: Scalar, Y: Ordinates<S>> Routine for AtKnot<'_, S, Y> {
+    type Out = S;
+    #[inline(always)]
+    fn run(self) -> S {
+        self.knots.slope(self.y, self.k)
     }
 }
 

@@ -6,7 +6,7 @@
 
 use crate::analytic::Analytic;
 use crate::complex::Complex;
-use crate::lanes::LaneScalar;
+use crate::lanes::{LaneScalar, Routine, apart};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -75,6 +75,8 @@ pub trait Scalar:
     fn is_nothing(self) -> bool {
         false
     }
+    /// Calls a routine with the instructions of this number, as a function of its own.
+    fn apart<R: Routine>(routine: R) -> R::Out;
     /// Analytic functions of a complex argument.
     fn analytic<const N: usize, F: Analytic<N>>(z: Complex<Self>) -> [Complex<Self>; N];
     /// Multiplication by a constant, cheaper than lifting it.
@@ -125,6 +127,10 @@ impl Scalar for f64 {
     type Base = f64;
     type Over<L: LaneScalar> = L;
     const SPREADS: bool = true;
+    #[inline(always)]
+    fn apart<R: Routine>(routine: R) -> R::Out {
+        apart(routine)
+    }
     #[inline(always)]
     fn base(self) -> f64 {
         self

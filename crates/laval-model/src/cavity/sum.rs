@@ -82,11 +82,16 @@ const FEW: usize = 3;
 
 /// Appends terms, side by side where they need not be computed by themselves.
 pub(super) fn side_by_side<S: Scalar, F: SideBySide<S>>(series: &F, all: &[f64], out: &mut Vec<Term<S>>) {
+    // nothing below is compiled for such numbers
+    if !S::SPREADS {
+        out.extend(all.iter().map(|&k| series.alone(k)));
+        return;
+    }
     let first = out.len();
     out.resize(first + all.len(), (Complex::zero(), 0.0));
     let (mut places, mut ks, mut count) = ([0; LANES], [0.0; LANES], 0);
     for (i, &k) in all.iter().enumerate() {
-        if S::SPREADS && !series.apart(k) {
+        if !series.apart(k) {
             (places[count], ks[count]) = (first + i, k);
             count += 1;
         } else {

@@ -11,13 +11,14 @@ mod rodas;
 #[cfg(test)]
 mod tests;
 
-use crate::lanes::{Bits, LANES, LaneScalar};
+use crate::lanes::{Bits, LANES, LaneScalar, Routine};
 use crate::ode::Cause;
 use crate::work::spend;
 use dop853::Dop853;
 use inside::Inside;
 use method::Method;
 use rodas::Rodas;
+use std::marker::PhantomData;
 
 /// A stretch of time that a lane integrates without interruption.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -172,14 +173,59 @@ const PATIENCE: u32 = 64;
 /// Returns `false` when cancelled.
 #[inline(always)]
 pub fn run<S: LaneScalar, C: EnsembleProblem<S>>(problem: &mut C) -> bool {
-    travel::<S, C, Dop853<S>>(problem)
+    S::apart(Travel { problem, method: PhantomData::<(S, Dop853<S>)> })
 }
 
 /// The same with an implicit method of order 5, stiffly accurate and L-stable: Rodas5P of G. Steinebach, BIT Numer. Math. 63 (2023) 27; dense
 /// output of order 4. Jacobians are differences of right sides. For equations some of whose motions die out far faster than what is sought.
 #[inline(always)]
 pub fn run_stiff<S: LaneScalar, C: EnsembleProblem<S>>(problem: &mut C) -> bool {
-    travel::<S, C, Rodas<S>>(problem)
+    S::apart(Travel { problem, method: PhantomData::<(S, Rodas<S>)> })
+}
+
+/// All members by one method. This, the beginning of members and dense output are functions of their own, since each holds the right side.
+struct Travel<'a, S, C, M> {
+    problem: &'a mut C,
+    method: PhantomData<(S, M)>,
+}
+
+impl<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>> Routine for Travel<'_, S, C, M> {
+    type Out = bool;
+    #[inline(always)]
+    fn run(self) -> bool {
+        travel::<S, C, M>(self.problem)
+    }
+}
+
+/// The interpolant over the last step.
+struct DenseOutput<'a, S, C, M> {
+    problem: &'a mut C,
+    method: &'a mut M,
+    number: PhantomData<S>,
+}
+
+impl<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>> Routine for DenseOutput<'_, S, C, M> {
+    type Out = ();
+    #[inline(always)]
+    fn run(self) {
+        self.method.dense(self.problem);
+    }
+}
+
+/// Starts the fresh lanes.
+struct Begin<'a, S, C, M> {
+    roster: &'a mut Roster<S>,
+    problem: &'a mut C,
+    method: &'a mut M,
+    inside: &'a mut Inside,
+}
+
+impl<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>> Routine for Begin<'_, S, C, M> {
+    type Out = ();
+    #[inline(always)]
+    fn run(self) {
+        self.roster.begin(self.problem, self.method, self.inside);
+    }
 }
 
 #[inline(always)]
@@ -216,7 +262,7 @@ fn travel<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(problem: &mut C) -
             }
         }
         if r.fresh != 0 {
-            r.begin(problem, &mut method, &mut inside);
+            S::apart(Begin { roster: &mut r, problem, method: &mut method, inside: &mut inside });
             continue;
         }
         let h = S::select(r.shortest.lt(r.next), r.next, r.shortest);
@@ -237,7 +283,7 @@ fn travel<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(problem: &mut C) -
         if accepted != 0 {
             let wanted = accepted & r.wants_inside(t1, problem.events());
             if wanted != 0 {
-                method.dense(problem);
+                S::apart(DenseOutput { problem, method: &mut method, number: PhantomData::<S> });
                 inside.keep(&method);
                 stopped = r.inside(wanted, t1, problem, &mut method, &mut inside);
             }

@@ -216,8 +216,8 @@ impl<F: Apply<T>, T> Slots<F> for T {
     }
 }
 
-/// Work to be compiled once for a scalar, as a function of its own, instead of wherever it is requested.
-pub trait Routine<S> {
+/// Work to be compiled as a function of its own instead of wherever it is requested; called by [`Scalar::apart`].
+pub trait Routine {
     /// Result.
     type Out;
     /// The work. Must be `#[inline(always)]`, as must what it calls (see [`Kernel`]).
@@ -225,21 +225,21 @@ pub trait Routine<S> {
 }
 
 #[inline(never)]
-fn apart<S, R: Routine<S>>(routine: R) -> R::Out {
+pub(crate) fn apart<R: Routine>(routine: R) -> R::Out {
     routine.run()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 #[inline(never)]
-fn apart_avx2<R: Routine<LanesAvx2>>(routine: R) -> R::Out {
+pub(super) fn apart_avx2<R: Routine>(routine: R) -> R::Out {
     routine.run()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,avx512f,avx512dq")]
 #[inline(never)]
-fn apart_avx512<R: Routine<LanesAvx512>>(routine: R) -> R::Out {
+pub(super) fn apart_avx512<R: Routine>(routine: R) -> R::Out {
     routine.run()
 }
 
@@ -247,8 +247,6 @@ fn apart_avx512<R: Routine<LanesAvx512>>(routine: R) -> R::Out {
 pub trait Entry: Scalar {
     /// The same with another value in a lane (below the number of lanes).
     fn with(self, lane: usize, x: f64) -> Self;
-    /// Calls a routine with the instructions of this scalar.
-    fn apart<R: Routine<Self>>(routine: R) -> R::Out;
     /// Calls the slot of this scalar.
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>);
 }
@@ -266,10 +264,6 @@ impl Entry for f64 {
         x
     }
     #[inline(always)]
-    fn apart<R: Routine<Self>>(routine: R) -> R::Out {
-        apart(routine)
-    }
-    #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, f64>) {
         slots.scalar(args);
     }
@@ -278,10 +272,6 @@ impl Entry for LanesBase {
     #[inline(always)]
     fn with(self, lane: usize, x: f64) -> Self {
         replaced(self, lane, x)
-    }
-    #[inline(always)]
-    fn apart<R: Routine<Self>>(routine: R) -> R::Out {
-        apart(routine)
     }
     #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>) {
@@ -295,11 +285,6 @@ impl Entry for LanesAvx2 {
         replaced(self, lane, x)
     }
     #[inline(always)]
-    fn apart<R: Routine<Self>>(routine: R) -> R::Out {
-        // SAFETY: the condition for using the type
-        unsafe { apart_avx2(routine) }
-    }
-    #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>) {
         // SAFETY: the condition for using the type
         unsafe { slots.avx2(args) };
@@ -310,11 +295,6 @@ impl Entry for LanesAvx512 {
     #[inline(always)]
     fn with(self, lane: usize, x: f64) -> Self {
         replaced(self, lane, x)
-    }
-    #[inline(always)]
-    fn apart<R: Routine<Self>>(routine: R) -> R::Out {
-        // SAFETY: the condition for using the type
-        unsafe { apart_avx512(routine) }
     }
     #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>) {

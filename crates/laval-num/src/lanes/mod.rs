@@ -18,6 +18,7 @@ mod sparse;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
+pub(crate) use level::apart;
 #[cfg(test)]
 pub(crate) use level::upper_halves_in_use;
 pub use level::{Apply, Entry, Family, Kernel, Level, Routine, Slots, cleared, dispatch};
@@ -248,6 +249,10 @@ impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
     type Base = Self;
     type Over<L: LaneScalar> = L;
     const SPREADS: bool = false;
+    #[inline(always)]
+    fn apart<W: Routine>(routine: W) -> W::Out {
+        R::apart(routine)
+    }
     #[inline(always)]
     fn base(self) -> Self {
         self

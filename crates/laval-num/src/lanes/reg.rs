@@ -2,7 +2,7 @@
 //!
 //! Every operation is exactly rounded or acts on bits, so that each implementation returns the same bits.
 
-use super::Level;
+use super::level::{Level, Routine, apart};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -27,6 +27,8 @@ pub trait Reg:
     const WIDTH: usize;
     /// The level whose instructions are used.
     const LEVEL: Level;
+    /// Calls a routine with the instructions of this register.
+    fn apart<R: Routine>(routine: R) -> R::Out;
     /// The same value in every lane.
     fn splat(x: f64) -> Self;
     /// Reads the first `WIDTH` values of `from` (which has at least that many).
@@ -94,6 +96,10 @@ impl Reg for f64 {
     type Mask = bool;
     const WIDTH: usize = 1;
     const LEVEL: Level = Level::Base;
+    #[inline(always)]
+    fn apart<R: Routine>(routine: R) -> R::Out {
+        apart(routine)
+    }
     #[inline(always)]
     fn splat(x: f64) -> Self {
         x

@@ -3,7 +3,7 @@
 //! Nothing here carries `#[target_feature]`: every method is inlined into the function that entered the level and becomes one
 //! instruction there. Called from anywhere else it is still correct on a processor that has the instruction, but slow.
 
-use super::Level;
+use super::level::{Level, Routine, apart, apart_avx2, apart_avx512};
 use super::reg::Reg;
 use core::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -37,7 +37,7 @@ macro_rules! operator {
 }
 
 macro_rules! register {
-    ($reg:ident, $level:ident, $width:literal, $mask:ty, [$add:ident $sub:ident $mul:ident $div:ident $sqrt:ident],
+    ($reg:ident, $level:ident, $apart:ident, $width:literal, $mask:ty, [$add:ident $sub:ident $mul:ident $div:ident $sqrt:ident],
      [$splat:ident $load:ident $store:ident], [$int:ident $float:ident $splat_int:ident],
      [$and:ident $or:ident $xor:ident $add_int:ident $shl:ident $shr:ident],
      lt: $lt:path, le: $le:path, bits: $bits:path, select($m:ident, $a:ident, $b:ident): $select:expr, odd($i:ident): $odd:expr $(, less: $less:ident)?) => {
@@ -56,6 +56,13 @@ macro_rules! register {
             type Mask = $mask;
             const WIDTH: usize = $width;
             const LEVEL: Level = Level::$level;
+            #[inline(always)]
+            fn apart<R: Routine>(routine: R) -> R::Out {
+                #[allow(unused_unsafe, reason = "at the level that every processor has")]
+                unsafe {
+                    $apart(routine)
+                }
+            }
             #[inline(always)]
             fn splat(x: f64) -> Self {
                 unsafe { $reg($splat(x)) }
@@ -132,7 +139,7 @@ macro_rules! register {
 
 // The differing operations are passed as expressions, not closures: a closure would not be inlined into its level.
 register!(
-    Xmm, Base, 2, __m128d,
+    Xmm, Base, apart, 2, __m128d,
     [_mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd],
     [_mm_set1_pd _mm_loadu_pd _mm_storeu_pd],
     [_mm_castpd_si128 _mm_castsi128_pd _mm_set1_epi64x],
@@ -143,7 +150,7 @@ register!(
 );
 
 register!(
-    Ymm, Avx2, 4, __m256d,
+    Ymm, Avx2, apart_avx2, 4, __m256d,
     [_mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd],
     [_mm256_set1_pd _mm256_loadu_pd _mm256_storeu_pd],
     [_mm256_castpd_si256 _mm256_castsi256_pd _mm256_set1_epi64x],
@@ -155,7 +162,7 @@ register!(
 );
 
 register!(
-    Zmm, Avx512, 8, __mmask8,
+    Zmm, Avx512, apart_avx512, 8, __mmask8,
     [_mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd],
     [_mm512_set1_pd _mm512_loadu_pd _mm512_storeu_pd],
     [_mm512_castpd_si512 _mm512_castsi512_pd _mm512_set1_epi64],

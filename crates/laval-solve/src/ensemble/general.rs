@@ -361,7 +361,7 @@ struct RightSide<'a, 'b, S> {
     dy: &'a mut [S],
 }
 
-impl<S: LaneScalar> Routine<S> for RightSide<'_, '_, S> {
+impl<S: LaneScalar> Routine for RightSide<'_, '_, S> {
     type Out = ();
     #[inline(always)]
     fn run(self) {

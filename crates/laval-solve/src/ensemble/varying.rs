@@ -228,7 +228,7 @@ struct RightSide<'a, 'b, S> {
     rates: &'a mut [S],
 }
 
-impl<S: Entry> Routine<S> for RightSide<'_, '_, S> {
+impl<S: Entry> Routine for RightSide<'_, '_, S> {
     type Out = ();
     #[inline(always)]
     fn run(self) {

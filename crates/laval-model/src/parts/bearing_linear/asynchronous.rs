@@ -9,6 +9,7 @@ use crate::text;
 use crate::text::Text;
 use laval_num::dual::Dual;
 use laval_num::interpolate::{Knots, Ordinates};
+use laval_num::lanes::Routine;
 use laval_num::order::ascending;
 use laval_num::scalar::Scalar;
 
@@ -143,21 +144,39 @@ impl Grid {
     /// The coefficients at a speed and a frequency.
     #[inline(always)]
     pub fn values<S: Scalar, T: Reads<S>>(&self, speeds: &Knots, rows: &[TableRow<S>], speed: T, frequency: T) -> [T; 8] {
-        let count = self.frequencies.count();
-        let needed = speeds.rests_on(speed);
         let mut known = vec![T::zero(); speeds.count()];
         let mut out = [T::zero(); 8];
         for i in 0..NAMES.len() {
             let column = Column(rows, i);
-            if column.is_empty() {
-                continue;
+            if !column.is_empty() {
+                out[i] = T::apart(OnGrid { grid: self, speeds, column, speed, frequency, known: &mut known });
             }
-            for k in needed.clone() {
-                let at_speed = AtSpeed { column: &column, rows: &self.rows[k * count..(k + 1) * count] };
-                known[k] = self.frequencies.value_and_slope(&at_speed, frequency).0;
-            }
-            out[i] = speeds.value_and_slope(&Known(&known), speed).0;
         }
         out
+    }
+}
+
+/// A column at a speed and a frequency: one function for all eight.
+struct OnGrid<'a, S, T> {
+    grid: &'a Grid,
+    speeds: &'a Knots,
+    column: Column<'a, S>,
+    speed: T,
+    frequency: T,
+    /// Storage for values at the frequency, by speed.
+    known: &'a mut [T],
+}
+
+impl<S: Scalar, T: Reads<S>> Routine for OnGrid<'_, S, T> {
+    type Out = T;
+    #[inline(always)]
+    fn run(self) -> T {
+        let OnGrid { grid, speeds, column, speed, frequency, known } = self;
+        let count = grid.frequencies.count();
+        for k in speeds.rests_on(speed) {
+            let at_speed = AtSpeed { column: &column, rows: &grid.rows[k * count..(k + 1) * count] };
+            known[k] = grid.frequencies.value_and_slope(&at_speed, frequency).0;
+        }
+        speeds.value_and_slope(&Known(known), speed).0
     }
 }

@@ -10,6 +10,7 @@ use crate::text;
 use crate::text::Text;
 use laval_num::dual::Dual;
 use laval_num::interpolate::{Knots, Ordinates, TableError};
+use laval_num::lanes::Routine;
 use laval_num::scalar::Scalar;
 
 params! {
@@ -188,10 +189,25 @@ impl Table {
         for i in 0..NAMES.len() {
             let column = Column(rows, i);
             if !column.is_empty() {
-                (out.value[i], out.slope[i]) = self.speeds.value_and_slope(&column, speed);
+                (out.value[i], out.slope[i]) = S::apart(AtSpeed { speeds: &self.speeds, column, speed });
             }
         }
         out
+    }
+}
+
+/// A column at a speed, and its derivative over it: one function for all eight.
+struct AtSpeed<'a, S> {
+    speeds: &'a Knots,
+    column: Column<'a, S>,
+    speed: S,
+}
+
+impl<S: Scalar> Routine for AtSpeed<'_, S> {
+    type Out = (S, S);
+    #[inline(always)]
+    fn run(self) -> (S, S) {
+        self.speeds.value_and_slope(&self.column, self.speed)
     }
 }
 
