@@ -62,7 +62,7 @@ pub struct SchemaArgs {
 pub fn schema(args: &SchemaArgs) -> u8 {
     match args.results {
         true => terminal::print(RESULTS_SCHEMA),
-        false => terminal::print(&format!("{:#}\n", schema::schema(&catalog()))),
+        false => terminal::print(&format!("{:#}\n", schema::schema(catalog()))),
     };
     DONE
 }

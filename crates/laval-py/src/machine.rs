@@ -53,7 +53,7 @@ type Stopped = Option<Py<PyBaseException>>;
 impl Machine {
     /// The machine file in canonical form: complete, exact, the same for equal machines.
     fn canonical(&self) -> String {
-        file::write(&self.loaded.spec, &catalog())
+        file::write(&self.loaded.spec, catalog())
     }
 
     /// Name for titles.

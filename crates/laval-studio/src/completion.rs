@@ -1,7 +1,6 @@
 //! What may be written in a machine file, for the editor of the page.
 
-use crate::machines::CATALOG;
-use laval::file::MACHINE_FIELDS;
+use laval::file::{self, MACHINE_FIELDS};
 use laval::model::field::{Field, FieldKind, KindInfo};
 use laval::outcome::Arg;
 use laval::report::Style;
@@ -52,11 +51,11 @@ fn kind(k: &KindInfo, style: &Style) -> Json {
 pub(crate) fn completion(style: &Style) -> Json {
     let kinds = |list: &[KindInfo]| list.iter().map(|k| kind(k, style)).collect::<Vec<Json>>();
     let blocks: Map<String, Json> =
-        CATALOG.blocks.iter().map(|b| (b.word.to_string(), json!({ "several": b.several, "kinds": kinds(&b.kinds) }))).collect();
+        file::catalog().blocks.iter().map(|b| (b.word.to_string(), json!({ "several": b.several, "kinds": kinds(&b.kinds) }))).collect();
     json!({
         "machine": { "keys": keys(MACHINE_FIELDS, style) },
-        "parts": kinds(&CATALOG.parts),
-        "studies": kinds(&CATALOG.studies),
+        "parts": kinds(&file::catalog().parts),
+        "studies": kinds(&file::catalog().studies),
         "blocks": blocks,
     })
 }

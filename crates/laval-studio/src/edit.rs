@@ -1,6 +1,6 @@
 //! Changes of numbers in the text of the page.
 
-use crate::machines::{CATALOG, Machines};
+use crate::machines::Machines;
 use crate::offsets::Offsets;
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{self, Change, Edit};
@@ -47,7 +47,7 @@ pub(crate) fn changes(machines: &Machines, text: &str, set: &[Set]) -> Result<Ve
         }
     };
     let wanted = set.iter().map(one).collect::<Result<Vec<_>, _>>()?;
-    file::edits(text, &loaded.spec, &CATALOG, &wanted)
+    file::edits(text, &loaded.spec, file::catalog(), &wanted)
 }
 
 /// Changes in the words of the page.

@@ -12,11 +12,14 @@ use crate::server::State;
 use crate::{answer, behind};
 use axum::extract::ws::{Message, Utf8Bytes, WebSocket};
 use laval::report::Language;
+use laval::study::Cancel;
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use tokio::sync::mpsc::{UnboundedSender, unbounded_channel};
 use tokio::task::spawn_blocking;
 
@@ -31,13 +34,23 @@ struct Received {
     cancel: Option<i64>,
 }
 
-/// A line of an answer, or its end.
-type Line = (i64, Option<String>);
+/// What a thread that computes an answer hands over.
+enum Step {
+    Line(String),
+    /// The answer is complete; of modes, whether they took less than [`BRIEF`].
+    End {
+        brief: Option<bool>,
+    },
+}
+
+/// Modes that took no longer the last time are computed without a thread of their own: waking it and the server again takes as long as they do.
+const BRIEF: Duration = Duration::from_millis(5);
 
 /// Serves one page until it closes the connection; its computations then end.
 pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
-    let (sender, mut lines) = unbounded_channel::<Line>();
+    let (sender, mut lines) = unbounded_channel::<(i64, Step)>();
     let mut open: HashMap<i64, Abandon> = HashMap::new();
+    let mut brief = false;
     loop {
         tokio::select! {
             message = socket.recv() => match message {
@@ -51,6 +64,17 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
                         if open.len() >= MOST {
                             return;
                         }
+                        if brief && request.quick() {
+                            let (begun, written) = (Instant::now(), RefCell::new(Vec::new()));
+                            compute(&state, &request, language, &Cancel::default(), &|line| written.borrow_mut().push(line));
+                            brief = begun.elapsed() < BRIEF;
+                            for line in written.into_inner() {
+                                if socket.send(Message::Text(Utf8Bytes::from(line))).await.is_err() {
+                                    return;
+                                }
+                            }
+                            continue;
+                        }
                         let (serial, abandon) = (request.serial, Abandon::default());
                         begin(&state, request, language, &abandon, sender.clone());
                         open.insert(serial, abandon);
@@ -60,38 +84,46 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
                 Some(Ok(Message::Ping(_) | Message::Pong(_))) => {}
                 _ => return,
             },
-            Some((serial, line)) = lines.recv() => match line {
+            Some((serial, step)) = lines.recv() => match step {
                 // lines of cancelled answers are not sent
-                Some(line) if open.contains_key(&serial) => {
+                Step::Line(line) if open.contains_key(&serial) => {
                     if socket.send(Message::Text(Utf8Bytes::from(line))).await.is_err() {
                         return;
                     }
                 }
-                Some(_) => {}
-                None => drop(open.remove(&serial)),
+                Step::Line(_) => {}
+                Step::End { brief: short } => {
+                    brief = short.unwrap_or(brief);
+                    drop(open.remove(&serial));
+                }
             },
         }
     }
 }
 
 /// Computes an answer on a thread of its own.
-fn begin(state: &Arc<State>, request: answer::Request, language: Language, abandon: &Abandon, sender: UnboundedSender<Line>) {
+fn begin(state: &Arc<State>, request: answer::Request, language: Language, abandon: &Abandon, sender: UnboundedSender<(i64, Step)>) {
     let (state, cancel) = (state.clone(), abandon.cancel());
     let quick = request.quick();
     let work = move || {
-        let send = |value: Json| {
-            // the page has gone
-            let _ = sender.send((request.serial, Some(value.to_string())));
-        };
-        let done = catch_unwind(AssertUnwindSafe(|| answer::answer(&state.machines, &request, language, &cancel, &send)));
-        if done.is_err() {
-            send(json!({ "want": null, "serial": request.serial, "error": language.said(&defect().sentence()) }));
-        }
-        let _ = sender.send((request.serial, None));
+        let begun = Instant::now();
+        // where nothing receives, the page has gone
+        let send = |step| drop(sender.send((request.serial, step)));
+        compute(&state, &request, language, &cancel, &|line| send(Step::Line(line)));
+        send(Step::End { brief: quick.then(|| begun.elapsed() < BRIEF) });
     };
     if quick {
         spawn_blocking(work);
     } else {
         behind::spawn(work);
+    }
+}
+
+/// The lines of an answer; a defect is one of them.
+fn compute(state: &State, request: &answer::Request, language: Language, cancel: &Cancel, line: &dyn Fn(String)) {
+    let send = |value: Json| line(value.to_string());
+    let done = catch_unwind(AssertUnwindSafe(|| answer::answer(&state.machines, request, language, cancel, &send)));
+    if done.is_err() {
+        send(json!({ "want": null, "serial": request.serial, "error": language.said(&defect().sentence()) }));
     }
 }

@@ -1,9 +1,9 @@
 //! Machine files that were read lately: answers of several kinds, and drags that go to and fro, read each once.
 
 use laval::diagnostic::Diagnostics;
-use laval::file::{self, Catalog, Loaded};
+use laval::file::{self, Loaded};
 use laval::study::nonlinear_response::{NonlinearResponse, NonlinearResponseResult};
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Files that are kept.
 const KEPT: usize = 12;
@@ -22,9 +22,6 @@ pub(crate) struct Machines {
 
 /// A nonlinear response with its study.
 pub(crate) type Response = Arc<(NonlinearResponse, NonlinearResponseResult)>;
-
-/// All kinds of parts and studies.
-pub(crate) static CATALOG: LazyLock<Catalog> = LazyLock::new(file::catalog);
 
 impl Machines {
     /// Reads a file, or remembers it.

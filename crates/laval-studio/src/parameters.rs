@@ -1,6 +1,5 @@
 //! The numbers of a machine file, with the ranges of their sliders.
 
-use crate::machines::CATALOG;
 use crate::offsets::Offsets;
 use laval::file::{self, Loaded, Number};
 use laval::outcome::Arg;
@@ -17,7 +16,7 @@ const MOST: usize = 400;
 /// All numbers whose value is known: of a liquid given by its volume the free surface is that of the machine.
 pub(crate) fn numbers(text: &str, loaded: &Loaded) -> Vec<Number> {
     let system = &loaded.system;
-    let mut all = file::numbers_of(text, &loaded.spec, &CATALOG);
+    let mut all = file::numbers_of(text, &loaded.spec, file::catalog());
     for n in all.iter_mut().filter(|n| n.value.is_nan()) {
         if let Some(x) = system.param(&n.path).and_then(|i| Some(system.params()[*i.first()?])) {
             n.value = x;

@@ -1,7 +1,7 @@
 //! Drag the answer: the request, and what was found, for the page.
 
 use crate::edit;
-use crate::machines::{CATALOG, Machines};
+use crate::machines::Machines;
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{self, Change};
 use laval::reach::{self, Free, Goal, Of};
@@ -73,10 +73,10 @@ pub(crate) fn reach(machines: &Machines, request: &Request, language: Language, 
     let goal = goal(&request.target).map_err(one)?;
     let free: Vec<Free> = request.free.iter().map(|f| Free { path: f.path.clone(), low: f.low, high: f.high }).collect();
     let context = Context { name: "reach", cancel, progress: &Silent, work_limit: u64::MAX, keep: None };
-    let found = reach::reach(&request.text, &loaded, &CATALOG, &goal, request.target.to, &free, &context)?;
+    let found = reach::reach(&request.text, &loaded, file::catalog(), &goal, request.target.to, &free, &context)?;
     let changed = found.moved.iter().filter(|m| m.to != m.from);
     let changes: Vec<(String, Change)> = changed.map(|m| (m.path.clone(), Change::Value(m.to, DIGITS))).collect();
-    let edits = file::edits(&request.text, &loaded.spec, &CATALOG, &changes)?;
+    let edits = file::edits(&request.text, &loaded.spec, file::catalog(), &changes)?;
     let units: Vec<String> = file::written_units(&request.text).into_iter().map(|u| u.0).collect();
     let impossible =
         found.impossible.as_ref().map(|(sentence, bounds)| json!({ "sentence": language.said_in(sentence, &units), "bounds": bounds }));

@@ -31,16 +31,18 @@ fn line(socket: &mut WebSocket<TcpStream>) -> Json {
     serde_json::from_str(socket.read().unwrap().to_text().unwrap()).unwrap()
 }
 
+/// A line but for the time that it took.
+fn strip(mut l: Json) -> Json {
+    l.as_object_mut().unwrap().remove("ms");
+    l
+}
+
 /// What the page asks for over it is what it gets by requests.
 #[test]
 fn answers_are_those_of_requests() {
     let s = Studio::new("live");
     let mut socket = s.live();
     let body = json!({ "serial": 7, "text": SEPARATOR, "want": ["modes", "campbell"], "set": [{ "path": "drum.mass", "value": 2.5 }] });
-    let strip = |mut l: Json| {
-        l.as_object_mut().unwrap().remove("ms");
-        l
-    };
     let asked: Vec<Json> = s.post("api/answer", &body).lines().into_iter().map(strip).collect();
     send(&mut socket, &json!({ "answer": body }));
     let got: Vec<Json> = (0..asked.len()).map(|_| strip(line(&mut socket))).collect();
@@ -49,6 +51,27 @@ fn answers_are_those_of_requests() {
     send(&mut socket, &json!({ "answer": { "serial": 8, "text": "[[part]]", "want": ["modes"] }, "lang": "ru" }));
     let refused = line(&mut socket);
     assert!(refused["serial"] == 8 && refused["error"].as_str().unwrap().chars().any(|c| ('а'..='я').contains(&c)), "{refused}");
+}
+
+/// Modes of a drag, the first on a thread of their own, those after them without where they are brief: also those of a text that is wrong, and those after it.
+#[test]
+fn modes_that_follow_each_other_are_those_of_requests() {
+    let s = Studio::new("live-drag");
+    let mut socket = s.live();
+    for serial in 1..=12 {
+        let (text, mass) = if serial % 5 == 4 {
+            ("[[part]]", 2.5)
+        } else {
+            (SEPARATOR, if serial % 5 == 2 { -1.0 } else { 2.5 + 0.01 * f64::from(serial) })
+        };
+        let body = json!({ "serial": serial, "text": text, "want": ["modes"], "set": [{ "path": "drum.mass", "value": mass }] });
+        let asked: Vec<Json> = s.post("api/answer", &body).lines().into_iter().map(strip).collect();
+        send(&mut socket, &json!({ "answer": body }));
+        let got: Vec<Json> = (0..asked.len()).map(|_| strip(line(&mut socket))).collect();
+        assert_eq!(asked, got);
+        let fine = serial % 5 != 4 && serial % 5 != 2;
+        assert_eq!((asked.len(), asked[0].get("error").is_some()), if fine { (2, false) } else { (1, true) }, "{asked:?}");
+    }
 }
 
 #[test]

@@ -12,6 +12,7 @@ use crate::study::support::turns_alike;
 use crate::study::{self, Context, ErasedStudy};
 use crate::text;
 use crate::text::Text;
+use std::sync::LazyLock;
 
 /// A machine file that has been read and assembled.
 pub struct Loaded {
@@ -132,12 +133,13 @@ impl Loaded {
 }
 
 /// All kinds of parts and studies this library knows.
-pub fn catalog() -> Catalog {
-    Catalog {
+pub fn catalog() -> &'static Catalog {
+    static ALL: LazyLock<Catalog> = LazyLock::new(|| Catalog {
         parts: parts::registry().into_iter().map(|k| k.info).collect(),
         studies: study::registry().into_iter().map(|k| k.info).collect(),
         blocks: study::blocks().into_iter().map(|b| b.info).collect(),
-    }
+    });
+    &ALL
 }
 
 /// Reads and assembles a machine file.
@@ -165,7 +167,7 @@ pub fn catalog() -> Catalog {
 /// All mistakes, each once and at its place: of reading, of parts and their joints, of blocks beside them and of studies. What a block with
 /// mistakes leaves open is no mistake of others. A text that is no TOML is read only.
 pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
-    after_reading(reader::read_draft(text, &catalog()))
+    after_reading(reader::read_draft(text, catalog()))
 }
 
 /// [`load`] for the bytes of a file; text that is not UTF-8 is one diagnostic.
@@ -175,7 +177,7 @@ pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
 pub fn load_bytes(bytes: &[u8]) -> Result<Loaded, Diagnostics> {
     match std::str::from_utf8(bytes) {
         Ok(text) => load(text),
-        Err(_) => Err(read_bytes(bytes, &catalog()).1),
+        Err(_) => Err(read_bytes(bytes, catalog()).1),
     }
 }
 

@@ -78,7 +78,7 @@ fn read(kind: &'static str, system: &System, fields: &serde_json::Value, out: &m
     };
     let parts: Vec<(String, &'static str)> = system.slots().iter().map(|s| (s.name.clone(), s.part.kind())).collect();
     let mut values = Values::default();
-    let mut context = Context { text: "", catalog: &catalog, parts: &parts, studies: &[], out, who: kind };
+    let mut context = Context { text: "", catalog, parts: &parts, studies: &[], out, who: kind };
     read_fields(&mut context, info, &["kind"], table, None, &mut values);
     names::check(&info.fields, &values, &registry(), system, out);
     (!out.has_errors()).then_some(values)

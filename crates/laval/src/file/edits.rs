@@ -5,6 +5,7 @@ use super::{Catalog, Spec, written_units};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
 use crate::text;
 use crate::units::{format_number, parse_unit, read_in, read_quantity, unit_of};
+use std::cell::LazyCell;
 
 /// What a number is changed to.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +44,7 @@ pub fn edited(text: &str, edits: &[Edit]) -> String {
 /// A path that names no number of the file, a value that cannot stand there, or two changes of one number.
 pub fn edits(text: &str, spec: &Spec, catalog: &Catalog, changes: &[(String, Change)]) -> Result<Vec<Edit>, Diagnostics> {
     let all = numbers(text, spec, catalog);
-    let units: Vec<String> = written_units(text).into_iter().map(|u| u.0).collect();
+    let units = LazyCell::new(|| written_units(text).into_iter().map(|u| u.0).collect());
     let (mut out, mut wrong) = (Vec::new(), Diagnostics::default());
     for (path, change) in changes {
         let Some(number) = all.iter().find(|n| n.path == *path) else {
@@ -70,13 +71,14 @@ pub fn edits(text: &str, spec: &Spec, catalog: &Catalog, changes: &[(String, Cha
     if wrong.has_errors() { Err(wrong) } else { Ok(out) }
 }
 
-struct Writer<'a> {
+struct Writer<'a, U> {
     text: &'a str,
-    units: &'a [String],
+    /// Units of the file, read where a unit is to be chosen.
+    units: &'a LazyCell<Vec<String>, U>,
     number: &'a Number,
 }
 
-impl Writer<'_> {
+impl<U: FnOnce() -> Vec<String>> Writer<'_, U> {
     fn edits(&self, change: &Change) -> Result<Vec<Edit>, Diagnostic> {
         let n = self.number;
         let at = |span: &Span, insert: String| Edit { span: span.clone(), insert };
@@ -268,7 +270,7 @@ fill = { volume_fraction = "50 %" }
     fn changed(changes: &[(&str, Change)]) -> Result<String, Diagnostics> {
         let loaded = load(FILE).unwrap_or_else(|d| panic!("{d}"));
         let changes: Vec<(String, Change)> = changes.iter().map(|c| (c.0.to_string(), c.1.clone())).collect();
-        Ok(edited(FILE, &edits(FILE, &loaded.spec, &catalog(), &changes)?))
+        Ok(edited(FILE, &edits(FILE, &loaded.spec, catalog(), &changes)?))
     }
 
     fn value(x: f64) -> Change {
@@ -303,7 +305,7 @@ fill = { volume_fraction = "50 %" }
         assert_eq!(lines(&[("air.damping.y", value(50.0))]), ["damping = { x = \"100 N s/m\", y = \"50 N s/m\" }"]);
         let inline = "machine = { name = \"a\" }\npart = [{ kind = \"disc\", name = \"d\", mass = 1 }]\n";
         let loaded = load(inline).unwrap();
-        let e = edits(inline, &loaded.spec, &catalog(), &[("d.eccentricity".into(), value(1e-3))]).unwrap();
+        let e = edits(inline, &loaded.spec, catalog(), &[("d.eccentricity".into(), value(1e-3))]).unwrap();
         assert_eq!(
             edited(inline, &e).lines().nth(1),
             Some("part = [{ kind = \"disc\", name = \"d\", mass = 1, eccentricity = \"1 mm\" }]")
@@ -326,7 +328,7 @@ fill = { volume_fraction = "50 %" }
     fn sections_of_a_shaft_and_ranges_are_changed_at_their_place() {
         let text = include_str!("../../../../examples/09-cream-separator/machine.toml");
         let loaded = load(text).unwrap_or_else(|d| panic!("{d}"));
-        let all = numbers(text, &loaded.spec, &catalog());
+        let all = numbers(text, &loaded.spec, catalog());
         let own = |path: &str| all.iter().find(|n| n.path == path).unwrap_or_else(|| panic!("{path}"));
         assert!((own("spindle.section[2].outer_diameter").value - 0.028).abs() < 1e-15);
         assert!(!all.iter().any(|n| n.path == "spindle.section[1].end_outer_diameter"), "the row leaves it out");
@@ -337,7 +339,7 @@ fill = { volume_fraction = "50 %" }
             ("operation.speed.to", "8100 rpm"),
         ];
         let wanted: Vec<_> = wanted.iter().map(|(p, t)| (p.to_string(), Change::Written(t.to_string()))).collect();
-        let now = edited(text, &edits(text, &loaded.spec, &catalog(), &wanted).unwrap_or_else(|d| panic!("{d}")));
+        let now = edited(text, &edits(text, &loaded.spec, catalog(), &wanted).unwrap_or_else(|d| panic!("{d}")));
         let expected = text
             .replace("end_outer_diameter = \"24 mm\"", "end_outer_diameter = \"26 mm\"")
             .replace("length = \"40 mm\",  outer", "length = \"41 mm\",  outer")
@@ -349,7 +351,7 @@ fill = { volume_fraction = "50 %" }
     #[test]
     fn places_hold_the_values() {
         let loaded = load(FILE).unwrap();
-        let all = numbers(FILE, &loaded.spec, &catalog());
+        let all = numbers(FILE, &loaded.spec, catalog());
         assert!(all.len() > 20);
         for n in all.iter().filter(|n| n.span.is_some()) {
             let written = FILE[n.span.clone().unwrap()].trim_matches(['"', '\'']);

@@ -2,10 +2,10 @@
 
 use super::tree;
 use crate::language::Language;
-use crate::units::parse_unit;
+use crate::units::{Unit, parse_unit};
 use std::collections::BTreeMap;
-use toml::Value;
-use toml::de::DeTable;
+use std::sync::LazyLock;
+use toml::de::{DeTable, DeValue};
 
 /// SI units of results.
 const RESULTS: [&str; 24] = [
@@ -41,18 +41,17 @@ pub fn written_units(text: &str) -> Vec<(String, f64, String)> {
     if tree::too_deep(text).is_some() {
         return Vec::new();
     }
-    let Ok(file) = text.parse::<toml::Table>() else { return Vec::new() };
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    let all = Value::Table(file);
-    walk(&all, &mut counts);
-    if let Some(speed) = all.get("machine").and_then(|m| m.get("speed")) {
-        for count in unit(speed).into_iter() {
-            *counts.entry(count).or_default() += 1_000_000;
-        }
+    let Ok(file) = DeTable::parse(text) else { return Vec::new() };
+    let file = file.into_inner();
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    file.values().for_each(|v| walk(v.get_ref(), &mut counts));
+    let speed = file.get("machine").and_then(|m| m.get_ref().as_table()).and_then(|m| m.get("speed"));
+    if let Some(unit) = speed.and_then(|s| unit(s.get_ref())) {
+        *counts.entry(unit).or_default() += 1_000_000;
     }
-    let mut sorted: Vec<(String, usize)> = counts.into_iter().collect();
-    sorted.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
-    si_units(sorted.into_iter().map(|s| s.0))
+    let mut sorted: Vec<(&str, usize)> = counts.into_iter().collect();
+    sorted.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
+    si_units(sorted.into_iter().map(|s| s.0.to_string()))
 }
 
 /// The language that a file asks for in `[report]`, also when the rest of it cannot be read.
@@ -67,29 +66,30 @@ pub fn written_language(text: &str) -> Option<Language> {
 
 /// Units with their size in the SI unit and the SI unit; what is no unit of results is left out.
 pub fn si_units(names: impl IntoIterator<Item = String>) -> Vec<(String, f64, String)> {
-    let known: Vec<_> = RESULTS.iter().filter_map(|si| Some((si, parse_unit(si).ok()?))).collect();
+    static KNOWN: LazyLock<Vec<(&str, Unit)>> =
+        LazyLock::new(|| RESULTS.iter().filter_map(|si| Some((*si, parse_unit(si).ok()?))).collect());
     let one = |name: String| {
         let unit = parse_unit(&name).ok()?;
-        let (si, _) = known.iter().find(|k| k.1.dimension.same(&unit.dimension))?;
+        let (si, _) = KNOWN.iter().find(|k| k.1.dimension.same(&unit.dimension))?;
         Some((name, unit.factor(), si.to_string()))
     };
     names.into_iter().filter_map(one).collect()
 }
 
-fn walk(value: &Value, counts: &mut BTreeMap<String, usize>) {
+fn walk<'a>(value: &'a DeValue, counts: &mut BTreeMap<&'a str, usize>) {
     match value {
-        Value::Table(t) => t.values().for_each(|v| walk(v, counts)),
-        Value::Array(a) => a.iter().for_each(|v| walk(v, counts)),
+        DeValue::Table(t) => t.values().for_each(|v| walk(v.get_ref(), counts)),
+        DeValue::Array(a) => a.iter().for_each(|v| walk(v.get_ref(), counts)),
         other => unit(other).into_iter().for_each(|u| *counts.entry(u).or_default() += 1),
     }
 }
 
 /// The unit behind the number of a quantity.
-fn unit(value: &Value) -> Option<String> {
+fn unit<'a>(value: &'a DeValue) -> Option<&'a str> {
     let (number, unit) = value.as_str()?.trim().split_once(' ')?;
     number.parse::<f64>().ok()?;
     let unit = unit.trim();
-    parse_unit(unit).ok().filter(|u| !u.dimension.is_none()).map(|_| unit.to_string())
+    parse_unit(unit).ok().filter(|u| !u.dimension.is_none()).map(|_| unit)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ fn free(path: &str, low: f64, high: f64) -> Free {
 
 fn reached(text: &str, goal: &Goal, wanted: f64, free: &[Free]) -> Reached {
     let loaded = load(text).unwrap_or_else(|d| panic!("{d}"));
-    reach(text, &loaded, &catalog(), goal, wanted, free, &Context::quiet("reach")).unwrap_or_else(|d| panic!("{d}"))
+    reach(text, &loaded, catalog(), goal, wanted, free, &Context::quiet("reach")).unwrap_or_else(|d| panic!("{d}"))
 }
 
 /// Without damping a critical speed is at sqrt(k / m).

@@ -77,7 +77,7 @@ const PIECES: [&str; 40] = [
 
 /// What all cases are made from.
 pub struct Sources {
-    catalog: Catalog,
+    catalog: &'static Catalog,
     files: Vec<String>,
 }
 
@@ -99,7 +99,7 @@ const SEARCHING: &str = "[[study]]\nkind = \"optimum\"\nstudy = { kind = \"modes
     maximise = \"least_damped_mode damping ratio\"\nruns = 20\nstarts = 1\n";
 
 impl Sources {
-    pub fn new(catalog: Catalog) -> Self {
+    pub fn new(catalog: &'static Catalog) -> Self {
         let mut files = vec![
             include_str!("../../../../examples/01-oil-separator/machine.toml").to_string(),
             include_str!("../../../../examples/02-rigid-rotor/machine.toml").to_string(),

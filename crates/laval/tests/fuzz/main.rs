@@ -72,8 +72,8 @@ fn check(bytes: &[u8], shown: bool) -> Result<Option<Loaded>, String> {
     }
     if shown && let Ok(l) = &result {
         let catalog = file::catalog();
-        let written = file::write(&l.spec, &catalog);
-        let (back, d) = file::read(&written, &catalog);
+        let written = file::write(&l.spec, catalog);
+        let (back, d) = file::read(&written, catalog);
         if back.is_none_or(|b| b.without_spans() != l.spec.clone().without_spans()) {
             return Err(format!("written and read again it is another machine: {d:?}\n{written}"));
         }

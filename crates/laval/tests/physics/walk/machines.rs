@@ -232,9 +232,9 @@ impl Case {
             fixed("damper", "inside", "between = [\"drum\", \"ground\"]\ndamping = 800\naxes = \"rotating\""),
         ];
         if self.kind == "disc" {
-            parts[0].2 = self.block(&catalog);
+            parts[0].2 = self.block(catalog);
         } else {
-            parts.push((self.kind, self.name.to_string(), self.block(&catalog)));
+            parts.push((self.kind, self.name.to_string(), self.block(catalog)));
         }
         let axis = if horizontal { "axis = \"horizontal\"\n" } else { "" };
         Machine { machine: format!("speed = \"900 rad/s\"\n{axis}{}", self.machine), parts, beside: self.beside.to_string() }
@@ -308,7 +308,7 @@ pub fn changes(case: &Case) -> Vec<Change> {
     let info = catalog.part(case.kind).expect("a kind of part");
     let plain = case.machine(false);
     let mut out = Vec::new();
-    for (key, value) in case.block(&catalog) {
+    for (key, value) in case.block(catalog) {
         let Some(field) = info.fields.iter().find(|f| f.name == key) else { continue };
         let with = |value: String| {
             let mut machine = plain.clone();
@@ -334,7 +334,7 @@ pub fn changes(case: &Case) -> Vec<Change> {
 pub fn left_out() -> Vec<String> {
     let catalog = catalog();
     let given = |kind: &str, key: &str| {
-        CASES.iter().any(|c| c.kind == kind && c.block(&catalog).iter().any(|l| l.0 == key))
+        CASES.iter().any(|c| c.kind == kind && c.block(catalog).iter().any(|l| l.0 == key))
             || FIXED.iter().any(|f| f.0 == kind && f.1 == key)
     };
     let numeric = |kind: FieldKind| matches!(kind, FieldKind::Quantity { .. } | FieldKind::Lateral { .. } | FieldKind::OneOf(_));
