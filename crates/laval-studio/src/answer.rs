@@ -72,6 +72,11 @@ impl Request {
     pub fn quick(&self) -> bool {
         self.want.iter().all(|w| *w == Want::Modes)
     }
+
+    /// The same after a change of numbers alone, so that it takes about as long as the last one.
+    pub fn follows(&self) -> bool {
+        self.quick() && !self.set.is_empty()
+    }
 }
 
 /// Speeds of figures unless the page says how many.

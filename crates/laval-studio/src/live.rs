@@ -43,7 +43,7 @@ enum Step {
     },
 }
 
-/// Modes that took no longer the last time are computed without a thread of their own: waking it and the server again takes as long as they do.
+/// Where modes took no longer the last time, those after a changed number are computed without a thread of their own: waking it and the server again takes as long as they do.
 const BRIEF: Duration = Duration::from_millis(5);
 
 /// Serves one page until it closes the connection; its computations then end.
@@ -64,7 +64,7 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
                         if open.len() >= MOST {
                             return;
                         }
-                        if brief && request.quick() {
+                        if brief && request.follows() {
                             let (begun, written) = (Instant::now(), RefCell::new(Vec::new()));
                             compute(&state, &request, language, &Cancel::default(), &|line| written.borrow_mut().push(line));
                             brief = begun.elapsed() < BRIEF;
@@ -75,6 +75,8 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
                             }
                             continue;
                         }
+                        // another machine may take longer: known when it is computed
+                        brief &= !request.quick();
                         let (serial, abandon) = (request.serial, Abandon::default());
                         begin(&state, request, language, &abandon, sender.clone());
                         open.insert(serial, abandon);
