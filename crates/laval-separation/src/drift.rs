@@ -23,7 +23,7 @@ use super::exit::{Cylinder, Exit, MOST, Vessel};
 use super::particle::{Drag, Medium, Particle, TURBULENT, transitional, turbulent};
 use super::ramp::Ramp;
 use super::separator::Discs;
-use super::series::{Affine, Series};
+use super::series::{Affine, Reach, Series};
 use super::vessel::Inside;
 use laval_num::univariate::root_by_newton;
 use std::f64::consts::PI;
@@ -106,6 +106,21 @@ impl Field {
 
     fn tilt(&self) -> f64 {
         self.sin.atan2(self.cos)
+    }
+
+    /// The largest of fields in a cup, towards each of its surfaces. Linear in the place, they are largest in a corner of the box around the liquid.
+    fn most(fields: &Fields, vessel: &Cylinder) -> Reach {
+        let mut most = Reach::default();
+        for f in fields {
+            for corner in 0..8 {
+                let sign = |bit: usize| if corner >> bit & 1 == 1 { vessel.radius } else { -vessel.radius };
+                let [x, y, z] = f.at([sign(0), if corner >> 2 == 1 { vessel.bottom } else { vessel.top }, sign(1)]);
+                most.side = most.side.max(x.hypot(z));
+                most.bottom = most.bottom.max(y);
+                most.surface = most.surface.max(-y);
+            }
+        }
+        Reach { side: ROOM * most.side, bottom: ROOM * most.bottom, surface: ROOM * most.surface }
     }
 
     /// The same as a matrix and what it adds.
@@ -289,6 +304,8 @@ struct Cell {
 /// Cells of a run-up from rest, and between two knots of a table.
 const CELLS: usize = 64;
 const TABLE_CELLS: usize = 32;
+/// Allowance for what the field does between the moments of a cell.
+const ROOM: f64 = 1.1;
 
 impl Climb {
     /// The way of a cup; `held` is a tilt it is held at.
@@ -317,11 +334,9 @@ impl Climb {
         let speed = ramp.final_speed();
         let settled = held.unwrap_or_else(|| cup.equilibrium(speed));
         let steady = Steady { speed, tilt: settled, hinge: cup.hinge, gravity: cup.gravity };
-        // the place of the liquid farthest from the hinge bounds every radius
-        let farthest = cup.hinge + vessel.bottom.abs().max(vessel.top.abs()).hypot(vessel.radius);
         let series = Series::new(cells.iter().map(|c| {
             let norm = c.fields.iter().map(|f| f.w2 + f.accel.abs()).fold(0.0, f64::max);
-            (c.step, c.fields.map(|f| f.matrix()), norm, norm * farthest + cup.gravity)
+            (c.step, c.fields.map(|f| f.matrix()), norm, Field::most(&c.fields, vessel))
         }));
         Climb { cells, series, ramp: ramp.clone(), hinge: cup.hinge, gravity: cup.gravity, steady }
     }
@@ -350,7 +365,7 @@ impl Climb {
     ) -> Option<Exit> {
         let s = Settling::new(medium, particle);
         if medium.drag == Drag::Stokes
-            && let Some(r) = self.series.end(s.sedimentation, start, inside.clear(start))
+            && let Some(r) = self.series.end(s.sedimentation, start, &inside.clear(start))
         {
             return self.held(&s, inside, r, after, &mut ());
         }
@@ -508,7 +523,7 @@ mod tests {
                     let p = Particle { radius: 0.5 * d, density };
                     let s = medium.rates(&p).sedimentation;
                     for start in [[0.0, 0.15, 0.0], [0.01, 0.1, -0.02], [-0.02, 0.2, 0.015]] {
-                        let Some(a) = climb.series.end(s, start, inside.clear(start)) else { continue };
+                        let Some(a) = climb.series.end(s, start, &inside.clear(start)) else { continue };
                         taken += 1;
                         let b = climb.follow(&medium, &p, &inside, start, reached, &mut ()).unwrap().position;
                         let way = (0..3).map(|k| (b[k] - start[k]).powi(2)).sum::<f64>().sqrt();

@@ -100,6 +100,11 @@ impl Curve {
         let (d, time) = self.nodes.last()?;
         Some(self.unit + 2.0 * d + time - self.product?)
     }
+    /// d ln T/d ln d between the two largest diameters computed.
+    fn slope(&self) -> Option<f64> {
+        let [.., a, b] = self.nodes.as_slice() else { return None };
+        Some((b.1 - a.1) / (b.0 - a.0))
+    }
     /// ln of the smallest diameter that leaves by a counted time (its ln).
     fn critical(&self, counted: f64) -> f64 {
         let Some(product) = self.product else { return f64::INFINITY };
@@ -110,13 +115,7 @@ impl Curve {
             // small particles: Stokes
             (None, Some(b)) => b.0 - 0.5 * (counted - b.1),
             (Some(a), Some(b)) => between(a, *b),
-            (Some(b), None) => {
-                let slope = match k.checked_sub(2).map(|i| self.nodes[i]) {
-                    Some(a) => ((b.1 - a.1) / (b.0 - a.0)).clamp(-2.5, -0.2),
-                    None => -2.0,
-                };
-                b.0 + (counted - b.1) / slope
-            }
+            (Some(b), None) => b.0 + (counted - b.1) / self.slope().map_or(-2.0, |slope| slope.clamp(-2.5, -0.2)),
         }
     }
 
@@ -161,14 +160,14 @@ enum Kind {
     Counted(Vec<(f64, Option<Surface>, usize, f64)>),
 }
 
-/// Change of ln t that ends the search: the error that remains is its square times the curvature of ln T over ln d. Then the most rounds, the change of a share that
+/// Change of ln t that ends the search, where one more round is known to bring no more than that. Then the most rounds, the change of a share that
 /// ends its search, and the share of the powder that is neglected.
 const CONVERGED: f64 = 1e-6;
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
 const NOTHING: f64 = 1e-9;
 /// Places from which on a part of them is looked at first, that part, and how nearly its time is sought (ln).
-const MANY: usize = 512;
+const MANY: usize = 256;
 const PART: usize = 8;
 const NEARLY: f64 = 1e-3;
 
@@ -203,18 +202,20 @@ impl<'a> Recovery<'a> {
                 let here = Here::now();
                 let all: Result<Vec<_>, Lost> = (0..spinning.crowd.len() * classes.len())
                     .into_par_iter()
-                    .map(|k| {
-                        let _counted = here.enter();
-                        let (i, (d, share)) = (k / classes.len(), classes[k % classes.len()]);
-                        let m = &spinning.crowd[i];
-                        let p = Particle { radius: 0.5 * d, density: b.powder.density.quantile(m.point.density) };
-                        let exit = match known {
-                            Some(known) => known[i],
-                            None => seen(watch, spinning.exit(&p, m))?,
-                        };
-                        let time = exit.map_or(f64::INFINITY, |e| e.time);
-                        Ok((time, exit.map(|e| e.surface), i, share / sum / spinning.crowd.len() as f64))
-                    })
+                    .map_init(
+                        || here.enter(),
+                        |_counted, k| {
+                            let (i, (d, share)) = (k / classes.len(), classes[k % classes.len()]);
+                            let m = &spinning.crowd[i];
+                            let p = Particle { radius: 0.5 * d, density: b.powder.density.quantile(m.point.density) };
+                            let exit = match known {
+                                Some(known) => known[i],
+                                None => seen(watch, spinning.exit(&p, m))?,
+                            };
+                            let time = exit.map_or(f64::INFINITY, |e| e.time);
+                            Ok((time, exit.map(|e| e.surface), i, share / sum / spinning.crowd.len() as f64))
+                        },
+                    )
                     .collect();
                 let mut all = all?;
                 all.sort_by_number(|a| a.0);
@@ -225,20 +226,22 @@ impl<'a> Recovery<'a> {
                 let curves = spinning
                     .crowd
                     .par_iter()
-                    .map(|m| {
-                        let _counted = here.enter();
-                        let density = b.powder.density.quantile(m.point.density);
-                        let unit = b.medium.rates(&Particle { radius: 0.5, density }).sedimentation;
-                        let exit = spinning.turning.drift(unit.signum(), m.start).filter(|e| e.time > 0.0 && unit != 0.0);
-                        Curve {
-                            density,
-                            product: exit.map(|e| e.time.ln()),
-                            unit: unit.abs().ln(),
-                            nodes: vec![],
-                            surface: exit.map(|e| e.surface),
-                            delay: 0.0,
-                        }
-                    })
+                    .map_init(
+                        || here.enter(),
+                        |_counted, m| {
+                            let density = b.powder.density.quantile(m.point.density);
+                            let unit = b.medium.rates(&Particle { radius: 0.5, density }).sedimentation;
+                            let exit = spinning.turning.drift(unit.signum(), m.start).filter(|e| e.time > 0.0 && unit != 0.0);
+                            Curve {
+                                density,
+                                product: exit.map(|e| e.time.ln()),
+                                unit: unit.abs().ln(),
+                                nodes: vec![],
+                                surface: exit.map(|e| e.surface),
+                                delay: 0.0,
+                            }
+                        },
+                    )
                     .collect();
                 Kind::Smooth(curves)
             }
@@ -303,35 +306,39 @@ impl<'a> Recovery<'a> {
         high
     }
 
-    /// Computes the exits of the particles from the first so many places that are just caught by a counted time.
-    fn refine(&mut self, counted: f64, places: usize) -> Result<(), Lost> {
+    /// Computes the exits of the particles from the first so many places that are just caught by a counted time; by how much (ln) they miss it, as root of the mean square.
+    fn refine(&mut self, counted: f64, places: usize) -> Result<f64, Lost> {
         let (spinning, watch) = (self.spinning, self.watch);
-        let Kind::Smooth(curves) = &self.found else { return Ok(()) };
+        let Kind::Smooth(curves) = &self.found else { return Ok(0.0) };
         let here = Here::now();
         let exits: Vec<Option<(f64, Option<Exit>)>> = curves
             .par_iter()
             .take(places)
             .zip(&spinning.crowd)
-            .map(|(c, m)| {
-                let _counted = here.enter();
-                let ln_d = c.critical(counted);
-                let share = self.above(ln_d);
-                let known = c.nodes.iter().any(|n| (n.0 - ln_d).abs() < 1e-13);
-                if c.product.is_none() || !(share > NOTHING && 1.0 - share > NOTHING) || known {
-                    return Ok(None);
-                }
-                let particle = Particle { radius: 0.5 * ln_d.exp(), density: c.density };
-                Ok(Some((ln_d, seen(watch, spinning.exit(&particle, m))?)))
-            })
+            .map_init(
+                || here.enter(),
+                |_counted, (c, m)| {
+                    let ln_d = c.critical(counted);
+                    let share = self.above(ln_d);
+                    let known = c.nodes.iter().any(|n| (n.0 - ln_d).abs() < 1e-13);
+                    if c.product.is_none() || !(share > NOTHING && 1.0 - share > NOTHING) || known {
+                        return Ok(None);
+                    }
+                    let particle = Particle { radius: 0.5 * ln_d.exp(), density: c.density };
+                    Ok(Some((ln_d, seen(watch, spinning.exit(&particle, m))?)))
+                },
+            )
             .collect::<Result<_, Lost>>()?;
+        let mut missed = Mean::default();
         if let Kind::Smooth(curves) = &mut self.found {
             for (c, found) in curves.iter_mut().zip(exits) {
                 if let Some((ln_d, exit)) = found {
+                    missed.add(exit.map_or(f64::INFINITY, |e| spinning.clock.counted(e.time).ln() - counted));
                     c.add(ln_d, exit, &spinning.clock);
                 }
             }
         }
-        Ok(())
+        Ok(missed.root())
     }
 
     /// Takes along exits of the members with their own sizes.
@@ -410,21 +417,23 @@ impl<'a> Recovery<'a> {
         }
     }
 
-    /// ln of the counted time that a share of so many places takes, from an estimate of it, until it changes by less than that; infinite when the share is never caught.
+    /// ln of the counted time that a share of so many places takes, from an estimate of it, until it is known to that; infinite when the share is never caught.
     fn approach(&mut self, share: f64, places: usize, guess: f64, within: f64) -> Result<f64, Lost> {
-        let mut x = guess;
+        let (mut x, mut missed) = (guess, f64::INFINITY);
         for round in 0..ROUNDS {
             let Kind::Smooth(curves) = &self.found else { break };
             let next = self.solve(&curves[..places.min(curves.len())], share, x);
             if !next.is_finite() {
                 return Ok(f64::INFINITY);
             }
-            let done = round > 0 && (next - x).abs() < within;
+            // one more round would move x by the misses times what the slopes are off
+            let known = missed * slopes(curves) < within;
+            let done = round > 0 && (known || (next - x).abs() < within);
             x = next;
             if done {
                 break;
             }
-            self.refine(x, places)?;
+            missed = self.refine(x, places)?;
         }
         Ok(x)
     }
@@ -475,6 +484,31 @@ impl<'a> Recovery<'a> {
             }
         }
     }
+}
+
+/// Root of the mean square of numbers.
+#[derive(Default)]
+struct Mean {
+    squares: f64,
+    count: f64,
+}
+
+impl Mean {
+    fn add(&mut self, x: f64) {
+        self.squares += x * x;
+        self.count += 1.0;
+    }
+    /// Infinite without numbers.
+    fn root(&self) -> f64 {
+        if self.count > 0.0 { (self.squares / self.count).sqrt() } else { f64::INFINITY }
+    }
+}
+
+/// By how much the slopes d ln T/d ln d differ from that of Stokes' law, -2, as a share of it, where two nodes tell: root of the mean square.
+fn slopes(curves: &[Curve]) -> f64 {
+    let mut off = Mean::default();
+    curves.iter().filter_map(Curve::slope).for_each(|slope| off.add(1.0 + 0.5 * slope));
+    off.root()
 }
 
 /// An exit that is computed, unless the watch says stop.

@@ -10,9 +10,9 @@
 //!
 //! Symbols: s sedimentation coefficient, s; `theta = |s| int |A| dt`.
 //!
-//! Validity: taken where theta is at most 0.3 (what is left out is below 1e-9 of the way; the steps themselves err by a few
-//! millionths of it) and where no surface is within reach of the particle, whose way is bounded
-//! by `|s| int max|A r + b| dt` over the liquid. Elsewhere the particle is followed step by step.
+//! Validity: taken where theta is at most 1 (what is left out is below 1e-9 of the way; the steps themselves err by a few
+//! millionths of it) and where no surface is within reach of the particle, whose way towards each is bounded
+//! by `|s| int max (A r + b) dt` over the liquid. Elsewhere the particle is followed step by step.
 //!
 //! Sources: G. Peano, Math. Ann. 32 (1888) 450; `docs/theory/separation.md#drag-dominated-limit`.
 
@@ -20,8 +20,8 @@
 pub(super) type Affine = [[f64; 4]; 3];
 
 /// Powers kept, and the largest theta.
-const POWERS: usize = 8;
-const THETA: f64 = 0.3;
+const POWERS: usize = 12;
+const THETA: f64 = 1.0;
 
 /// See the [module](self).
 #[derive(Clone, Debug)]
@@ -29,8 +29,29 @@ pub(super) struct Series {
     terms: [Affine; POWERS],
     /// int |A| dt, 1/s.
     strength: f64,
-    /// int max|A r + b| dt, m/s.
-    reach: f64,
+    /// int max (A r + b) dt, m/s.
+    reach: Reach,
+}
+
+/// Distances of a place to the surfaces of a cup, or bounds of what moves towards them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reach {
+    /// To the side.
+    pub side: f64,
+    /// To the bottom, along y.
+    pub bottom: f64,
+    /// To the surface, against y.
+    pub surface: f64,
+}
+
+impl Reach {
+    /// What moves that far from a place with these distances meets no surface; NaN does.
+    fn inside(&self, by: f64, clear: &Reach) -> bool {
+        // what is lighter than the liquid goes the other way
+        let (bottom, surface) = if by < 0.0 { (self.surface, self.bottom) } else { (self.bottom, self.surface) };
+        let by = by.abs();
+        by * self.side < clear.side && by * bottom < clear.bottom && by * surface < clear.surface
+    }
 }
 
 /// A power before its integration: `M P` with the last row of P that of the unit matrix for P_0, zero otherwise.
@@ -48,13 +69,15 @@ fn shifted(p: &Affine, by: f64, rate: &Affine) -> Affine {
 }
 
 impl Series {
-    /// `steps`: duration, `[A b]` at its begin, middle and end, and upper bounds of |A| and of |A r + b| over the liquid.
-    pub fn new(steps: impl Iterator<Item = (f64, [Affine; 3], f64, f64)>) -> Self {
+    /// `steps`: duration, `[A b]` at its begin, middle and end, and upper bounds of |A| and of A r + b over the liquid.
+    pub fn new(steps: impl Iterator<Item = (f64, [Affine; 3], f64, Reach)>) -> Self {
         let unit: Affine = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
-        let mut out = Series { terms: [[[0.0; 4]; 3]; POWERS], strength: 0.0, reach: 0.0 };
+        let mut out = Series { terms: [[[0.0; 4]; 3]; POWERS], strength: 0.0, reach: Reach::default() };
         for (h, m, norm, most) in steps {
             out.strength += h * norm;
-            out.reach += h * most;
+            out.reach.side += h * most.side;
+            out.reach.bottom += h * most.bottom;
+            out.reach.surface += h * most.surface;
             // the power below, at the begin, at the two estimates of the middle, and at the end
             let mut below = [unit; 4];
             for (k, term) in out.terms.iter_mut().enumerate() {
@@ -74,12 +97,11 @@ impl Series {
         out
     }
 
-    /// Place at the end of a particle with no surface closer than `clear` at its start; `None` where the series does not hold.
+    /// Place at the end of a particle that has the surfaces at these distances at its start; `None` where the series does not hold.
     #[inline]
-    pub fn end(&self, sedimentation: f64, start: [f64; 3], clear: f64) -> Option<[f64; 3]> {
-        let s = sedimentation.abs();
+    pub fn end(&self, sedimentation: f64, start: [f64; 3], clear: &Reach) -> Option<[f64; 3]> {
         // NaN fails
-        if !(s * self.strength <= THETA && s * self.reach < clear) {
+        if !(sedimentation.abs() * self.strength <= THETA && self.reach.inside(sedimentation, clear)) {
             return None;
         }
         let mut way = [0.0; 3];

@@ -5,6 +5,7 @@
 //! Sources: `docs/theory/separation.md#first-exit`.
 
 use super::exit::{Cylinder, Gap, MOST, Surface, Vessel};
+use super::series::Reach;
 use super::tube::Filled;
 
 /// The space particles settle in.
@@ -33,12 +34,12 @@ impl Inside {
             Inside::Ring(a, b) => b - a,
         }
     }
-    /// Distance of a place to the nearest surface, m: exact in a cup, 0 (not known) elsewhere.
+    /// Distances of a place to the surfaces, m: exact in a cup, 0 (not known) elsewhere.
     #[inline]
-    pub fn clear(&self, [x, y, z]: [f64; 3]) -> f64 {
+    pub fn clear(&self, [x, y, z]: [f64; 3]) -> Reach {
         match self {
-            Inside::Cup(c) => (c.radius - x.hypot(z)).min(c.bottom - y).min(y - c.top),
-            Inside::Tube(_) | Inside::Ring(..) => 0.0,
+            Inside::Cup(c) => Reach { side: c.radius - x.hypot(z), bottom: c.bottom - y, surface: y - c.top },
+            Inside::Tube(_) | Inside::Ring(..) => Reach::default(),
         }
     }
     /// Length over which the distance to a surface changes, m.

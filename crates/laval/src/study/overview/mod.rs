@@ -354,38 +354,55 @@ pub fn overview_after(
     // unbalance turns with every spin, whatever else excites
     limits.orders.extend(spin_orders(system).into_iter().filter(|k| !limits::of(system).orders.iter().any(|own| same_ratio(*own, *k))));
     ascending(&mut limits.orders);
-    let of_stability = || {
+    let of_whole = || {
         let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
-        let stability = stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?));
-        let worst = operating.and_then(|o| {
+        stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?))
+    };
+    let of_worst = || {
+        operating.and_then(|o| {
             speed_range::able(&map(ordered(o.low, o.high, 2)), system).ok()?;
             worst::worst(system, o, sign, context)
-        });
-        // also beside a study of the file that has few speeds, or none as far as the distance required
-        let near = operating.and_then(|o| {
-            let wide = wide(operation.instability_margin.unwrap_or(MARGIN));
-            let ends = known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
-            if matches!(&stability, Known::Studied(row, _) if fine(row, ends)) {
-                return None;
-            }
-            let about = ordered(ends.0, ends.1, NEAR);
-            let known = match &worst {
-                // the boundaries of what is unstable between two of the speeds as well
-                Some(worst) if !in_region(system) => limited(context, MARGINS, || {
-                    speed_range::able(&map(about), system)?;
-                    let mut speeds = with_table_speeds(&about, NEAR, system);
-                    speeds.extend(&worst.peaks);
-                    ascending(&mut speeds);
-                    speeds.dedup();
-                    row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
-                }),
-                _ => within_work(&map(about), system, context, MARGINS).and_then(|r| r.rows.into_iter().next()),
-            };
-            match known {
-                Known::Yes(r) => Some(r),
-                _ => None,
-            }
-        });
+        })
+    };
+    let about = operating.map(|o| {
+        let wide = wide(operation.instability_margin.unwrap_or(MARGIN));
+        let ends = known(system, sign, ((1.0 - wide) * o.low, (1.0 + wide) * o.high));
+        (ends, ordered(ends.0, ends.1, NEAR))
+    });
+    let covered = |row: &Row| about.as_ref().is_some_and(|(ends, _)| fine(row, *ends));
+    // also beside a study of the file that has few speeds, or none as far as the distance required
+    let of_near = |worst: &Option<Worst>| {
+        let (_, about) = about.as_ref()?;
+        let known = match worst {
+            // the boundaries of what is unstable between two of the speeds as well
+            Some(worst) if !in_region(system) => limited(context, MARGINS, || {
+                speed_range::able(&map(*about), system)?;
+                let mut speeds = with_table_speeds(about, NEAR, system);
+                speeds.extend(&worst.peaks);
+                ascending(&mut speeds);
+                speeds.dedup();
+                row(system, &over_speed(system), &speeds, 0.0, |done| context.goes_on(done))
+            }),
+            _ => within_work(&map(*about), system, context, MARGINS).and_then(|r| r.rows.into_iter().next()),
+        };
+        match known {
+            Known::Yes(r) => Some(r),
+            _ => None,
+        }
+    };
+    let of_stability = || {
+        // roots that are searched one by one take longest: the speeds about the operating ones beside the whole range
+        let known = || needed.and_then(|n| studied::growth(outcomes, n)).is_some_and(|(row, _)| covered(&row));
+        if in_region(system) && !known() {
+            let (stability, (worst, near)) = both(of_whole, || {
+                let worst = of_worst();
+                let near = of_near(&worst);
+                (worst, near)
+            });
+            return (stability, near, worst);
+        }
+        let (stability, worst) = (of_whole(), of_worst());
+        let near = if matches!(&stability, Known::Studied(row, _) if covered(row)) { None } else { of_near(&worst) };
         (stability, near, worst)
     };
     let of_criticals = || {
