@@ -166,6 +166,8 @@ const CONVERGED: f64 = 1e-6;
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
 const NOTHING: f64 = 1e-9;
+/// How far (ln) on both sides of its first estimate a time is sought.
+const FIRST: f64 = 0.01;
 /// Places from which on a part of them is looked at first, that part, and how nearly its time is sought (ln).
 const MANY: usize = 256;
 const PART: usize = 8;
@@ -262,12 +264,13 @@ impl<'a> Recovery<'a> {
         curves.iter().map(|c| self.above(c.critical(counted))).sum::<f64>() / curves.len() as f64
     }
 
-    /// ln of the counted time in which the share is caught, from an estimate of it; infinite when never.
-    fn solve(&self, curves: &[Curve], share: f64, guess: f64) -> f64 {
+    /// ln of the counted time in which the share is caught, from an estimate of it that may be off by so much; infinite when never.
+    fn solve(&self, curves: &[Curve], share: f64, guess: f64, off: f64) -> f64 {
         let miss = |x: f64| self.smooth(curves, x) - share * (1.0 - 1e-13);
-        let (mut low, mut high) = (guess - 0.01, guess + 0.01);
+        let off = off.clamp(1e-9, FIRST);
+        let (mut low, mut high) = (guess - off, guess + off);
         let (mut below, mut beyond) = (miss(low), miss(high));
-        let mut width = 0.05;
+        let mut width = 5.0 * off;
         // NaN ends at once
         while below >= 0.0 || beyond < 0.0 {
             if width > 2000.0 {
@@ -368,7 +371,9 @@ impl<'a> Recovery<'a> {
             let places = spinning.crowd.len().div_ceil(k);
             match &self.found {
                 Kind::Counted(all) => counted(all, places, share),
-                Kind::Smooth(curves) => spinning.clock.time(self.solve(&curves[..places], share, spinning.clock.counted(time).ln()).exp()),
+                Kind::Smooth(curves) => {
+                    spinning.clock.time(self.solve(&curves[..places], share, spinning.clock.counted(time).ln(), FIRST).exp())
+                }
             }
         });
         // NaN stays
@@ -419,10 +424,10 @@ impl<'a> Recovery<'a> {
 
     /// ln of the counted time that a share of so many places takes, from an estimate of it, until it is known to that; infinite when the share is never caught.
     fn approach(&mut self, share: f64, places: usize, guess: f64, within: f64) -> Result<f64, Lost> {
-        let (mut x, mut missed) = (guess, f64::INFINITY);
+        let (mut x, mut missed, mut off) = (guess, f64::INFINITY, FIRST);
         for round in 0..ROUNDS {
             let Kind::Smooth(curves) = &self.found else { break };
-            let next = self.solve(&curves[..places.min(curves.len())], share, x);
+            let next = self.solve(&curves[..places.min(curves.len())], share, x, off);
             if !next.is_finite() {
                 return Ok(f64::INFINITY);
             }
@@ -434,6 +439,8 @@ impl<'a> Recovery<'a> {
                 break;
             }
             missed = self.refine(x, places)?;
+            // the change is of second order in the misses
+            off = missed * missed;
         }
         Ok(x)
     }

@@ -13,6 +13,8 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
+use crate::model::capability::Extent;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
@@ -156,6 +158,16 @@ axes = "fixed"                      # "rotating" is damping inside the rotor
             return vec![("tilt_damping", text!("this damper was built without tilt"))];
         }
         Vec::new()
+    }
+    #[inline(always)]
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for Damper {
+    fn is_steady(&self) -> bool {
+        true
     }
 }
 

@@ -12,6 +12,7 @@
 
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
+use crate::model::capability::Extent;
 use crate::model::capability::body::{BodyParameters, BodyPart};
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, ParamValues, Values};
@@ -85,6 +86,16 @@ damping = "900 N s/m"
     }
     fn body(&self) -> Option<&dyn erased::BodyPart> {
         Some(self)
+    }
+    #[inline(always)]
+    fn extent(&self) -> Option<&dyn erased::Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for Foundation {
+    fn is_steady(&self) -> bool {
+        true
     }
 }
 

@@ -36,9 +36,10 @@ impl Mode {
     /// Scales both vectors as described in the module; `derivative_x` is the vector whose product `y^H ..` becomes real and not negative.
     pub(super) fn normalise(&mut self, derivative_x: impl Fn(&[C64]) -> Vec<C64>) {
         let n = norm2(&self.right);
-        let largest = self.right.iter().map(|z| z.abs()).fold(0.0, f64::max);
+        let size = |z: &C64| z.scale(1.0 / n).norm_sqr();
+        let largest = self.right.iter().map(size).fold(0.0, f64::max);
         // Components equal to rounding count as equal, so that the choice does not depend on the last bit.
-        let lead = self.right.iter().find(|z| z.abs() >= largest * (1.0 - 1e-8)).copied().unwrap_or(c(1.0, 0.0));
+        let lead = self.right.iter().find(|z| size(z) >= largest * (1.0 - 2e-8)).copied().unwrap_or(c(1.0, 0.0));
         turn(&mut self.right, lead, n);
         let n = norm2(&self.left);
         let product = inner(&derivative_x(&self.right), &self.left);

@@ -7,8 +7,10 @@ use crate::lanes::cleared;
 use crate::work::spend;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::evd::{self, ComputeEigenvectors};
+use faer::linalg::matmul::matmul;
 use faer::linalg::{gevd, svd};
-use faer::{Par, Spec, c64};
+use faer::traits::{ComplexField, Conjugate};
+use faer::{Accum, MatRef, Par, Spec, c64};
 
 type Vectors = Vec<Vec<C64>>;
 
@@ -18,6 +20,8 @@ pub struct Raw {
     pub(super) beta: Vec<C64>,
     pub(super) right: Vectors,
     pub(super) left: Vectors,
+    /// `A x` of the right and `A^H y` of the left vectors; empty for a pencil.
+    pub(super) images: [Vectors; 2],
 }
 
 /// `A = U diag(s) V^H` of an r x c matrix: U is r x r, V is c x c.
@@ -82,7 +86,7 @@ const YES: ComputeEigenvectors = ComputeEigenvectors::Yes;
 const NO: ComputeEigenvectors = ComputeEigenvectors::No;
 
 /// Work space of the QZ algorithm. The library's own figure leaves out the back substitution, which takes some vectors more.
-fn qz_scratch<F: faer::traits::ComplexField>(n: usize) -> StackReq {
+fn qz_scratch<F: ComplexField>(n: usize) -> StackReq {
     gevd::gevd_scratch::<F>(n, YES, YES, Par::Seq, Spec::default()).and(StackReq::new_aligned::<F>(16 * n + 512, 64))
 }
 
@@ -91,31 +95,40 @@ fn real_column(u: &faer::Mat<f64>, j: usize, pair: bool) -> Vec<C64> {
     (0..u.nrows()).map(|i| c(u[(i, j)], if pair { u[(i, j + 1)] } else { 0.0 })).collect()
 }
 
-fn real_raw(re: &[f64], im: &[f64], right: &faer::Mat<f64>, left: &faer::Mat<f64>) -> Raw {
-    let mut raw = Raw { alpha: vec![], beta: vec![], right: vec![], left: vec![] };
+fn real_raw(re: &[f64], im: &[f64], [right, left]: [&faer::Mat<f64>; 2], images: [&faer::Mat<f64>; 2]) -> Raw {
+    let mut raw = Raw { alpha: vec![], beta: vec![], right: vec![], left: vec![], images: [vec![], vec![]] };
     let mut j = 0;
     while j < re.len() {
         let pair = im[j] != 0.0 && j + 1 < re.len();
-        let (mut r, mut l) = (real_column(right, j, pair), real_column(left, j, pair));
-        if im[j] < 0.0 {
-            for z in r.iter_mut().chain(l.iter_mut()) {
-                *z = C64::conj(*z);
+        let column = |m: &faer::Mat<f64>| {
+            let mut v = real_column(m, j, pair);
+            if im[j] < 0.0 {
+                v.iter_mut().for_each(|z| *z = C64::conj(*z));
             }
-        }
+            v
+        };
         raw.alpha.push(c(re[j], im[j].abs()));
         raw.beta.push(C64::ONE);
-        raw.right.push(r);
-        raw.left.push(l);
+        raw.right.push(column(right));
+        raw.left.push(column(left));
+        raw.images.iter_mut().zip(images).for_each(|(all, image)| all.push(column(image)));
         j += if pair { 2 } else { 1 };
     }
     raw
+}
+
+/// `a v`.
+fn product<F: ComplexField, A: Conjugate<Canonical = F>>(a: MatRef<A>, v: &faer::Mat<F>) -> faer::Mat<F> {
+    let mut out = faer::Mat::zeros(a.nrows(), v.ncols());
+    cleared(|| matmul(out.as_mut(), Accum::Replace, a, v.as_ref(), F::one_impl(), Par::Seq));
+    out
 }
 
 fn column(u: &faer::Mat<c64>, j: usize) -> Vec<C64> {
     (0..u.nrows()).map(|i| out(u[(i, j)])).collect()
 }
 
-fn svd_with<T: Number, F: faer::traits::ComplexField>(
+fn svd_with<T: Number, F: ComplexField>(
     a: &Mat<T>,
     into: impl Fn(T) -> F,
     back: impl Fn(&F) -> T,
@@ -212,7 +225,8 @@ impl Number for f64 {
         })
         .map_err(|_| EigError::NoConvergence)?;
         let (re, im): (Vec<f64>, Vec<f64>) = (0..n).map(|i| (re[i], im[i])).unzip();
-        Ok(real_raw(&re, &im, &r, &l))
+        let (ar, al) = (product(f.as_ref(), &r), product(f.transpose(), &l));
+        Ok(real_raw(&re, &im, [&r, &l], [&ar, &al]))
     }
     fn svd(a: &Mat) -> Result<Svd<f64>, EigError> {
         svd_with(a, |x| x, |x: &f64| *x, |x| *x)
@@ -261,11 +275,14 @@ impl Number for C64 {
             evd::evd_cplx(f.as_ref(), s.as_mut(), Some(l.as_mut()), Some(r.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default())
         })
         .map_err(|_| EigError::NoConvergence)?;
+        let (ar, al) = (product(f.as_ref(), &r), product(f.adjoint(), &l));
+        let columns = |m: &faer::Mat<c64>| (0..n).map(|j| column(m, j)).collect::<Vectors>();
         Ok(Raw {
             alpha: (0..n).map(|i| out(s[i])).collect(),
             beta: vec![C64::ONE; n],
-            right: (0..n).map(|j| column(&r, j)).collect(),
-            left: (0..n).map(|j| column(&l, j)).collect(),
+            right: columns(&r),
+            left: columns(&l),
+            images: [columns(&ar), columns(&al)],
         })
     }
     fn svd(a: &Mat<C64>) -> Result<Svd<C64>, EigError> {
@@ -304,6 +321,7 @@ pub(super) fn qz(a: &Mat<C64>, e: &Mat<C64>) -> Result<Raw, EigError> {
         beta: (0..n).map(|i| out(beta[i])).collect(),
         right: (0..n).map(|j| column(&r, j)).collect(),
         left: (0..n).map(|j| column(&l, j)).collect(),
+        images: [vec![], vec![]],
     })
 }
 
@@ -323,6 +341,17 @@ pub(super) fn apply_adjoint<T: Number>(m: &Mat<T>, y: &[C64]) -> Vec<C64> {
     out
 }
 
+/// `y^H x` of every y with every x.
+pub(super) fn overlaps(left: &[Vec<C64>], right: &[Vec<C64>]) -> Mat<C64> {
+    let length = left.iter().chain(right).map(Vec::len).max().unwrap_or(0);
+    let columns = |all: &[Vec<C64>]| {
+        let entry = |i: usize, j: usize| all[j].get(i).map_or(c64::new(0.0, 0.0), |z| c64::new(z.re, z.im));
+        faer::Mat::from_fn(length, all.len(), entry)
+    };
+    let found = product(columns(left).adjoint(), &columns(right));
+    Mat::from_fn(left.len(), right.len(), |i, j| out(found[(i, j)]))
+}
+
 /// `y^H x`.
 pub(super) fn inner(y: &[C64], x: &[C64]) -> C64 {
     y.iter().zip(x).fold(C64::ZERO, |s, (y, &x)| s + C64::conj(*y) * x)
@@ -330,6 +359,11 @@ pub(super) fn inner(y: &[C64], x: &[C64]) -> C64 {
 
 /// Euclidean norm.
 pub(super) fn norm2(x: &[C64]) -> f64 {
+    let sum: f64 = x.iter().map(|z| z.norm_sqr()).sum();
+    // no square was lost or is infinite; NaN goes on
+    if (1e-250..1e300).contains(&sum) {
+        return sum.sqrt();
+    }
     let m = x.iter().fold(0.0, |m: f64, z| if z.size() > m || z.size().is_nan() { z.size() } else { m });
     if m == 0.0 || !m.is_finite() { m } else { m * x.iter().map(|z| z.scale(1.0 / m).norm_sqr()).sum::<f64>().sqrt() }
 }

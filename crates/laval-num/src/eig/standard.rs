@@ -2,7 +2,7 @@
 
 use super::balance::balance;
 use super::mode::{Mode, order, sorted};
-use super::number::{Number, apply, apply_adjoint, check_finite, frobenius, inner, norm2};
+use super::number::{Number, apply, check_finite, frobenius, inner, norm2};
 use super::{EigError, small};
 use crate::complex::C64;
 use crate::dense::Mat;
@@ -95,12 +95,14 @@ pub fn modes<T: Number>(a: &Mat<T>) -> Result<Vec<Mode>, EigError> {
     }
     let size = frobenius(&b);
     let mut out = Vec::with_capacity(raw.alpha.len());
-    for ((value, mut right), mut left) in raw.alpha.into_iter().zip(raw.right).zip(raw.left) {
+    let [of_right, of_left] = raw.images;
+    let vectors = raw.right.into_iter().zip(of_right).zip(raw.left.into_iter().zip(of_left));
+    for (value, ((mut right, ax), (mut left, ay))) in raw.alpha.into_iter().zip(vectors) {
         let backward = |image: Vec<C64>, v: &[C64], s: C64| {
             let r: Vec<C64> = image.iter().zip(v).map(|(&i, &v)| i - s * v).collect();
             if size == 0.0 { norm2(&r) / norm2(v) } else { norm2(&r) / (size * norm2(v)) }
         };
-        let (r, l) = (backward(apply(&b, &right), &right, value), backward(apply_adjoint(&b, &left), &left, value.conj()));
+        let (r, l) = (backward(ax, &right, value), backward(ay, &left, value.conj()));
         let sensitivity = size * (norm2(&right) * norm2(&left) / inner(&left, &right).abs());
         for ((x, y), &d) in right.iter_mut().zip(&mut left).zip(&d) {
             (*x, *y) = (x.scale(d), y.scale(1.0 / d));

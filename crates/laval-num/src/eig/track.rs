@@ -1,7 +1,7 @@
 //! Following modes along a parameter.
 
 use super::mode::Mode;
-use super::number::{inner, norm2};
+use super::number::{inner, norm2, overlaps};
 use crate::complex::C64;
 use crate::dense::{Field, Lu, Mat};
 
@@ -82,6 +82,21 @@ impl Side {
         Side { values, right, dual, group }
     }
 
+    /// Some of them, in this order.
+    fn ordered(mut self, order: impl Iterator<Item = usize>) -> Side {
+        let order: Vec<usize> = order.collect();
+        let place = |j: usize| order.iter().position(|&o| o == j);
+        // a group is named by one of its members
+        let first = |j: usize| order.iter().find(|&&o| self.group[o] == self.group[j]).and_then(|&o| place(o));
+        let group = order.iter().filter_map(|&j| first(j)).collect();
+        Side {
+            values: order.iter().map(|&j| self.values[j]).collect(),
+            right: order.iter().map(|&j| std::mem::take(&mut self.right[j])).collect(),
+            dual: order.iter().map(|&j| std::mem::take(&mut self.dual[j])).collect(),
+            group,
+        }
+    }
+
     fn members(&self, g: usize) -> usize {
         self.group.iter().filter(|&&x| x == g).count()
     }
@@ -126,33 +141,34 @@ impl Track {
     /// Matches the modes of the next point. Unless the match is ambiguous the track moves there; its mode i is from then on
     /// `modes[permutation[i]]`, followed by those born.
     pub fn next(&mut self, modes: &[Mode]) -> Match {
-        let m = self.compare(modes);
+        let (m, side) = self.compare(modes);
         if !m.ambiguous {
-            self.move_to(modes, &m);
+            self.move_to(side, &m);
         }
         m
     }
 
     /// Like [`Track::next`], but moves also where the match is ambiguous.
     pub fn force(&mut self, modes: &[Mode]) -> Match {
-        let m = self.compare(modes);
-        self.move_to(modes, &m);
+        let (m, side) = self.compare(modes);
+        self.move_to(side, &m);
         m
     }
 
-    fn move_to(&mut self, modes: &[Mode], m: &Match) {
-        let order = m.permutation.iter().flatten().chain(&m.born);
-        self.current = Side::new(&order.filter_map(|&j| modes.get(j).cloned()).collect::<Vec<_>>());
+    fn move_to(&mut self, side: Side, m: &Match) {
+        self.current = side.ordered(m.permutation.iter().flatten().chain(&m.born).copied());
     }
 
-    fn compare(&self, modes: &[Mode]) -> Match {
+    /// How these modes continue those of the track; and they themselves.
+    fn compare(&self, modes: &[Mode]) -> (Match, Side) {
         let (old, new) = (&self.current, Side::new(modes));
         let (n, m) = (old.values.len(), new.values.len());
         let mac = assurance(old, &new);
+        let distance = Mat::from_fn(n, m, |i, j| (old.values[i] - new.values[j]).abs());
+        let [sizes, others] = [old, &new].map(|side| side.values.iter().map(|v| v.abs()).collect::<Vec<f64>>());
         let cost = Mat::from_fn(n, m, |i, j| {
-            let (a, b) = (old.values[i], new.values[j]);
-            let size = a.abs() + b.abs();
-            let apart = if size > 0.0 { (a - b).abs() / size } else { 0.0 };
+            let size = sizes[i] + others[j];
+            let apart = if size > 0.0 { distance[(i, j)] / size } else { 0.0 };
             (1.0 - mac[(i, j)]) + 0.25 * apart
         });
         let permutation = if cost.max_size().is_finite() { assign(&cost) } else { vec![None; n] };
@@ -163,42 +179,30 @@ impl Track {
         let mut crossings = vec![];
         for (i, j) in matched() {
             for (k, l) in matched().filter(|&(k, _)| k > i && old.group[k] != old.group[i]) {
-                let near = |a: usize, b: usize| (old.values[a] - new.values[b]).abs();
+                let near = |a: usize, b: usize| distance[(a, b)];
                 if near(i, l).max(near(k, j)) < near(i, j).max(near(k, l)) && new.group[j] != new.group[l] {
                     crossings.push((i, k));
                 }
             }
         }
-        Match { permutation, born, worst_mac, ambiguous, crossings, assurance: mac }
+        (Match { permutation, born, worst_mac, ambiguous, crossings, assurance: mac }, new)
     }
-}
-
-/// `y^H x`, in four sums beside each other: every pair of modes is compared.
-fn overlap(y: &[C64], x: &[C64]) -> C64 {
-    let mut sums = [[0.0; 2]; 4];
-    for (y, x) in y.chunks(4).zip(x.chunks(4)) {
-        for ((s, y), x) in sums.iter_mut().zip(y).zip(x) {
-            s[0] += y.re * x.re + y.im * x.im;
-            s[1] += y.re * x.im - y.im * x.re;
-        }
-    }
-    let [a, b, c, d] = sums.map(|[re, im]| C64 { re, im });
-    (a + b) + (c + d)
 }
 
 /// Assurance of every old with every new mode: the trace of the product of the two spectral projectors over the smaller dimension.
 fn assurance(old: &Side, new: &Side) -> Mat {
     let (n, m) = (old.values.len(), new.values.len());
+    let (there, back) = (overlaps(&old.dual, &new.right), overlaps(&new.dual, &old.right));
     let mut sums = Mat::<C64>::zeros(n, m);
     for i in 0..n {
         for j in 0..m {
-            let p = overlap(&old.dual[i], &new.right[j]) * overlap(&new.dual[j], &old.right[i]);
-            sums[(old.group[i], new.group[j])] += p;
+            sums[(old.group[i], new.group[j])] += there[(i, j)] * back[(j, i)];
         }
     }
+    let [of_old, of_new] = [old, new].map(|side| (0..side.group.len()).map(|g| side.members(g)).collect::<Vec<usize>>());
     Mat::from_fn(n, m, |i, j| {
         let (g, h) = (old.group[i], new.group[j]);
-        let a = sums[(g, h)].abs() / old.members(g).min(new.members(h)) as f64;
+        let a = sums[(g, h)].abs() / of_old[g].min(of_new[h]) as f64;
         // Projectors that are not orthogonal may have a trace above one, which is as unlike as its inverse.
         if a > 1.0 { 1.0 / a } else { a }
     })

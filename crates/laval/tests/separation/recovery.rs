@@ -4,7 +4,9 @@ use laval::file::load;
 use laval::outcome::Outcome;
 use laval::separation::batch::{Batch, RunUp};
 use laval::separation::cup::{Hanging, SwingingCup};
-use laval::separation::exit::{Cylinder, Vessel};
+use laval::separation::drift::Climb;
+use laval::separation::exit::{Cylinder, Exit, Surface, Vessel};
+use laval::separation::halton::point;
 use laval::separation::law::Law;
 use laval::separation::particle::{Drag, Medium, Particle};
 use laval::separation::recovery::{Needed, Recovery};
@@ -88,6 +90,50 @@ fn counted_particles_meet_the_sum() {
         // and back
         assert!((recovery.caught(n.time).unwrap() - share).abs() < 1e-8);
     }
+}
+
+/// The share caught by the time for a share is that share, for as many places as are looked at in part first, and where particles are slower than by Stokes' law, so that
+/// one round over all places does not suffice.
+#[test]
+fn the_time_for_a_share_catches_it() {
+    let coarse = Powder { size: Law::RosinRammler { characteristic: 400e-6, spread: 1.3 }, density: Law::Single(2650.0) };
+    let drag = Medium { drag: Drag::SchillerNaumann, ..Medium::new(998.2, 1e-3) };
+    let fast = Batch { powder: coarse, medium: drag, model: Model::Drifting, ..sand(0) };
+    let run_up = RunUp::Linear(60.0 / (2600.0 * RPM));
+    for (batch, speeds) in [(Batch { run_up, ..sand(0) }, [700.0, 1449.0]), (fast, [60.0, 300.0])] {
+        for (places, w) in [200, 256, 1000].into_iter().flat_map(|n| speeds.map(|w| (n, w * RPM))) {
+            let batch = Batch { places, ..batch.clone() };
+            let spinning = batch.at(w);
+            let time = Recovery::new(&spinning).unwrap().needed(0.9).unwrap().time;
+            let caught = Recovery::new(&spinning).unwrap().caught(time).unwrap();
+            assert!((caught - 0.9).abs() < 1e-6, "{places} places at {w}: {caught}");
+        }
+    }
+}
+
+/// During a run-up particles far from all surfaces are carried on by a series, others in steps: both leave the same way.
+#[test]
+fn the_run_up_by_series_is_that_in_steps() {
+    let (batch, w) = (sand(0), 1449.0 * RPM);
+    let Separator::Cup(cup) = batch.separator else { unreachable!() };
+    let ramp = RunUp::Linear(60.0 / (2600.0 * RPM)).to(w).unwrap();
+    let climb = Climb::new(&cup.hanging, None, &ramp, &cup.vessel);
+    let (turning, inside) = (batch.separator.at(w), Inside::Cup(cup.vessel));
+    let end = ramp.duration();
+    let stays = |r: [f64; 3], _: [f64; 3]| Some(Exit { time: 0.0, surface: Surface::Bottom, position: r, velocity: [0.0; 3] });
+    let mut within = 0;
+    for start in (1..400).filter_map(|k| turning.start(&point(k))) {
+        for (diameter, density) in [5e-6, 15e-6, 30e-6, 60e-6].into_iter().flat_map(|d| [(d, 2650.0), (d, 400.0)]) {
+            let p = Particle { radius: 0.5 * diameter, density };
+            let a = climb.settle(&batch.medium, &p, &inside, start, stays).unwrap();
+            let b = climb.follow(&batch.medium, &p, &inside, start, stays, &mut ()).unwrap();
+            assert!((a.time - b.time).abs() < 1e-5 * end && a.surface == b.surface, "{diameter} {start:?}: {a:?} {b:?}");
+            let way = |from: [f64; 3], to: [f64; 3]| (0..3).map(|k| (to[k] - from[k]).powi(2)).sum::<f64>().sqrt();
+            assert!(way(a.position, b.position) < 2e-5 * way(start, b.position) + 1e-12, "{diameter} {start:?}: {a:?} {b:?}");
+            within += usize::from(b.time == end);
+        }
+    }
+    assert!((1000..2800).contains(&within), "{within}");
 }
 
 /// A powder of one size and one of classes: the order statistics of the members.

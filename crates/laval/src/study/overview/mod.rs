@@ -8,6 +8,7 @@
 
 mod buckling;
 mod checks;
+mod forecast;
 mod headline;
 mod left_out;
 mod machine;

@@ -1,8 +1,9 @@
 //! What lies on the way to the operating speeds.
 
+use super::super::forecast::forecast;
 use super::super::operating::{Operating, span};
 use super::super::spins::Spins;
-use super::super::{Facts, Known, ends, within};
+use super::super::{Facts, Known, SECOND, ends, within_work};
 use super::response::closed_on_the_way;
 use super::{against, speeds};
 use crate::diagnostic::Diagnostics;
@@ -21,6 +22,9 @@ const BEGINS: f64 = 0.25;
 const ROWS: i64 = 100;
 const TOLERANCE: f64 = 1e-5;
 
+/// Most units of work of the run-up; one that will take more is given up long before.
+const WORK: u64 = SECOND + SECOND / 4;
+
 /// The run-up from standstill to this speed in this time, s.
 pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context: &Context) -> Known<Outcome> {
     let mut values = Values::default();
@@ -31,7 +35,8 @@ pub(in super::super) fn simulate(system: &System, speed: f64, time: f64, context
     let mut wrong = Diagnostics::default();
     let Some(study) = RunUp::build(&values, system, &mut wrong) else { return Known::Refused(wrong.into_error()) };
     let study = study.without_account();
-    within(&study, system, context).and_then(|result| study.report(system, &result, RunUp::KIND).ok())
+    forecast(context, WORK, |context| within_work(&study, system, context, WORK))
+        .and_then(|result| study.report(system, &result, RunUp::KIND).ok())
 }
 
 /// The largest displacement of each body on the run-ups of the file that begin below what is crossed and reach the operating speed; infinite where one of them
