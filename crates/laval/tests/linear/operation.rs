@@ -4,7 +4,7 @@ use super::overview::{ECCENTRICITY, MASS, STIFFNESS, check, jeffcott, number, pa
 use crate::common::files::load;
 use laval::file::load as read;
 use laval::outcome::{Arg, Finding, Level, Outcome, Overview, Verdict};
-use laval::study::{Context, overview, presentation};
+use laval::study::{Cancel, Context, overview, presentation};
 use std::f64::consts::TAU;
 
 fn of(operation: &str, damping: f64) -> Overview {
@@ -197,6 +197,23 @@ fn growth_on_the_way_through_an_unstable_range_is_its_integral() {
     let slope = 2.0 / (2.0 * MASS * (STIFFNESS / MASS).sqrt());
     let want = (0.5 * slope * 50.0f64.powi(2) * 20.0 / 250.0).exp();
     assert!((factor.ln() / want.ln() - 1.0).abs() < 0.01, "{factor} and not {want}");
+}
+
+/// A run-up of millions of turns is given up after a part of the bound on its work, and named as what to do next; one that ends is shown.
+#[test]
+fn a_run_up_that_takes_too_long_is_given_up_early() {
+    let of = |speed: f64, time: f64| {
+        let loaded = load(&jeffcott("", 4.0, &format!("[operation]\nspeed = {speed:?}\nrun_up_time = {time:?}\n")));
+        let stop = Cancel::default();
+        let p = overview(&loaded.system, &[], &[], &Context { cancel: &stop, ..Context::quiet("summary") });
+        (p.next.iter().any(|m| m.key == "next-run-up"), check(&p, "check-run-up").verdict, stop.spent())
+    };
+    let (next, verdict, short) = of(200.0, 5.0);
+    assert!(!next && verdict == Verdict::NoLimit, "{verdict:?}");
+    let (next, verdict, long) = of(2e4, 1000.0);
+    assert!(next && verdict == Verdict::NotComputed, "{verdict:?}");
+    // the bound is more than a billion units
+    assert!(long < short + 300_000_000, "{short} {long}");
 }
 
 /// A range narrower than the steps over all speeds, within 20 % of the operating speed.
