@@ -304,7 +304,7 @@ struct Cell {
 /// Cells of a run-up from rest, and between two knots of a table.
 const CELLS: usize = 64;
 const TABLE_CELLS: usize = 32;
-/// Allowance for what the field does between the moments of a cell.
+/// Allowance for changes of the field between the begin, the middle and the end of a cell.
 const ROOM: f64 = 1.1;
 
 impl Climb {

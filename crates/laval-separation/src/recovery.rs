@@ -332,7 +332,7 @@ impl<'a> Recovery<'a> {
                 },
             )
             .collect::<Result<_, Lost>>()?;
-        let mut missed = Mean::default();
+        let mut missed = MeanSquare::default();
         if let Kind::Smooth(curves) = &mut self.found {
             for (c, found) in curves.iter_mut().zip(exits) {
                 if let Some((ln_d, exit)) = found {
@@ -431,7 +431,7 @@ impl<'a> Recovery<'a> {
             if !next.is_finite() {
                 return Ok(f64::INFINITY);
             }
-            // one more round would move x by the misses times what the slopes are off
+            // one more round would change x by about the misses times the relative error of the slopes assumed
             let known = missed * slopes(curves) < within;
             let done = round > 0 && (known || (next - x).abs() < within);
             x = next;
@@ -495,12 +495,12 @@ impl<'a> Recovery<'a> {
 
 /// Root of the mean square of numbers.
 #[derive(Default)]
-struct Mean {
+struct MeanSquare {
     squares: f64,
     count: f64,
 }
 
-impl Mean {
+impl MeanSquare {
     fn add(&mut self, x: f64) {
         self.squares += x * x;
         self.count += 1.0;
@@ -511,9 +511,9 @@ impl Mean {
     }
 }
 
-/// By how much the slopes d ln T/d ln d differ from that of Stokes' law, -2, as a share of it, where two nodes tell: root of the mean square.
+/// Relative difference of the slopes d ln T/d ln d from -2, that of Stokes' law, over the curves with two nodes or more: root of the mean square.
 fn slopes(curves: &[Curve]) -> f64 {
-    let mut off = Mean::default();
+    let mut off = MeanSquare::default();
     curves.iter().filter_map(Curve::slope).for_each(|slope| off.add(1.0 + 0.5 * slope));
     off.root()
 }

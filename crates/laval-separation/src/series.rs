@@ -10,7 +10,7 @@
 //!
 //! Symbols: s sedimentation coefficient, s; `theta = |s| int |A| dt`.
 //!
-//! Validity: taken where theta is at most 1 (what is left out is below 1e-9 of the way; the steps themselves err by a few
+//! Validity: taken where theta is at most 1 (the remainder is below 1e-9 of the way; the steps themselves err by a few
 //! millionths of it) and where no surface is within reach of the particle, whose way towards each is bounded
 //! by `|s| int max (A r + b) dt` over the liquid. Elsewhere the particle is followed step by step.
 //!
@@ -33,9 +33,9 @@ pub(super) struct Series {
     reach: Reach,
 }
 
-/// Distances of a place to the surfaces of a cup, or bounds of what moves towards them.
+/// Distances of a place to the surfaces of a cup, m; or the largest velocity towards each over the sedimentation coefficient, summed over a time, m/s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reach {
+pub(crate) struct Reach {
     /// To the side.
     pub side: f64,
     /// To the bottom, along y.
@@ -45,12 +45,12 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// What moves that far from a place with these distances meets no surface; NaN does.
-    fn inside(&self, by: f64, clear: &Reach) -> bool {
-        // what is lighter than the liquid goes the other way
-        let (bottom, surface) = if by < 0.0 { (self.surface, self.bottom) } else { (self.bottom, self.surface) };
-        let by = by.abs();
-        by * self.side < clear.side && by * bottom < clear.bottom && by * surface < clear.surface
+    /// A particle with this sedimentation coefficient stays closer than these distances to its start; false with NaN.
+    fn inside(&self, sedimentation: f64, clear: &Reach) -> bool {
+        // particles lighter than the liquid move the other way
+        let (bottom, surface) = if sedimentation < 0.0 { (self.surface, self.bottom) } else { (self.bottom, self.surface) };
+        let s = sedimentation.abs();
+        s * self.side < clear.side && s * bottom < clear.bottom && s * surface < clear.surface
     }
 }
 

@@ -36,7 +36,7 @@ impl Inside {
     }
     /// Distances of a place to the surfaces, m: exact in a cup, 0 (not known) elsewhere.
     #[inline]
-    pub fn clear(&self, [x, y, z]: [f64; 3]) -> Reach {
+    pub(crate) fn clear(&self, [x, y, z]: [f64; 3]) -> Reach {
         match self {
             Inside::Cup(c) => Reach { side: c.radius - x.hypot(z), bottom: c.bottom - y, surface: y - c.top },
             Inside::Tube(_) | Inside::Ring(..) => Reach::default(),

@@ -8,36 +8,36 @@ use crate::study::{Cancel, Context, Progress};
 use laval_num::work::spent;
 use std::sync::atomic::Ordering::Relaxed;
 
-/// Share of the bound that is spent before it is looked at, and by how much the least work exceeds the bound where the run-up is given up: its first steps may be shorter.
+/// Share of the bound after which the first estimate is made, and the least work over the bound at which the run-up is given up: its first steps may be shorter.
 const LOOKED: f64 = 1.0 / 16.0;
 const FAR: f64 = 2.0;
 
-/// Runs a computation over a time; gives it up when it will take more than `limit` units of work.
+/// Runs a computation over a time; gives it up when its least work exceeds `limit` units by far.
 pub(super) fn forecast<R>(context: &Context, limit: u64, run: impl FnOnce(&Context) -> Known<R>) -> Known<R> {
-    let (cancel, hopeless) = (Cancel::default(), Cancel::default());
-    let watch = Watch { of: context, limit: limit as f64, cancel: &cancel, hopeless: &hopeless };
+    let (cancel, given_up) = (Cancel::default(), Cancel::default());
+    let watch = Watch { of: context, limit: limit as f64, cancel: &cancel, given_up: &given_up };
     let found = run(&Context { cancel: &cancel, progress: &watch, ..*context });
-    if hopeless.load(Relaxed) { Known::TooLong } else { found }
+    if given_up.load(Relaxed) { Known::TooLong } else { found }
 }
 
 struct Watch<'a> {
     of: &'a Context<'a>,
     limit: f64,
     cancel: &'a Cancel,
-    hopeless: &'a Cancel,
+    given_up: &'a Cancel,
 }
 
-/// So many units of work for a share of the time promise no end within the limit.
-fn hopeless(share: f64, units: f64, limit: f64) -> bool {
+/// With so many units of work for a share of the time it will not end within the limit.
+fn too_long(share: f64, units: f64, limit: f64) -> bool {
     units >= LOOKED * limit && units > FAR * limit * share
 }
 
 impl Progress for Watch<'_> {
     fn report(&self, done: u64, total: u64) {
-        if hopeless(done as f64 / total as f64, spent() as f64, self.limit) {
-            self.hopeless.store(true, Relaxed);
+        if too_long(done as f64 / total as f64, spent() as f64, self.limit) {
+            self.given_up.store(true, Relaxed);
         }
-        if self.hopeless.load(Relaxed) || self.of.cancelled() {
+        if self.given_up.load(Relaxed) || self.of.cancelled() {
             self.cancel.store(true, Relaxed);
         }
     }
@@ -50,7 +50,7 @@ mod tests {
     /// What ends within the limit is not given up, whether its work follows the time or the turns; what takes many times as long is, after a part of the limit.
     #[test]
     fn what_ends_in_time_is_not_given_up() {
-        let gives_up = |total: f64, law: fn(f64) -> f64| (1..=1000).map(|k| k as f64 / 1000.0).find(|x| hopeless(*x, total * law(*x), 1.0));
+        let gives_up = |total: f64, law: fn(f64) -> f64| (1..=1000).map(|k| k as f64 / 1000.0).find(|x| too_long(*x, total * law(*x), 1.0));
         for total in [0.01, 0.5, 1.0] {
             assert_eq!(gives_up(total, |x| x), None);
             assert_eq!(gives_up(total, |x| x * x), None);
