@@ -3,7 +3,7 @@
 //! ```text
 //! page     {"answer": {...}, "lang": "en"}    the body of `POST api/answer`, with a serial number of its own
 //! page     {"cancel": 7}                      the answer with this serial number is no longer wanted
-//! server   {"serial": 7, "want": "modes", ...}   as the lines of `POST api/answer`
+//! server   {"serial": 7, "want": "modes", ...}   as the lines of `POST api/answer`, one or more of them
 //! ```
 
 use crate::abandon::Abandon;
@@ -68,10 +68,9 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
                             let (begun, written) = (Instant::now(), RefCell::new(Vec::new()));
                             compute(&state, &request, language, &Cancel::default(), &|line| written.borrow_mut().push(line));
                             brief = begun.elapsed() < BRIEF;
-                            for line in written.into_inner() {
-                                if socket.send(Message::Text(Utf8Bytes::from(line))).await.is_err() {
-                                    return;
-                                }
+                            // one message: the browser takes as long for each as a part of the computation
+                            if socket.send(Message::Text(Utf8Bytes::from(written.into_inner().join("\n")))).await.is_err() {
+                                return;
                             }
                             continue;
                         }

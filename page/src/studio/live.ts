@@ -25,7 +25,7 @@ export class Live {
   open(): void {
     if (this.socket) return;
     const socket = this.socket = new WebSocket(this.address);
-    socket.onmessage = e => this.take(JSON.parse(String(e.data)) as Answer);
+    socket.onmessage = e => { for (const line of String(e.data).split("\n")) this.take(JSON.parse(line) as Answer); };
     socket.onclose = () => {
       if (this.socket === socket) this.socket = null;
       const all = [...this.waiting.values()];

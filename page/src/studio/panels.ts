@@ -8,7 +8,7 @@ import { find, make, say, write } from "./dom";
 import { keep } from "./focus";
 import { PATIENCE } from "./lane";
 import { Layer, overlay } from "./overlay";
-import { patched } from "./patch";
+import { drawInto } from "./patch";
 import type { Studio } from "./studio";
 import { Pulled, targets } from "./targets";
 import { Answer, WANTS, Want } from "./types";
@@ -215,7 +215,8 @@ export class Panels {
     const html = a.html ?? "", refocus = keep(p.body);
     if (p.want === "modes") write(p.at, this.speed(a));
     // modes are drawings without listeners of their own: what is alike stays
-    if (!html || p.want !== "modes" || !patched(p.body, html)) p.body.innerHTML = html || `<p class="none"></p>`;
+    if (html && p.want === "modes") drawInto(p.body, html);
+    else p.body.innerHTML = html || `<p class="none"></p>`;
     if (!html) p.body.querySelector("p")!.textContent = say("nothing");
     p.body.querySelectorAll("details").forEach((d, i) => { if (open[i] !== undefined) d.open = open[i]; });
     p.figures = [];

@@ -1,28 +1,39 @@
 // Changes a drawing into another one of the same structure; equal parts are not laid out again.
 
-/** Adds the pairs of nodes that differ, each before its children; false where the structure differs. */
-function differing(a: Node, b: Node, pairs: [Node, Node][]): boolean {
-  let x = a.firstChild, y = b.firstChild;
-  for (; x && y; x = x.nextSibling, y = y.nextSibling) {
-    if (x.nodeName !== y.nodeName) return false;
-    if (x.isEqualNode(y)) continue;
-    pairs.push([x, y]);
-    if (!differing(x, y, pairs)) return false;
-  }
-  return !x && !y;
+/** Tags and texts of a drawing, and the elements and texts that they became. */
+interface Drawn { pieces: string[]; nodes: Node[]; first: Node | null; last: Node | null }
+
+const drawn = new WeakMap<Element, Drawn>();
+
+const pieces = (html: string): string[] => html.split(/(?=<)|(?<=>)/);
+const ends = (piece: string): boolean => piece.startsWith("</");
+/** A tag without the values of its attributes; nothing of a text. */
+const frame = (piece: string): string => piece.startsWith("<") ? piece.replace(/"[^"]*"/g, '""') : "";
+
+/** Replaces the content; its elements and texts stand in the order of the pieces that begin one. */
+function replace(host: Element, html: string): void {
+  host.innerHTML = html;
+  const nodes: Node[] = [], walk = document.createTreeWalker(host, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
+  while (walk.nextNode()) nodes.push(walk.currentNode);
+  const all = pieces(html);
+  // what the browser reads otherwise than it is written is replaced each time
+  const fits = !html.includes("&") && nodes.length === all.filter(p => !ends(p)).length;
+  if (fits) drawn.set(host, { pieces: all, nodes, first: host.firstChild, last: host.lastChild });
+  else drawn.delete(host);
 }
 
-/** Whether the content could be changed to that of `html`; attributes that `html` does not give stay. */
-export function patched(host: Element, html: string): boolean {
-  const other = document.createElement("template"), pairs: [Node, Node][] = [];
-  other.innerHTML = html;
-  if (!differing(host, other.content, pairs)) return false;
-  for (const [x, y] of pairs) {
-    if (!(x instanceof Element && y instanceof Element)) x.nodeValue = y.nodeValue;
-    else for (const name of y.getAttributeNames()) {
-      const value = y.getAttribute(name)!;
-      if (x.getAttribute(name) !== value) x.setAttribute(name, value);
-    }
-  }
-  return true;
+/** Draws `html` into the element. Where only values and texts differ from what was drawn last, these are changed; attributes that others have set stay. */
+export function drawInto(host: Element, html: string): void {
+  const was = drawn.get(host), all = pieces(html);
+  const same = was && was.first === host.firstChild && was.last === host.lastChild && was.pieces.length === all.length && !html.includes("&");
+  if (!same || all.some((p, i) => p !== was.pieces[i] && frame(p) !== frame(was.pieces[i]))) return replace(host, html);
+  let k = -1;
+  all.forEach((p, i) => {
+    if (!ends(p)) k++;
+    if (p === was.pieces[i]) return;
+    const node = was.nodes[k];
+    if (!(node instanceof Element)) node.nodeValue = p;
+    else for (const [, key, value] of p.matchAll(/\s([\w:-]+)="([^"]*)"/g)) if (node.getAttribute(key) !== value) node.setAttribute(key, value);
+  });
+  was.pieces = all;
 }

@@ -1,4 +1,4 @@
-//! Loads that deflect a machine at rest.
+//! Loads of a machine: whether some deflect it at rest, and how fast others turn.
 
 use super::blocks::Blocks;
 use super::part::{DofKind, Physics};
@@ -13,13 +13,29 @@ impl System {
 
     /// Blocks of a linear part at a spin speed of the machine, rad/s; `None` of other parts.
     pub fn blocks(&self, slot: &Slot, speed: f64) -> Option<Blocks<f64>> {
-        if slot.physics != Physics::Linear {
-            return None;
-        }
+        (slot.physics == Physics::Linear).then(|| self.blocks_in_time(slot, speed))
+    }
+
+    /// The largest speed of a load that turns over the speed of the machine; 0 where none turns. A nonlinear part that reads its spin counts as such a load.
+    pub fn fastest_load(&self) -> f64 {
+        let turns = |slot: &Slot| {
+            if !slot.is_linear() {
+                return slot.uses.spin;
+            }
+            let b = self.blocks_in_time(slot, 1.0);
+            let forces = [&b.force_cos, &b.force_sin, &b.spin_accel_cos, &b.spin_accel_sin];
+            let rates = [&b.spin_accel_rate_cos, &b.spin_accel_rate_sin];
+            forces.into_iter().chain(rates).flatten().any(|x| *x != 0.0)
+        };
+        let speeds = self.slots().iter().filter(|slot| turns(slot)).map(|slot| slot.speed(self.params(), 1.0).abs());
+        speeds.fold(0.0, f64::max)
+    }
+
+    fn blocks_in_time(&self, slot: &Slot, speed: f64) -> Blocks<f64> {
         let (mut out, speed) = (Blocks::default(), slot.speed(self.params(), speed));
         out.reset_band(slot.map.len(), slot.states.len() - slot.memory, slot.reach, speed);
         slot.part.linear_f64(&self.params()[slot.params.clone()], speed, &mut out);
-        Some(out)
+        out
     }
 
     fn has_constant_force(&self, slot: &Slot) -> bool {

@@ -133,7 +133,7 @@ fn advance<S: Ode + ?Sized, M: Method<S>>(
             return Ok(End::WorkLimit { t });
         }
         let shortest = (10.0 * f64::EPSILON * t.abs()).max(1e-290);
-        let h = run.next_step.max(shortest);
+        let h = system.longest_step(t, y, run.next_step).max(shortest);
         // a last step a little longer than proposed spares a very short one
         let t1 = if (t_end - t).abs() <= 1.01 * h { t_end } else { t + sign * h };
         let dense = !control.events.is_empty() || observer.dense() || watch.next_output().is_some_and(|o| (t1 - o) * sign > 0.0);

@@ -38,6 +38,11 @@ pub trait Ode {
     /// Times at which the right side is requested next, in this order, if the step runs to its end: what depends on time alone may be computed for all of
     /// them side by side. Other times may come between.
     fn ahead(&mut self, _times: &[f64]) {}
+    /// The length of the step from `(t, y)`, shortened where a step of the length `proposed` could pass over a change of the right side with time, such as a
+    /// load that turns: the error estimate does not see it while the states stay below their absolute tolerances.
+    fn longest_step(&self, _t: f64, _y: &[f64], proposed: f64) -> f64 {
+        proposed
+    }
     /// Number of the last states that no rate depends on: integrals along the motion. An implicit method computes them after the others.
     fn integrals(&self) -> usize {
         0

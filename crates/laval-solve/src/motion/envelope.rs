@@ -72,7 +72,7 @@ pub fn growth(windows: &[Window], turn: f64) -> Option<Growth> {
 
 /// As [`growth`], of this many half turns at least (four or more).
 pub fn growth_of(windows: &[Window], turn: f64, least: usize) -> Option<Growth> {
-    // long steps of a machine that does not move yet leave windows without a value
+    // an integration that ended early leaves the last windows without a value
     let filled = windows.iter().rposition(|w| w.last.is_finite()).map_or(0, |k| k + 1);
     let used: Vec<&Window> =
         windows[filled / 2..filled].iter().filter(|w| w.peak.amplitude > 0.0 && w.peak.amplitude.is_finite()).collect();

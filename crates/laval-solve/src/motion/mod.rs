@@ -46,6 +46,7 @@ use laval_model::text;
 use laval_num::ode::{Failure, Ode};
 use massless::Massless;
 use single::Single;
+use std::f64::consts::PI;
 use stiff::Elimination;
 
 /// Least rate at which what follows from other states is followed, 1/s.
@@ -63,10 +64,32 @@ pub enum SpinLaw {
     Free,
 }
 
+impl SpinLaw {
+    /// A step from `t`, where the spin is `now`, shortened so that a load of `ratio` times the speed turns by half a turn at most. Where the speed is free its
+    /// acceleration is taken to stay.
+    pub(crate) fn within_half_turn(&self, ratio: f64, t: f64, now: Spin, proposed: f64) -> f64 {
+        let speed = |h: f64| match self {
+            SpinLaw::Programme(p) => p.at(t + h).speed,
+            SpinLaw::Free => now.speed + h * now.accel,
+        };
+        let mut h = proposed;
+        loop {
+            let fastest = [now.speed, speed(0.5 * h), speed(h)].into_iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+            let allowed = PI / (ratio * fastest);
+            if !allowed.lt(&h) {
+                return h;
+            }
+            h = allowed.max(0.5 * h);
+        }
+    }
+}
+
 /// The machine as an ODE, with its scratch; see the [module](self).
 pub struct Motion<'a> {
     system: &'a System,
     law: SpinLaw,
+    /// Speed of its fastest load that turns over its own.
+    fastest_load: f64,
     account: bool,
     direct: Direct,
     steady: Option<Steady<'a>>,
@@ -147,6 +170,7 @@ impl<'a> Motion<'a> {
             large: None,
             elimination: Elimination::new(system, free),
             law,
+            fastest_load: system.fastest_load(),
             account: false,
             power: Power::new(system),
         };
@@ -425,6 +449,12 @@ impl Ode for Motion<'_> {
         if let (Some(Steady::Single(equations, _)), false) = (&mut self.steady, self.account) {
             equations.ahead(times);
         }
+    }
+
+    fn longest_step(&self, t: f64, y: &[f64], proposed: f64) -> f64 {
+        let now = self.spin(t, y);
+        let accel = if self.is_free() { self.direct.accel[self.system.n()] } else { now.accel };
+        self.law.within_half_turn(self.fastest_load, t, Spin { accel, ..now }, proposed)
     }
 
     fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {

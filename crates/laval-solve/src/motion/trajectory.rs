@@ -471,7 +471,7 @@ struct Watch<'a> {
     switching: bool,
 }
 
-/// Probes of the displacements inside a step.
+/// Least number of probes of the displacements inside a step.
 const PROBES: usize = 4;
 
 impl<'a> Watch<'a> {
@@ -512,6 +512,12 @@ impl<'a> Watch<'a> {
             track.last = track.place(y);
             track.probe(0.0, track.last, self.t_end);
         }
+    }
+
+    /// Probes inside a step: one at least in each window of the envelope that it passes through.
+    fn probes(&self, length: f64) -> usize {
+        let windows = self.tracks.first().map_or(0, |track| track.windows.len());
+        PROBES.max(1 + (length / self.t_end * windows as f64).ceil() as usize)
     }
 
     fn assess(&mut self, t: f64, y: &[f64]) {
@@ -598,8 +604,9 @@ impl Track {
 impl Observer for Watch<'_> {
     fn step(&mut self, step: &Step<'_>) {
         let mut y = std::mem::take(&mut self.y);
-        for p in 1..=PROBES {
-            let t = if p == PROBES { step.t1 } else { step.t0 + (step.t1 - step.t0) * (p as f64 / PROBES as f64) };
+        let probes = self.probes(step.t1 - step.t0);
+        for p in 1..=probes {
+            let t = if p == probes { step.t1 } else { step.t0 + (step.t1 - step.t0) * (p as f64 / probes as f64) };
             step.eval(t, &mut y);
             for track in &mut self.tracks {
                 track.probe(t, track.place(&y), self.t_end);

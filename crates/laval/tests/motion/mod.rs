@@ -10,6 +10,7 @@ mod massless;
 mod massless_settled;
 mod motion_map;
 mod natural;
+mod slow_run_ups;
 mod spin_load;
 mod sweep;
 mod transient_motion;
