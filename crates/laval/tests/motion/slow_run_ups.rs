@@ -65,6 +65,31 @@ fn a_free_spin_is_followed_as_one_that_is_prescribed() {
     assert!(prescribed > 20.0 * SMALL / 4.0 && (free - prescribed).abs() < 1e-3 * prescribed, "{free:e} {prescribed:e}");
 }
 
+/// A disc on a spin of a fixed ratio is followed by its own speed.
+#[test]
+fn a_load_on_a_faster_spin_is_followed_by_its_speed() {
+    let ratio = "[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -20\n";
+    let text = machine(SMALL, "prescribed", ratio).replacen("name = \"d\"", "name = \"d\"\nspin = \"fast\"", 1);
+    let geared = run(&format!("{text}kind = \"run_up\"\nfrom = 0\nto = 10\nduration = 300\n"));
+    let (geared, direct) = (largest(&column(&geared, "envelope", "d amplitude")), largest(&run_up(SMALL, "to = 200\nduration = 300")));
+    assert!((geared - direct).abs() < 1e-3 * direct, "{geared:e} {direct:e}");
+}
+
+#[test]
+fn the_fastest_load_of_a_machine() {
+    let of = |text: &str| load(text).unwrap_or_else(|d| panic!("{d:?}")).system.fastest_load();
+    let disc = |more: &str| format!("[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 4\n{more}");
+    assert_eq!(of(&disc("")), 0.0);
+    assert_eq!(of(&disc("eccentricity = 1e-30\n")), 1.0);
+    let fast = "[[part]]\nkind = \"speed_ratio\"\nname = \"fast\"\nratio = -20\n";
+    assert_eq!(of(&disc(&format!("spin = \"fast\"\nunbalance = 1e-5\n{fast}"))), 20.0);
+    // without an unbalance nothing turns on the faster spin
+    assert_eq!(of(&disc(&format!("spin = \"fast\"\n{fast}"))), 0.0);
+    // masses that move in the rotor turn with it
+    let balls = "[[part]]\nkind = \"balancer_ball\"\non = \"d\"\nballs = 2\nball_mass = \"20 g\"\ntrack_radius = \"60 mm\"\ndrag = 5e-3\n";
+    assert_eq!(of(&disc(balls)), 1.0);
+}
+
 /// Where loads turn slowly the response is that of each speed by itself: the largest is the height of the resonance, e/(2 zeta sqrt(1 - zeta^2)).
 #[test]
 fn the_slowest_passage_reaches_the_height_of_the_resonance() {
