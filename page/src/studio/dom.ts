@@ -33,5 +33,8 @@ export function find<T extends Element = HTMLElement>(selector: string, from: Pa
   return e;
 }
 
+/** An attribute of an element; the same value is not set again. */
+export function set(e: Element, name: string, value: string): void { if (e.getAttribute(name) !== value) e.setAttribute(name, value); }
+
 /** Text of an element; the same text is not laid out again. */
 export function write(e: Element, text: string): void { if (e.textContent !== text) e.textContent = text; }

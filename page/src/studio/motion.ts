@@ -2,7 +2,7 @@
 
 import { minus, number, unit } from "../report/numbers";
 import * as api from "./api";
-import { make, say, write } from "./dom";
+import { make, say, set, write } from "./dom";
 import { Lane } from "./lane";
 import type { Panels } from "./panels";
 import type { SpaceView } from "./scene";
@@ -161,7 +161,7 @@ export class Motion {
     this.ask();
     this.view?.whirls(this.entry?.shape ?? null);
     this.state();
-    this.panels.box("modes").querySelectorAll(".mode").forEach((c, i) => c.setAttribute("aria-pressed", String(this.chosen === `mode:${i}`)));
+    this.panels.box("modes").querySelectorAll(".mode").forEach((c, i) => set(c, "aria-pressed", String(this.chosen === `mode:${i}`)));
   }
 
   /** Computes the chosen motion for the text and the speed that are now, where it is seen. */
@@ -224,7 +224,7 @@ export class Motion {
       c.addEventListener("click", act);
       c.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); act(); } });
     });
-    cards.forEach((c, i) => c.setAttribute("aria-pressed", String(this.chosen === `mode:${i}`)));
+    cards.forEach((c, i) => set(c, "aria-pressed", String(this.chosen === `mode:${i}`)));
   }
 
   recolour(): void { this.view?.recolour(); }

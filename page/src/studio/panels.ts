@@ -203,8 +203,10 @@ export class Panels {
     p.last = a;
     p.of = this.key();
     p.drawn = performance.now();
-    p.box.classList.add("filled");
-    p.box.classList.remove("stale");
+    if (!p.box.matches(".filled:not(.stale)")) {
+      p.box.classList.add("filled");
+      p.box.classList.remove("stale");
+    }
     write(p.took, a.ms === undefined ? "" : `${a.ms < 10 ? a.ms.toFixed(1) : Math.round(a.ms)} ms`);
     this.draw(p, a);
     this.listeners.forEach(f => f(a));

@@ -1,5 +1,7 @@
 // Changes a drawing into another one of the same structure; equal parts are not laid out again.
 
+import { set } from "./dom";
+
 /** Tags and texts of a drawing, and the elements and texts that they became. */
 interface Drawn { pieces: string[]; nodes: Node[]; first: Node | null; last: Node | null }
 
@@ -33,7 +35,7 @@ export function drawInto(host: Element, html: string): void {
     if (p === was.pieces[i]) return;
     const node = was.nodes[k];
     if (!(node instanceof Element)) node.nodeValue = p;
-    else for (const [, key, value] of p.matchAll(/\s([\w:-]+)="([^"]*)"/g)) if (node.getAttribute(key) !== value) node.setAttribute(key, value);
+    else for (const [, key, value] of p.matchAll(/\s([\w:-]+)="([^"]*)"/g)) set(node, key, value);
   });
   was.pieces = all;
 }

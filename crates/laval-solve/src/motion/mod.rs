@@ -477,3 +477,42 @@ impl Ode for Motion<'_> {
         self.rates_without_account(t, y, dy).map(|_| ())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::programme::Shape;
+
+    #[test]
+    fn a_step_turns_a_load_by_half_a_turn_at_most() {
+        let ramp = |from, to, shape| Programme::ramp(from, to, 100.0, shape, 0.3).unwrap();
+        let programmes = [
+            Programme::constant(-7.0, 0.0),
+            ramp(0.0, 200.0, Shape::Linear),
+            ramp(0.0, -200.0, Shape::Smooth),
+            ramp(50.0, -50.0, Shape::Linear),
+            ramp(300.0, 3.0, Shape::Exponential),
+        ];
+        for p in programmes {
+            let law = SpinLaw::Programme(p.clone());
+            for (ratio, t, proposed) in [(1.0, 0.0, 90.0), (20.0, 0.0, 90.0), (1.0, 49.0, 50.0), (0.1, 30.0, 60.0), (1.0, 20.0, 1e-3)] {
+                let h = law.within_half_turn(ratio, t, p.at(t), proposed);
+                let turned = ratio * (p.at(t + h).phase - p.at(t).phase).abs();
+                assert!(h > 0.0 && h <= proposed && turned < PI * (1.0 + 1e-9), "{p:?} {t} {h} {turned}");
+                // nor much shorter
+                let most = [t, t + 0.5 * h, t + h].map(|t| p.at(t).speed.abs()).into_iter().fold(0.0, f64::max);
+                assert!(h == proposed || ratio * h * most > 0.2 * PI, "{p:?} {t} {h} {most}");
+            }
+        }
+        for (speed, accel) in [(0.0, 3.0), (40.0, 0.0), (-40.0, 3.0), (2.0, -3.0)] {
+            let h = SpinLaw::Free.within_half_turn(2.0, 0.0, Spin { phase: 0.0, speed, accel }, 1e3);
+            let turned = 2.0 * (speed * h + 0.5 * accel * h * h).abs();
+            assert!(turned < PI * (1.0 + 1e-9) && 2.0 * h * (speed.abs() + accel.abs() * h) > 0.2 * PI, "{speed} {accel} {h} {turned}");
+        }
+        // nothing turns, or the machine stands still
+        let still = Programme::constant(0.0, 0.0);
+        assert_eq!(SpinLaw::Programme(still.clone()).within_half_turn(1.0, 0.0, still.at(0.0), 5.0), 5.0);
+        let turning = Programme::constant(10.0, 0.0);
+        assert_eq!(SpinLaw::Programme(turning.clone()).within_half_turn(0.0, 0.0, turning.at(0.0), 5.0), 5.0);
+    }
+}

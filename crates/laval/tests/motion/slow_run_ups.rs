@@ -56,6 +56,12 @@ fn small_unbalances_move_in_proportion() {
     }
 }
 
+/// Steps longer than the windows of the envelope leave none of them without a value.
+#[test]
+fn long_steps_fill_all_windows() {
+    run_up(1e-2 * SMALL, "to = 200\nduration = 60\nmethod = \"stiff\"");
+}
+
 /// A constant torque drives a free spin as a programme of constant acceleration does: so small a vibration takes nothing from it.
 #[test]
 fn a_free_spin_is_followed_as_one_that_is_prescribed() {
