@@ -260,3 +260,72 @@ fn undamped_torsion_is_no_doubt_about_the_whirl() {
     let still = page(&text(true, 0.0));
     assert_eq!((check(&still, "check-stability").verdict, still.verdict), (Verdict::Attention, Verdict::Attention));
 }
+
+/// However far a resonance is below the operating speed, a run-up crosses it: sqrt(k/m), also of a machine that turns the other way and of one with other orders.
+#[test]
+fn a_resonance_far_below_the_operating_speed_is_crossed() {
+    let machine = |speed: f64, more: &str| {
+        format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 1\neccentricity = 5e-6\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"mount\"\nbetween = [\"rotor\", \"ground\"]\nstiffness = 158\ndamping = 0.05\n\
+             [operation]\nspeed = {speed:?}\n{more}"
+        )
+    };
+    let critical = 158.0f64.sqrt();
+    for speed in [1e3, 2e4, -2e4, 1e6] {
+        let p = page(&machine(speed, ""));
+        let found = &p.over_speed.as_ref().unwrap().resonances;
+        assert!(found.len() == 1 && (found[0].speed - critical).abs() < 1e-3 * critical, "{speed}: {found:?}");
+        let run_up = check(&p, "check-run-up");
+        assert_eq!((run_up.result.key.as_str(), run_up.verdict), ("run-up-resonances", Verdict::NotComputed), "{speed}");
+    }
+    // the second order meets the mode at half of its speed
+    let p = page(&machine(2e4, "orders = [2.0]\n"));
+    let found: Vec<f64> = p.over_speed.as_ref().unwrap().resonances.iter().map(|r| r.speed).collect();
+    assert!(found.iter().any(|w| (w - 0.5 * critical).abs() < 1e-3 * critical), "{found:?}");
+}
+
+/// A table of a bearing that pushes sideways at low speeds alone, k_c > c sqrt(k/m): the run-up crosses what is unstable there.
+#[test]
+fn an_unstable_range_far_below_the_operating_speed_is_crossed() {
+    let text = |speed: f64| {
+        format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"a\"\nmass = 1\neccentricity = 1e-5\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"s\"\nbetween = [\"a\", \"ground\"]\n\
+             table = {{ speed = [0, 35, 55, 75, 1e6], kxx = [1e4, 1e4, 1e4, 1e4, 1e4], kyy = [1e4, 1e4, 1e4, 1e4, 1e4],\
+             kxy = [0, 0, 3000, 0, 0], kyx = [0, 0, -3000, 0, 0], cxx = [1, 1, 1, 1, 1], cyy = [1, 1, 1, 1, 1] }}\n\
+             [operation]\nspeed = {speed:?}\n"
+        )
+    };
+    let range = |speed: f64| {
+        let p = page(&text(speed));
+        let all = &p.over_speed.as_ref().unwrap().unstable;
+        assert!(all.len() == 1, "{speed}: {all:?}");
+        (all[0].from, all[0].to)
+    };
+    let near = range(300.0);
+    assert!(near.0 > 35.0 && near.1 < 75.0);
+    for speed in [3e4, 1e5] {
+        let far = range(speed);
+        assert!((far.0 - near.0).abs() < 1e-3 * near.0 && (far.1 - near.1).abs() < 1e-3 * near.1, "{speed}: {far:?} {near:?}");
+    }
+}
+
+/// A rotor on another spin, whose unbalance no study took, is not shown as one that does not move; a speed at which its modes meet its load counts once.
+#[test]
+fn a_body_of_another_spin_is_not_at_rest() {
+    let p = page(
+        "[machine]\n[[part]]\nkind = \"speed_ratio\"\nname = \"in\"\nratio = 0.5\n\
+         [[part]]\nkind = \"disc\"\nname = \"a\"\nmass = 1\neccentricity = 1e-6\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"sa\"\nbetween = [\"a\", \"ground\"]\nstiffness = 1e6\ndamping = 20\n\
+         [[part]]\nkind = \"disc\"\nname = \"b\"\nspin = \"in\"\nmass = 1\neccentricity = 1e-5\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"sb\"\nbetween = [\"b\", \"ground\"]\nstiffness = 1e4\ndamping = 2\n\
+         [operation]\nspeed = 200\n",
+    );
+    let vibration = check(&p, "check-vibration");
+    assert_eq!(vibration.verdict, Verdict::NotComputed);
+    let Some(Arg::List(shown)) = vibration.result.arg_named("sizes") else { panic!("{vibration:?}") };
+    assert_eq!(shown.len(), 1, "{shown:?}");
+    let found: Vec<f64> = p.over_speed.as_ref().unwrap().resonances.iter().map(|r| r.speed).collect();
+    assert_eq!(found.iter().filter(|w| (*w - 200.0).abs() < 0.1).count(), 1, "{found:?}");
+}

@@ -19,6 +19,7 @@ mod operating;
 mod over_frequency;
 mod over_speed;
 mod shapes;
+mod slowest;
 mod spins;
 mod studied;
 mod worst;
@@ -273,6 +274,7 @@ pub fn blocks(system: &System) -> (Vec<Block>, bool) {
 pub fn page_range(system: &System, speeds: &[SpinSpeeds]) -> (f64, f64) {
     let sign = system.machine.speed.filter(|w| *w != 0.0).map_or(1.0, f64::signum);
     let (low, high) = range(Operating::of(system, &operation::among(&system.machine.extras)), sign, speeds);
+    let low = slowest::begin(system, low, sign, &orders(system, &limits::of(system)), &Context::quiet("page"));
     if sign < 0.0 { (-high, -low) } else { (low, high) }
 }
 
@@ -311,6 +313,14 @@ impl Beforehand {
     }
 }
 
+/// Multiples of the speed that excite, ascending: unbalance turns with every spin, whatever else does.
+fn orders(system: &System, limits: &Limits) -> Vec<f64> {
+    let other = |k: &f64| !limits.orders.iter().any(|own| same_ratio(*own, *k));
+    let mut orders: Vec<f64> = limits.orders.iter().copied().chain(spin_orders(system).into_iter().filter(other)).collect();
+    ascending(&mut orders);
+    orders
+}
+
 /// The first page. `speeds`: what the studies of the file cover.
 pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], context: &Context) -> Overview {
     overview_after(None, system, speeds, outcomes, context)
@@ -329,7 +339,10 @@ pub fn overview_after(
     let operating = Operating::of(system, &operation);
     // of a rotor that turns the other way round the page shows the amounts of the speeds
     let sign = rated.map_or(1.0, f64::signum);
-    let range = range(operating, sign, speeds);
+    let mut limits = limits::of(system);
+    limits.orders = orders(system, &limits);
+    let (low, high) = range(operating, sign, speeds);
+    let range = (slowest::begin(system, low, sign, &limits.orders, context), high);
     let ends = [sign * range.0, sign * range.1];
     let speed = RangeValue { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), points: Some(POINTS) };
     let modes = rated.map(|speed| {
@@ -351,10 +364,6 @@ pub fn overview_after(
         |speed| StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None };
     let resonance_margin = operation::required_margin(system).unwrap_or(MARGIN);
     let wide = |margin: f64| (BEYOND * margin).clamp(ABOUT, 0.99);
-    let mut limits = limits::of(system);
-    // unbalance turns with every spin, whatever else excites
-    limits.orders.extend(spin_orders(system).into_iter().filter(|k| !limits::of(system).orders.iter().any(|own| same_ratio(*own, *k))));
-    ascending(&mut limits.orders);
     let of_whole = || {
         let stability = within(&map(speed), system, context).and_then(|r| r.rows.into_iter().next());
         stability.or_studied(|row| !row.stopped, || studied::growth(outcomes, needed?))

@@ -26,6 +26,8 @@ const APART: f64 = 0.05;
 const BESIDE: f64 = 1e-4;
 /// Speeds that differ by less than this share are one resonance.
 const SAME: f64 = 0.02;
+/// Two modes that a load excites at the same speed, but for rounding, are one resonance.
+const EQUAL: f64 = 1e-9;
 
 /// What is known over the speed; none where nothing is.
 pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
@@ -79,6 +81,13 @@ pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
             }
         }
         out.resonances.sort_by_number(|a| a.speed);
+        out.resonances.dedup_by(|next, kept| {
+            let one = (next.speed - kept.speed).abs() <= EQUAL * kept.speed.abs();
+            if one && kept.amplitude.is_none() {
+                std::mem::swap(next, kept);
+            }
+            one
+        });
         // a margin that the file requires holds for every resonance
         if facts.resonance_margin().is_none() {
             out.critically_damped = critically_damped(facts, &out.resonances);

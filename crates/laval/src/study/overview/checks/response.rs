@@ -84,6 +84,10 @@ pub(super) fn vibration(facts: &Facts) -> Vec<Check> {
             named.push((p, x));
         }
     }
+    // what moves by loads alone that are left out is not known
+    if !spins.left_out.is_empty() && named.iter().any(|a| a.1 != 0.0) {
+        named.retain(|a| a.1 != 0.0);
+    }
     named.sort_by_number_down(|a| a.1);
     named.truncate(MOST_NAMED);
     let item = |(p, x): &(&Probe, f64)| Arg::from(Message::new("item").arg("name", probes::named(p)).arg("value", Arg::quantity(*x, "m")));
