@@ -261,18 +261,18 @@ fn undamped_torsion_is_no_doubt_about_the_whirl() {
     assert_eq!((check(&still, "check-stability").verdict, still.verdict), (Verdict::Attention, Verdict::Attention));
 }
 
-/// However far a resonance is below the operating speed, a run-up crosses it: sqrt(k/m), also of a machine that turns the other way and of one with other orders.
+/// However far a resonance is below the operating speed, a run-up crosses it: sqrt(k/m), and where another order excites a part of that.
 #[test]
 fn a_resonance_far_below_the_operating_speed_is_crossed() {
     let machine = |speed: f64, more: &str| {
         format!(
-            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 1\neccentricity = 5e-6\n\
+            "[machine]\nspeed = {speed:?}\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 1\neccentricity = 5e-6\n\
              [[part]]\nkind = \"bearing_linear\"\nname = \"mount\"\nbetween = [\"rotor\", \"ground\"]\nstiffness = 158\ndamping = 0.05\n\
-             [operation]\nspeed = {speed:?}\n{more}"
+             {more}"
         )
     };
     let critical = 158.0f64.sqrt();
-    for speed in [1e3, 2e4, -2e4, 1e6] {
+    for speed in [1e3, 2e4, 1e6] {
         let p = page(&machine(speed, ""));
         let found = &p.over_speed.as_ref().unwrap().resonances;
         assert!(found.len() == 1 && (found[0].speed - critical).abs() < 1e-3 * critical, "{speed}: {found:?}");
@@ -280,7 +280,7 @@ fn a_resonance_far_below_the_operating_speed_is_crossed() {
         assert_eq!((run_up.result.key.as_str(), run_up.verdict), ("run-up-resonances", Verdict::NotComputed), "{speed}");
     }
     // the second order meets the mode at half of its speed
-    let p = page(&machine(2e4, "orders = [2.0]\n"));
+    let p = page(&machine(2e4, "[limits]\norders = [1, 2]\nclearance = 0.2\n"));
     let found: Vec<f64> = p.over_speed.as_ref().unwrap().resonances.iter().map(|r| r.speed).collect();
     assert!(found.iter().any(|w| (w - 0.5 * critical).abs() < 1e-3 * critical), "{found:?}");
 }
