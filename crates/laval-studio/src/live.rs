@@ -68,7 +68,7 @@ pub(crate) async fn live(state: Arc<State>, mut socket: WebSocket) {
                             let (begun, written) = (Instant::now(), RefCell::new(Vec::new()));
                             compute(&state, &request, language, &Cancel::default(), &|line| written.borrow_mut().push(line));
                             brief = begun.elapsed() < BRIEF;
-                            // one message: the browser takes as long for each as a part of the computation
+                            // one message: the browser runs a task of its own for each
                             if socket.send(Message::Text(Utf8Bytes::from(written.into_inner().join("\n")))).await.is_err() {
                                 return;
                             }

@@ -65,8 +65,8 @@ pub enum SpinLaw {
 }
 
 impl SpinLaw {
-    /// A step from `t`, where the spin is `now`, shortened so that a load of `ratio` times the speed turns by half a turn at most. Where the speed is free its
-    /// acceleration is taken to stay.
+    /// A step forwards from `t` (s), where the spin is `now`, shortened so that a load of `ratio` times the speed turns by half a turn at most. Where the speed is
+    /// free its acceleration is taken to stay.
     pub(crate) fn within_half_turn(&self, ratio: f64, t: f64, now: Spin, proposed: f64) -> f64 {
         let speed = |h: f64| match self {
             SpinLaw::Programme(p) => p.at(t + h).speed,

@@ -13,7 +13,8 @@ const ROUNDS: usize = 3;
 /// Frequencies below this share of the largest are rounding.
 const ROUNDING: f64 = 1e-7;
 
-/// The first speed of the page, an amount: `from`, or a lower one where a mode meets one of these multiples of the speed below it, or a part has a row of a table there.
+/// The first speed of the page, rad/s, an amount: `from`, or a lower one where a mode meets one of these multiples of the speed below it, or a part has a row of a table
+/// there. Where the modes at these speeds are refused or take longer than a second it stays, and what lies below is not examined.
 pub(super) fn begin(system: &System, from: f64, sign: f64, orders: &[f64], context: &Context) -> f64 {
     let ends = [0.0, sign * from];
     let rows = system.table_speeds(ends[0].min(ends[1]), ends[0].max(ends[1]));
