@@ -57,8 +57,10 @@ pub(super) fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed:
     let at_rest =
         system.is_loaded().then(|| rest(system, speed).ok()).flatten().map(|e| largest(system, nonlinear, (&(e.q, e.z), speed), &own, 0.0));
     let by_displacement = largest(system, nonlinear, (&displaced, speed), &own, 0.0);
-    let all = largest(system, nonlinear, (&displaced, speed), &|_| true, 1.0);
-    let first = |class: usize| at_rest.iter().chain([&by_displacement, &all]).map(|size| size[class]).find(|k| *k > 0.0);
+    // of the whole machine without its mass where that is anything: K loses the digits by which the reference exceeds it, all of them at a resonance far below
+    let [without_mass, with_mass] = [0.0, 1.0].map(|inertia| largest(system, nonlinear, (&displaced, speed), &|_| true, inertia));
+    let sizes = || at_rest.iter().chain([&by_displacement, &without_mass, &with_mass]);
+    let first = |class: usize| sizes().map(|size| size[class]).find(|k| *k > 0.0);
     let lateral = first(0);
     nonlinear.kinds.iter().take(nonlinear.basis.rows.len()).map(|&kind| first(kind.class()).or(lateral).unwrap_or(1.0)).collect()
 }
